@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.hpp"
 #include "base/row.hpp"
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
@@ -117,19 +118,17 @@ struct Reals {
 template <class R, class Start, class Cycle>
 void sweep(benchmark::State& state, const Mesh& mesh, int state_size, int rows, Start&& start, Cycle&& cycle) {
   constexpr int W = lanes<R>;
-  const std::size_t blocks = mesh.elements / W, corners = static_cast<std::size_t>(mesh.corners);
+  const std::size_t blocks = mesh.elements / W, corners = at(mesh.corners);
   std::vector<int> ids(blocks * W * corners);
-  Reals fields(blocks * static_cast<std::size_t>(W * state_size));
-  std::vector<Row> slots(blocks * W * corners * static_cast<std::size_t>(rows));
+  Reals fields(blocks * at(W * state_size));
+  std::vector<Row> slots(blocks * W * corners * at(rows));
   for (std::size_t e = 0; e < blocks * W; ++e) {
     for (std::size_t a = 0; a < corners; ++a) ids[(e / W * corners + a) * W + e % W] = mesh.corner[e * corners + a];
-    start(fields.data + e / W * static_cast<std::size_t>(W * state_size), static_cast<int>(e % W),
-          &mesh.corner[e * corners]);
+    start(fields.data + e / W * at(W * state_size), static_cast<int>(e % W), &mesh.corner[e * corners]);
   }
   const auto run = [&] {
     for (std::size_t b = 0; b < blocks; ++b)
-      cycle(&ids[b * W * corners], fields.data + b * static_cast<std::size_t>(W * state_size),
-            &slots[b * W * corners * static_cast<std::size_t>(rows)]);
+      cycle(&ids[b * W * corners], fields.data + b * at(W * state_size), &slots[b * W * corners * at(rows)]);
   };
   for (int warm = 0; warm < 60; ++warm) run();
   for (auto _ : state) {
@@ -257,7 +256,7 @@ void brick(benchmark::State& state, const Law& parameters, double dt, int hourgl
       [&](double* s, int lane, const int* corner) {
         std::array<Vec3d, 8> x;
         for (std::size_t a = 0; a < 8; ++a) {
-          const Row& r = mesh.x[static_cast<std::size_t>(corner[a])];
+          const Row& r = mesh.x[corner[a]];
           x[a] = {r.x, r.y, r.z};
         }
         start_hexahedron(layout, x, s, lanes<R>, lane);
@@ -303,7 +302,7 @@ void weld_beam(benchmark::State& state, double dt, int quadrature) {
   sweep<R>(
       state, mesh, layout.size(), 2,
       [&](double* s, int lane, const int* corner) {
-        const Row &a = mesh.x[static_cast<std::size_t>(corner[0])], &b = mesh.x[static_cast<std::size_t>(corner[1])];
+        const Row &a = mesh.x[corner[0]], &b = mesh.x[corner[1]];
         start_weld_beam(layout, {a.x, a.y, a.z}, {b.x, b.y, b.z}, {}, s, lanes<R>, lane);
       },
       [&](const int* id, double* s, Row* slot) {

@@ -8,7 +8,6 @@
 #include <map>
 #include <numeric>
 
-#include "base/index.hpp"
 #include "model/lumped_mass.hpp"
 #include "model/units.hpp"
 
@@ -150,13 +149,13 @@ std::string weld_table(const model::Model& model, const weld::Ties& ties, const 
     const weld::Weld& w = ties.welds[i];
     std::vector<int> sheets;
     for (const model::Index sheet : w.sheets)
-      if (sheet != model::none) sheets.push_back(model.parts[at(sheet)].id);
+      if (sheet != model::none) sheets.push_back(model.parts[sheet].id);
     std::string remarks;
     for (const weld::Remark& r : reports[i].remarks)
       remarks += fmt::format("{}{}: {}", remarks.empty() ? "" : "; ", r.check->name, r.text);
     s += fmt::format("{:>10} {:>9} {:>8} {:>9.4g} {:>9.4g} {:>5}  {:<9} {}\n", w.id, weld::to_string(w.kind),
-                     w.part == model::none ? 0 : model.parts[at(w.part)].id, w.diameter, w.length,
-                     w.tied ? "yes" : "no", fmt::format("{}", fmt::join(sheets, "+")), remarks);
+                     w.part == model::none ? 0 : model.parts[w.part].id, w.diameter, w.length, w.tied ? "yes" : "no",
+                     fmt::format("{}", fmt::join(sheets, "+")), remarks);
   }
   if (!all)
     s += fmt::format("the welds with the worst warnings, {} of {}; welds.csv has a row for each\n", order.size(),

@@ -21,7 +21,6 @@
 #include "app/restart.hpp"
 #include "app/run_log.hpp"
 #include "app/statics.hpp"
-#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/recording/result_files.hpp"
 #include "impact/recording/weld_results.hpp"
@@ -65,7 +64,7 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.seconds.solve = run.solve_seconds();
   s.seconds.output = run.seconds()[impact::Simulation::output];
   for (int i = 0; i < impact::Simulation::phases; ++i)
-    s.seconds.phases.emplace_back(impact::Simulation::phase_names[at(i)], run.seconds()[at(i)]);
+    s.seconds.phases.emplace_back(impact::Simulation::phase_names[i], run.seconds()[i]);
   std::size_t elements = 0;
   for (const auto& group : system.groups) elements += group->size();
   const double work = static_cast<double>(elements) * static_cast<double>(s.cycles);
@@ -177,7 +176,7 @@ std::string instability_hint(const impact::Simulation& run, const output::Summar
   return fmt::format(
       "warning: brick {} of part {} stands alone or in a row with free sides, and breathes faster than the formula of "
       "its step knows: stable is {:.4g}, the run began with {:.4g} [write TSSFAC {:.2g} or less]",
-      model.solids.id[at(free->element)], model.parts[at(free->part)].id, free->step, run.first_step(),
+      model.solids.id[free->element], model.parts[free->part].id, free->step, run.first_step(),
       std::floor(100.0 * model.control.step_scale * free->step / run.first_step()) / 100.0);
 }
 

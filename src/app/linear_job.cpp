@@ -20,8 +20,8 @@ void remove_deleted_elements(system::System& system, const system::System& run) 
                                 &system::System::beam_location, &system::System::discrete_location})
     for (std::size_t i = 0; i < (run.*locations).size(); ++i) {
       const auto &there = (run.*locations)[i], &here = (system.*locations)[i];
-      if (there.group < 0 || here.group < 0 || run.groups[at(there.group)]->alive(at(there.element))) continue;
-      system.groups[at(here.group)]->remove(at(here.element));
+      if (there.group < 0 || here.group < 0 || run.groups[there.group]->alive(at(there.element))) continue;
+      system.groups[here.group]->remove(at(here.element));
     }
 }
 

@@ -8,7 +8,6 @@
 
 #include "app/clock.hpp"
 #include "app/refused_welds.hpp"
-#include "base/index.hpp"
 #include "deck/checksum.hpp"
 #include "reading/build.hpp"
 #include "weld/failure/missing_data.hpp"
@@ -23,18 +22,18 @@ output::WeldReport weld_report(const model::Model& model, const std::vector<Vec3
   output::WeldReport r;
   r.id = w.id;
   r.kind = weld::to_string(w.kind);
-  r.part = w.part == model::none ? 0 : model.parts[at(w.part)].id;
+  r.part = w.part == model::none ? 0 : model.parts[w.part].id;
   for (model::Index sheet : w.sheets)
-    if (sheet != model::none) r.sheets.push_back(model.parts[at(sheet)].id);
+    if (sheet != model::none) r.sheets.push_back(model.parts[sheet].id);
   r.middle = 0.5 * (weld::face_centre(w, 0, x) + weld::face_centre(w, 1, x));
   r.diameter = w.diameter;
   r.length = w.length;
   r.tied = w.tied;
   for (const weld::Projection& p : w.ends) {
     output::WeldProjection out;
-    out.node = model.nodes.id[at(p.node)];
+    out.node = model.nodes.id[p.node];
     if (p.tied && p.projection_case != 0)
-      for (model::Index n : p.tie.segment) out.segment.push_back(model.nodes.id[at(n)]);
+      for (model::Index n : p.tie.segment) out.segment.push_back(model.nodes.id[n]);
     out.xi = p.tie.xi;
     out.eta = p.tie.eta;
     out.moved = p.tie.moved;
@@ -52,8 +51,7 @@ output::WeldReport weld_report(const model::Model& model, const std::vector<Vec3
   if (w.deleted) r.remarks.emplace_back("deleted, as it is not tied (SPOTSTP = 2)");
   if (weld::is_inferred(model, w)) r.remarks.emplace_back("its part has no material: taken for a weld");
   if (w.kind == weld::Weld::Kind::connector)
-    r.remarks.push_back(
-        fmt::format("discrete beam of *{}", model.materials[at(model.parts[at(w.part)].material)].keyword));
+    r.remarks.push_back(fmt::format("discrete beam of *{}", model.materials[model.parts[w.part].material].keyword));
   for (const weld::Remark& remark : audit.remarks)
     r.remarks.push_back(fmt::format("{}: {}", remark.check->name, remark.text));
   return r;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <string>
 
+#include "base/index.hpp"
+
 namespace nugget::app {
 namespace {
 
@@ -32,8 +34,8 @@ void ProgressDisplay::operator()(const impact::Progress& p) {
   if (terminal_) {
     constexpr int width = 20;
     const int full = static_cast<int>(done * width);
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {}   ", std::string(static_cast<std::size_t>(full), '#'),
-               std::string(static_cast<std::size_t>(width - full), '.'), 100.0 * done, numbers);
+    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {}   ", std::string(at(full), '#'), std::string(at(width - full), '.'),
+               100.0 * done, numbers);
     std::fflush(stderr);
     drawn_ = true;
   } else if (p.seconds >= next_line_ || done >= 1.0) {

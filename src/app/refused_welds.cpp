@@ -63,7 +63,7 @@ WeldSummary summarize(const model::Model& model, const weld::Ties& ties) {
       (w.of_bricks() ? summary.other_bricks : summary.other_beams) += w.elements.size();
     }
     const bool one = w.sheets[0] != model::none, other = w.sheets[1] != model::none && w.sheets[1] != w.sheets[0];
-    ++summary.on_sheets[static_cast<std::size_t>(one) + static_cast<std::size_t>(other)];
+    ++summary.on_sheets[at(one) + at(other)];
     if (w.part != model::none) parts.insert(w.part);
     if (w.kind != weld::Weld::Kind::rigid && w.kind != weld::Weld::Kind::connector)
       // Of any number that is printed; std::stod throws at the smallest ones.
@@ -79,12 +79,12 @@ WeldSummary summarize(const model::Model& model, const weld::Ties& ties) {
   }
   const auto unknown = [&](const std::vector<model::Index>& part_of) {
     return static_cast<std::size_t>(std::count_if(
-        part_of.begin(), part_of.end(), [&](model::Index p) { return model.parts[at(p)].material == model::none; }));
+        part_of.begin(), part_of.end(), [&](model::Index p) { return model.parts[p].material == model::none; }));
   };
   summary.other_beams = unknown(model.beams.part) - summary.other_beams;
   summary.other_bricks = unknown(model.solids.part) - summary.other_bricks;
   for (const model::Index index : parts) {
-    const model::Part& part = model.parts[at(index)];
+    const model::Part& part = model.parts[index];
     if (part.section == model::none) summary.without_section.push_back(part.id);
     if (part.material == model::none) summary.without_material.push_back(part.id);
   }

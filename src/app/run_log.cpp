@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "app/finding_list.hpp"
-#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "weld/failure/function.hpp"
 
@@ -36,18 +35,17 @@ std::string section_name(const model::Model& model, const model::Part& part) {
   if (part.kind != model::ElementKind::nothing && part.section == model::none) return "none";
   switch (part.kind) {
     case model::ElementKind::shell: {
-      const model::SectionShell& s = model.shell_sections[at(part.section)];
+      const model::SectionShell& s = model.shell_sections[part.section];
       return fmt::format("shell, ELFORM {}, {} layers, t = {:.4g}", s.elform, s.layers, s.thickness);
     }
-    case model::ElementKind::solid:
-      return fmt::format("solid, ELFORM {}", model.solid_sections[at(part.section)].elform);
+    case model::ElementKind::solid: return fmt::format("solid, ELFORM {}", model.solid_sections[part.section].elform);
     case model::ElementKind::beam: {
-      const model::SectionBeam& s = model.beam_sections[at(part.section)];
+      const model::SectionBeam& s = model.beam_sections[part.section];
       if (s.elform == 6) return fmt::format("discrete beam, ELFORM 6, VOL = {:.4g}, SCOOR = {}", s.volume, s.scoor);
       return fmt::format("beam, ELFORM {}, d = {:.4g}", s.elform, 0.5 * (s.outer[0] + s.outer[1]));
     }
     case model::ElementKind::discrete: {
-      const model::SectionDiscrete& s = model.discrete_sections[at(part.section)];
+      const model::SectionDiscrete& s = model.discrete_sections[part.section];
       return s.torsional ? "spring or damper, torsional" : "spring or damper";
     }
     case model::ElementKind::nothing: break;
@@ -59,10 +57,10 @@ std::string section_name(const model::Model& model, const model::Part& part) {
 std::string log_bricks(const model::Model& model, const weld::Ties& ties) {
   std::string s;
   for (const weld::Weld& w : ties.welds) {
-    if (!w.of_bricks() || (w.elements.size() == 1 && w.id == model.solids.id[at(w.element)])) continue;
-    s += fmt::format(" weld {:>8} of part {:>8}, A = {:.5g}:", w.id, model.parts[at(w.part)].id,
+    if (!w.of_bricks() || (w.elements.size() == 1 && w.id == model.solids.id[w.element])) continue;
+    s += fmt::format(" weld {:>8} of part {:>8}, A = {:.5g}:", w.id, model.parts[w.part].id,
                      0.25 * std::numbers::pi * w.diameter * w.diameter);
-    for (model::Index e : w.elements) s += fmt::format(" {}", model.solids.id[at(e)]);
+    for (model::Index e : w.elements) s += fmt::format(" {}", model.solids.id[e]);
     s += '\n';
   }
   return s.empty() ? s : "\nWelds of bricks, and their bricks:\n" + s;
@@ -108,16 +106,15 @@ std::string log_model(const model::Model& model) {
       model.rigid_bodies.size(), model.spcs.size(), model.motions.size(),
       model.contacts.size() + model.interiors.size(), model.walls.size());
   std::vector<std::size_t> count(model.parts.size(), 0);
-  for (model::Index p : model.shells.part) ++count[at(p)];
-  for (model::Index p : model.solids.part) ++count[at(p)];
-  for (model::Index p : model.beams.part) ++count[at(p)];
+  for (model::Index p : model.shells.part) ++count[p];
+  for (model::Index p : model.solids.part) ++count[p];
+  for (model::Index p : model.beams.part) ++count[p];
   s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", "part", "elements", "section", "material", "title");
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     const model::Part& part = model.parts[p];
-    std::string material = part.material == model::none ? "none" : '*' + model.materials[at(part.material)].keyword;
-    if (part.material != model::none &&
-        std::holds_alternative<kernel::Laminate>(model.materials[at(part.material)].law))
-      material += fmt::format(" of {}", model.materials[at(part.material)].title);  // the layers' materials
+    std::string material = part.material == model::none ? "none" : '*' + model.materials[part.material].keyword;
+    if (part.material != model::none && std::holds_alternative<kernel::Laminate>(model.materials[part.material].law))
+      material += fmt::format(" of {}", model.materials[part.material].title);  // the layers' materials
     s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", part.id, count[p], section_name(model, part), material,
                      part.title);
   }
@@ -135,9 +132,8 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
     for (const weld::Projection& p : w.ends) {
       ++by_case[p.projection_case];
       if (!p.tied && ++open <= most)
-        reasons +=
-            fmt::format(" weld {} of part {}: node {} {}\n", w.id,
-                        w.part == model::none ? 0 : model.parts[at(w.part)].id, model.nodes.id[at(p.node)], p.reason);
+        reasons += fmt::format(" weld {} of part {}: node {} {}\n", w.id,
+                               w.part == model::none ? 0 : model.parts[w.part].id, model.nodes.id[p.node], p.reason);
     }
   }
   std::string s = fmt::format("Welds: {}, tied at all their nodes: {}; tied nodes: {}\n\n", ties.welds.size(), tied,

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "app/linear_job.hpp"
-#include "base/index.hpp"
 #include "nvh/statics/static_files.hpp"
 
 namespace nugget::app {
@@ -30,7 +29,7 @@ std::string result_table(const nvh::Matrices& m, const nvh::Statics& s) {
   std::size_t most = 0;
   Vec3d largest{};
   for (std::size_t n = 0; n < m.system.model.nodes.size(); ++n) {
-    const nvh::SixDof& u = s.motion[at(m.system.node_of[n])];
+    const nvh::SixDof& u = s.motion[m.system.node_of[n]];
     const Vec3d d{u[0], u[1], u[2]};
     if (norm(d) <= norm(largest)) continue;
     largest = d;

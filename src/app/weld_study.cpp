@@ -62,7 +62,7 @@ nvh::Columns weighted_shapes(const nvh::Matrices& whole, const nvh::Matrices& m,
   nvh::Columns shapes = nvh::nodal_shapes(m, modes);
   for (std::size_t j = 0; j < shapes.count; ++j)
     for (std::size_t i = 0; i < shapes.rows; ++i)
-      shapes[j][i] *= std::sqrt(whole.nodal_mass[at(whole.system.node_of[i / 3])].mass);
+      shapes[j][i] *= std::sqrt(whole.nodal_mass[whole.system.node_of[i / 3]].mass);
   return shapes;
 }
 
@@ -75,7 +75,7 @@ void solve_anew(const nvh::Matrices& m, const nvh::Modes& modes, const nvh::Weld
     const weld::Weld& weld = system.ties.welds[w];
     for (const model::Index element : weld.elements) {
       const system::System::ElementLocation location = system.location_of(weld, element);
-      if (location.group >= 0) system.groups[at(location.group)]->remove(at(location.element));
+      if (location.group >= 0) system.groups[location.group]->remove(at(location.element));
     }
   }
   nvh::Matrices less(system, findings);
@@ -91,7 +91,7 @@ void solve_anew(const nvh::Matrices& m, const nvh::Modes& modes, const nvh::Weld
   const std::vector<int> partner = nvh::partners(mac);
   for (std::size_t i = 0; i < partner.size(); ++i) {
     row.solved.push_back(partner[i] < 0 ? 0.0 : now.frequency(at(partner[i])));
-    row.solved_mac.push_back(partner[i] < 0 ? 0.0 : mac[i][at(partner[i])]);
+    row.solved_mac.push_back(partner[i] < 0 ? 0.0 : mac[i][partner[i]]);
   }
   for (std::size_t j = 0; j < now.eigenvalue.size(); ++j) {
     const auto of = std::find(partner.begin(), partner.end(), static_cast<int>(j));

@@ -19,7 +19,7 @@ struct Dual {
   /// The i-th variable, with value `a`.
   static Dual variable(double a, int i) {
     Dual r(a);
-    r.d[static_cast<std::size_t>(i)] = 1.0;
+    r.d[i] = 1.0;
     return r;
   }
 

@@ -66,7 +66,7 @@ struct Outward {
       const kernel::Corners c = corners_of(*face[f], step.x);
       normal[f] = kernel::detail::unit_or_zero(cross(c[2] - c[0], c[3] - c[1]));
       const int corners = face[f]->corners();
-      for (int i = 0; i < corners; ++i) centre[f] += (1.0 / corners) * c[static_cast<std::size_t>(i)];
+      for (int i = 0; i < corners; ++i) centre[f] += (1.0 / corners) * c[i];
     }
     const Vec3d to_other = kernel::detail::unit_or_zero(centre[1] - at(e, 0.5, step.x));
     if (dot(normal[0], to_other) > flat) return;

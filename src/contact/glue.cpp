@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/bvh.hpp"
+#include "base/index.hpp"
 #include "contact/couple.hpp"
 #include "contact/surface_nodes.hpp"
 
@@ -266,8 +267,7 @@ void Glue::spread(const Bond& bond, const Vec3d& force, std::span<const Row> x, 
   for (int c = 0; c < s.corners(); ++c) forces.add(s.node[c], -bond.weight[c] * force);
   if (!card_.moments) return;
   const Vec3d lever = vec(x[node]) - interpolate(s, bond.weight, x);
-  const std::array<Vec3d, 4> back =
-      couple({s.node.data(), static_cast<std::size_t>(s.corners())}, -cross(lever, force), x);
+  const std::array<Vec3d, 4> back = couple({s.node.data(), at(s.corners())}, -cross(lever, force), x);
   for (int c = 0; c < s.corners(); ++c) forces.add(s.node[c], back[c]);
 }
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 
 namespace nugget::contact {
@@ -69,7 +70,7 @@ Vec3d NodalForces::sum(std::span<const unsigned char> marked) const {
   Vec3d sum;
   for (const std::vector<int>& touched : touched_now_)
     for (int place : touched) {
-      const auto node = static_cast<std::size_t>(nodes_[place]);
+      const auto node = at(nodes_[place]);
       if (node < marked.size() && marked[node]) sum += vec(now_[place]);
     }
   return sum;

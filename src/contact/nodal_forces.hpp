@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/index.hpp"
 #include "base/row.hpp"
 
 namespace nugget::contact {
@@ -21,7 +22,7 @@ struct TwoBodies {
   double sign(std::span<const int> first, std::span<const int> second) const {
     const auto all = [](std::span<const int> nodes, const std::vector<unsigned char>& in) {
       return std::all_of(nodes.begin(), nodes.end(), [&in](int n) {
-        const auto k = static_cast<std::size_t>(n);
+        const auto k = at(n);
         return k < in.size() && in[k] != 0;
       });
     };

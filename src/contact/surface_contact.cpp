@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "contact/couple.hpp"
 #include "contact/surface_nodes.hpp"
@@ -314,7 +315,7 @@ void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, i
   std::array<std::array<int, lanes<R>>, 4> id;
   R xi, eta;
   for (int l = 0; l < lanes<R>; ++l) {
-    const Pair& pair = *near[std::min(static_cast<std::size_t>(l), near.size() - 1)];
+    const Pair& pair = *near[std::min(at(l), near.size() - 1)];
     for (int c = 0; c < 4; ++c) id[c][l] = setup_.segments[pair.segment].node[c];
     set_lane(xi, l, pair.xi);
     set_lane(eta, l, pair.eta);
@@ -511,7 +512,7 @@ void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
           if (!setup_.law.balances_friction) continue;
           const Vec3d lever = vec(step.x[setup_.nodes[hit.tracked].node]) - interpolate(segment, hit.weight, step.x);
           const std::array<Vec3d, 4> back =
-              couple({segment.node.data(), static_cast<std::size_t>(segment.corners())}, -cross(lever, of_hit), step.x);
+              couple({segment.node.data(), at(segment.corners())}, -cross(lever, of_hit), step.x);
           for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], back[c]);
         }
       }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <variant>
 
-#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "system/mobility.hpp"
 
@@ -40,7 +39,7 @@ WallPenalty::WallPenalty(const system::System& system, const model::RigidWall& w
 
 void WallPenalty::share_out(double wall_mass) {
   std::vector<std::vector<Touch*>> of_body(system_.bodies.size());
-  for (Touch& t : touches_) of_body[at(t.body)].push_back(&t);
+  for (Touch& t : touches_) of_body[t.body].push_back(&t);
   double against_wall = 0.0;
   if (wall_mass > 0.0)
     for (std::size_t b = 0; b < of_body.size(); ++b)
@@ -49,17 +48,17 @@ void WallPenalty::share_out(double wall_mass) {
     if (of_body[b].empty()) continue;
     const system::RigidBody& body = system_.bodies[b];
     double mean = 0.0, sum = 0.0;
-    for (const Touch* t : of_body[b]) mean += system_.own_mass[at(t->node)];
+    for (const Touch* t : of_body[b]) mean += system_.own_mass[t->node];
     mean /= static_cast<double>(of_body[b].size());
     for (Touch* t : of_body[b]) {
-      t->share = mean > 0.0 ? std::clamp(system_.own_mass[at(t->node)], 0.1 * mean, mean) : 1.0;
+      t->share = mean > 0.0 ? std::clamp(system_.own_mass[t->node], 0.1 * mean, mean) : 1.0;
       sum += t->share;
     }
     system::Inertia spread{};
     for (Touch* t : of_body[b]) {
       t->share /= sum;
-      const model::Index n = system_.model_node[at(t->node)];
-      system::add_point(spread, t->share, 0.0, system_.model.nodes.x[at(n)] - body.center0);
+      const model::Index n = system_.model_node[t->node];
+      system::add_point(spread, t->share, 0.0, system_.model.nodes.x[n] - body.center0);
     }
     const Vec3d columns[3] = {
         {spread[0], spread[1], spread[2]}, {spread[1], spread[3], spread[4]}, {spread[2], spread[4], spread[5]}};
@@ -78,8 +77,8 @@ template <class Shape>
 void WallPenalty::find(const Step& step, const Shape& shape, const Vec3d& origin, const Vec3d& velocity) {
   parallel_for(touches_.size(), group_size, [&](std::size_t begin, std::size_t end) {
     for (Touch& t : std::span(touches_).subspan(begin, end - begin)) {
-      const Vec3d to = vec(step.x[at(t.node)]) - origin;
-      const Vec3d from = t.touching ? t.place : to - step.dt * (vec(step.v[at(t.node)]) - velocity);
+      const Vec3d to = vec(step.x[t.node]) - origin;
+      const Vec3d from = t.touching ? t.place : to - step.dt * (vec(step.v[t.node]) - velocity);
       kernel::WallPush p;
       if (system_.map.dependent(t.node)) {
         p = push(shape, from, to, t.touching ? kernel::WallAttachment::touching : kernel::WallAttachment::none);
@@ -97,9 +96,9 @@ void WallPenalty::find(const Step& step, const Shape& shape, const Vec3d& origin
 }
 
 void WallPenalty::press(Touch& t, const Step& step, const Vec3d& velocity) const {
-  const system::RigidBody& body = system_.bodies[at(t.body)];
-  const Vec3d arm = vec(step.x[at(t.node)]) - vec(step.x[at(body.node)]);
-  const Vec3d relative = vec(step.v[at(t.node)]) - velocity;
+  const system::RigidBody& body = system_.bodies[t.body];
+  const Vec3d arm = vec(step.x[t.node]) - vec(step.x[body.node]);
+  const Vec3d relative = vec(step.v[t.node]) - velocity;
   const double approach = -dot(relative, t.normal);
   if (t.stiffness == 0.0) t.stiffness = scale_ * body.mass / (step.longest * step.longest) * t.share;
   const double inverse_mass = inverse_mass_along(body, arm, t.normal) + inverse_wall_mass_;
@@ -114,7 +113,7 @@ void WallPenalty::press(Touch& t, const Step& step, const Vec3d& velocity) const
   const double speed = norm(slip);
   if (!(friction_ > 0.0) || !(speed > 0.0) || !(pressed > 0.0)) return;
   const Vec3d along = (1.0 / speed) * slip;
-  const double stops = speed / (inverse_mass_along(body, arm, along) * touching_of_[at(t.body)] * step.dt);
+  const double stops = speed / (inverse_mass_along(body, arm, along) * touching_of_[t.body] * step.dt);
   const bool sticks = friction_ == 1.0 || friction_ == 3.0;
   t.force -= (sticks ? stops : std::min(friction_ * pressed, stops)) * along;
 }
@@ -126,7 +125,7 @@ void WallPenalty::apply(const Step& step, const kernel::WallShape& shape, const 
   std::visit([&](const auto& form) { find(step, form, origin, velocity); }, shape);
   std::fill(touching_of_.begin(), touching_of_.end(), 0);
   touching_ = 0;
-  for (const Touch& t : touches_) touching_of_[at(t.body)] += t.touching, touching_ += t.touching;
+  for (const Touch& t : touches_) touching_of_[t.body] += t.touching, touching_ += t.touching;
   force_ = {};
   normal_force_ = 0.0;
   for (Touch& t : touches_) {
@@ -135,10 +134,10 @@ void WallPenalty::apply(const Step& step, const kernel::WallShape& shape, const 
     if (!t.touching && !was_pressed && dot(before, before) == 0.0) continue;
     t.force = {};
     if (t.touching || was_pressed) press(t, step, velocity);
-    add(f[at(t.node)], t.force);
+    add(f[t.node], t.force);
     force_ += t.force;
     normal_force_ += dot(t.force, t.normal);
-    energy_ -= 0.5 * step.dt * dot(before + t.force, vec(step.v[at(t.node)]));
+    energy_ -= 0.5 * step.dt * dot(before + t.force, vec(step.v[t.node]));
   }
 }
 

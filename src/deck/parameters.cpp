@@ -59,7 +59,7 @@ void Parameters::leave_file(int depth) {
     if (last.depth != depth || last.to != still_open) continue;
     last.to = now_;
     if (last.hidden < 0) continue;
-    Parameter again = history[static_cast<std::size_t>(last.hidden)];
+    Parameter again = history[last.hidden];
     again.from = now_;
     again.to = still_open;
     history.push_back(std::move(again));

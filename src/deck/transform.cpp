@@ -128,7 +128,7 @@ class TransformationCards {
  private:
   Matrix motion(const Row& row) {
     const std::string option = upper(row.text("option"));
-    const auto a = [&](int i) { return row.real(names[static_cast<std::size_t>(i - 1)]); };
+    const auto a = [&](int i) { return row.real(names[i - 1]); };
     const Vec3d first{a(1), a(2), a(3)}, second{a(4), a(5), a(6)};
     if (option == "TRANSL") return matrix({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, first);
     if (option == "SCALE") return scaling(row, first);

@@ -16,7 +16,7 @@ using Corner = CrossSection::Corner;
 using Facet = CrossSection::Facet;
 
 Vec3d place(const Model& model, const Corner& c) {
-  const Vec3d &a = model.nodes.x[at(c.from)], &b = model.nodes.x[at(c.to)];
+  const Vec3d &a = model.nodes.x[c.from], &b = model.nodes.x[c.to];
   return a + c.share * (b - a);
 }
 
@@ -105,7 +105,7 @@ template <class Height>
 std::vector<Corner> cut_edges(ElementKind kind, const std::vector<Index>& nodes, const Height& height) {
   std::vector<Corner> corners;
   for (const auto& [i, j] : edges_of(kind, nodes.size())) {
-    Index a = nodes[at(i)], b = nodes[at(j)];
+    Index a = nodes[i], b = nodes[j];
     if (a > b) std::swap(a, b);
     const double ha = height(a), hb = height(b);
     if ((ha >= 0.0) == (hb >= 0.0)) continue;
@@ -134,7 +134,7 @@ std::vector<CrossSection::Facet> facets_between(const Model& model, ElementKind 
   for (const Index element : elements) {
     std::vector<Corner> corners;
     for (const Index n : nodes_of(model, kind, element))
-      if (marked[at(n)]) corners.push_back({n, n, 0.0});
+      if (marked[n]) corners.push_back({n, n, 0.0});
     facets.push_back(facet(model, kind, element, std::move(corners)));
   }
   return facets;
@@ -142,10 +142,10 @@ std::vector<CrossSection::Facet> facets_between(const Model& model, ElementKind 
 
 void cut(const Model& model, const CuttingPlane& plane, const std::vector<char>& parts, CrossSection& section) {
   section.normal = plane.normal;
-  const auto height = [&](Index n) { return dot(model.nodes.x[at(n)] - plane.origin, plane.normal); };
+  const auto height = [&](Index n) { return dot(model.nodes.x[n] - plane.origin, plane.normal); };
   const auto go_through = [&](ElementKind kind, const auto& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
-      if (!parts[at(elements.part[e])]) continue;
+      if (!parts[elements.part[e]]) continue;
       std::vector<Corner> corners = cut_edges(kind, edge_nodes(model, kind, e), height);
       if (corners.empty() ||
           !std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return inside(plane, place(model, c)); }))

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "base/index.hpp"
 #include "kernel/element/quadratic_tetrahedron.hpp"
 #include "kernel/element/tetrahedron.hpp"
 #include "model/bond.hpp"
@@ -14,12 +15,12 @@ namespace nugget::model {
 namespace {
 
 const Vec3d& position(const Model& m, Index node) {
-  return m.nodes.x[static_cast<std::size_t>(node)];
+  return m.nodes.x[node];
 }
 
 template <class Section>
 const Section* section_of(const std::vector<Section>& sections, const Part& part) {
-  return part.section == none ? nullptr : &sections[static_cast<std::size_t>(part.section)];
+  return part.section == none ? nullptr : &sections[part.section];
 }
 
 void share(std::vector<NodeMass>& out, std::span<const Index> nodes, double mass) {
@@ -58,10 +59,9 @@ double shell_area(const Model& m, std::size_t e) {
 /// Four corners, and no one-point brick that is collapsed to them, which has a volume of its own.
 static bool is_tetrahedron(const Model& m, std::size_t e) {
   if (m.solids.node[e][4] != m.solids.node[e][7] || m.solids.corners(e).size() != 4) return false;
-  const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
+  const Part& part = m.parts[m.solids.part[e]];
   const SectionSolid* section = section_of(m.solid_sections, part);
-  const bool rigid = part.material != none &&
-                     std::holds_alternative<kernel::Rigid>(m.materials[static_cast<std::size_t>(part.material)].law);
+  const bool rigid = part.material != none && std::holds_alternative<kernel::Rigid>(m.materials[part.material].law);
   return rigid || m.control.sort_solids || (section && (section->elform == 4 || section->elform >= 10));
 }
 
@@ -92,10 +92,10 @@ std::vector<std::vector<NodeMass>> lumped_masses(const Model& m) {
   const auto each = [&](const auto& elements, ElementKind kind, const auto& add) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (elements.part[e] == none) continue;
-      const auto part = static_cast<std::size_t>(elements.part[e]);
+      const auto part = at(elements.part[e]);
       const Part& p = m.parts[part];
       if (p.kind != kind || p.material == none) continue;
-      add(e, p, m.materials[static_cast<std::size_t>(p.material)].density, shares[part]);
+      add(e, p, m.materials[p.material].density, shares[part]);
     }
   };
   each(m.shells, ElementKind::shell, [&](std::size_t e, const Part& p, double density, std::vector<NodeMass>& out) {
@@ -121,7 +121,7 @@ std::vector<std::vector<NodeMass>> lumped_masses(const Model& m) {
 
 std::vector<double> nodal_masses(const Model& m) {
   std::vector<double> mass(m.nodes.size(), 0.0);
-  const auto add = [&](const auto& at) { mass[static_cast<std::size_t>(at.node)] += at.mass; };
+  const auto add = [&](const auto& at) { mass[at.node] += at.mass; };
   for (const std::vector<NodeMass>& of_part : lumped_masses(m)) std::for_each(of_part.begin(), of_part.end(), add);
   std::for_each(m.masses.begin(), m.masses.end(), add);
   std::for_each(m.inertias.begin(), m.inertias.end(), add);

@@ -11,6 +11,7 @@
 
 #include "base/curve.hpp"
 #include "base/finding.hpp"
+#include "base/index.hpp"
 #include "base/vec3.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
@@ -44,7 +45,7 @@ class Places {
   /// No place, in the same files.
   Places none_of_them() const { return Places(files_); }
   Place operator[](std::size_t i) const {
-    const auto file = static_cast<std::size_t>(entries_[i].file);
+    const auto file = at(entries_[i].file);
     return {file < files_.size() ? files_[file] : std::string{}, entries_[i].line, 0};
   }
 
@@ -77,8 +78,7 @@ struct Shells {
   std::span<const Index> nodes(std::size_t e) const { return node[e]; }
   bool triangle(std::size_t e) const { return node[e][3] == node[e][2]; }
   std::optional<double> own_angle(Index e) const {
-    const auto at = static_cast<std::size_t>(e);
-    return angle.empty() || std::isnan(angle[at]) ? std::nullopt : std::optional(angle[at]);
+    return angle.empty() || std::isnan(angle[e]) ? std::nullopt : std::optional(angle[e]);
   }
 };
 
@@ -93,7 +93,7 @@ struct Solids {
   Places place;
   std::size_t size() const { return id.size(); }
   bool quadratic(std::size_t e) const { return e < ten_row.size() && ten_row[e] != none; }
-  const std::array<Index, 10>& ten(std::size_t e) const { return ten_nodes[static_cast<std::size_t>(ten_row[e])]; }
+  const std::array<Index, 10>& ten(std::size_t e) const { return ten_nodes[ten_row[e]]; }
   /// All nodes of a solid: the ten of a quadratic tetrahedron, else eight, of which some may be the same.
   std::span<const Index> nodes(std::size_t e) const {
     if (quadratic(e)) return ten(e);
@@ -122,7 +122,7 @@ struct Beams {
   /// nodes.
   Vec3d side(std::size_t e, const std::vector<Vec3d>& x) const {
     const Index third = orientation[e];
-    return third == none ? direction[e] : x[static_cast<std::size_t>(third)] - x[static_cast<std::size_t>(node[e][0])];
+    return third == none ? direction[e] : x[third] - x[node[e][0]];
   }
 };
 

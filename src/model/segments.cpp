@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/index.hpp"
 #include "kernel/element/quadratic_tetrahedron.hpp"
 
 namespace nugget::model {
@@ -37,8 +38,7 @@ constexpr std::size_t tetrahedron_face[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3},
 std::array<Segment, 4> triangles_of(const std::array<Index, 10>& n, const std::size_t (&face)[3]) {
   const auto amid = [&](std::size_t i, std::size_t j) {
     for (std::size_t k = 0; k < 6; ++k) {
-      const auto from = static_cast<std::size_t>(kernel::quadratic_tetrahedron_edge[k][0]),
-                 to = static_cast<std::size_t>(kernel::quadratic_tetrahedron_edge[k][1]);
+      const auto from = at(kernel::quadratic_tetrahedron_edge[k][0]), to = at(kernel::quadratic_tetrahedron_edge[k][1]);
       if ((from == i && to == j) || (from == j && to == i)) return n[4 + k];
     }
     return none;
@@ -141,7 +141,7 @@ std::vector<Segment> exterior_faces(const Model& model, const std::vector<Index>
   std::vector<Face> faces;
   faces.reserve(6 * solids.size());
   for (const Index e : solids)
-    for (const Segment& face : faces_of(model.solids, static_cast<std::size_t>(e)))
+    for (const Segment& face : faces_of(model.solids, at(e)))
       faces.push_back({sorted_corners(face), face, faces.size()});
   std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.key < b.key; });
   std::vector<Face> single;

@@ -51,7 +51,7 @@ std::optional<Units> recognise_units(const Model& model) {
         votes[s] += is_metal(systems[s], material.density, material.young());
   const auto most = std::max_element(votes.begin(), votes.end());
   if (*most == 0) return std::nullopt;
-  return systems[static_cast<std::size_t>(most - votes.begin())];
+  return systems[most - votes.begin()];
 }
 
 }  // namespace nugget::model

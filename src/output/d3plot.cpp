@@ -10,6 +10,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/index.hpp"
 #include "output/ascii.hpp"
 
 namespace nugget::output {
@@ -96,7 +97,7 @@ int numbering_words(const D3plotGeometry& g) {
 
 template <class Elements>
 void mark_parts(const Elements& elements, std::vector<bool>& used) {
-  for (const auto& element : elements) used[static_cast<std::size_t>(element.part)] = true;
+  for (const auto& element : elements) used[element.part] = true;
 }
 
 template <class Elements>
@@ -214,7 +215,7 @@ void titles(Words& out, const D3plotGeometry& g) {
 
 template <class Elements>
 void check_elements(const D3plotGeometry& g, const Elements& elements, const char* kind) {
-  const auto outside = [](int index, std::size_t size) { return index < 0 || static_cast<std::size_t>(index) >= size; };
+  const auto outside = [](int index, std::size_t size) { return index < 0 || at(index) >= size; };
   int last = std::numeric_limits<int>::min();
   for (const auto& element : elements) {
     if (element.id <= last)
@@ -245,16 +246,16 @@ void check_size(std::size_t size, std::size_t wanted, const char* name) {
 
 void check(const D3plotGeometry& g, const D3plotState& s) {
   const std::size_t nodes = g.node_ids.size();
-  check_size(s.parts.size(), g.parts.size() + static_cast<std::size_t>(g.nodal_rigid_bodies), "parts");
-  check_size(s.wall_forces.size(), static_cast<std::size_t>(g.rigid_walls), "wall_forces");
+  check_size(s.parts.size(), g.parts.size() + at(g.nodal_rigid_bodies), "parts");
+  check_size(s.wall_forces.size(), at(g.rigid_walls), "wall_forces");
   check_size(s.x.size(), nodes, "x");
   check_size(s.v.size(), modes(g) ? 0 : nodes, "v");
   check_size(s.a.size(), modes(g) ? 0 : nodes, "a");
   check_size(s.solids.size(), g.solids.size(), "solids");
   check_size(s.beams.size(), g.beams.size(), "beams");
-  check_size(s.beam_points.size(), g.beams.size() * static_cast<std::size_t>(g.beam_points), "beam_points");
+  check_size(s.beam_points.size(), g.beams.size() * at(g.beam_points), "beam_points");
   check_size(s.shells.size(), g.shells.size(), "shells");
-  check_size(s.shell_layers.size(), g.shells.size() * static_cast<std::size_t>(g.layers), "shell_layers");
+  check_size(s.shell_layers.size(), g.shells.size() * at(g.layers), "shell_layers");
   if (!s.solid_alive.empty()) check_size(s.solid_alive.size(), g.solids.size(), "solid_alive");
   if (!s.beam_alive.empty()) check_size(s.beam_alive.size(), g.beams.size(), "beam_alive");
   if (!s.shell_alive.empty()) check_size(s.shell_alive.size(), g.shells.size(), "shell_alive");
@@ -274,8 +275,7 @@ void globals(Words& out, const D3plotState& s) {
 void stress(Words& out, const StressRecord& record, int histories) {
   out.reals(record.stress);
   out.real(record.plastic_strain);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(histories); ++i)
-    out.real(i < record.history.size() ? record.history[i] : 0.0);
+  for (std::size_t i = 0; i < at(histories); ++i) out.real(i < record.history.size() ? record.history[i] : 0.0);
 }
 
 void solids(Words& out, const D3plotGeometry& g, const D3plotState& s) {
@@ -360,10 +360,9 @@ void D3plot::write(const D3plotState& s) {
   const D3plotGeometry& g = geometry_;
   check(g, s);
   Words out;
-  const std::size_t elements = g.solids.size() * static_cast<std::size_t>(solid_words(g) + 1) +
-                               g.beams.size() * static_cast<std::size_t>(beam_words(g) + 1) +
-                               g.shells.size() * static_cast<std::size_t>(shell_words(g) + 1);
-  out.reserve(1 + static_cast<std::size_t>(global_words(g)) + 9 * g.node_ids.size() + elements);
+  const std::size_t elements = g.solids.size() * at(solid_words(g) + 1) + g.beams.size() * at(beam_words(g) + 1) +
+                               g.shells.size() * at(shell_words(g) + 1);
+  out.reserve(1 + at(global_words(g)) + 9 * g.node_ids.size() + elements);
   out.real(s.time);
   globals(out, s);
   out.vectors(s.x);

@@ -37,7 +37,7 @@ template <class Fill>
 void each_element(const system::System& system, const std::vector<ElementLocation>& locations, const Fill& fill) {
   parallel_for(locations.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)
-      if (locations[e].group >= 0) fill(e, *system.groups[at(locations[e].group)], locations[e]);
+      if (locations[e].group >= 0) fill(e, *system.groups[locations[e].group], locations[e]);
   });
 }
 
@@ -57,7 +57,7 @@ std::optional<Frame3d> shell_axes(const system::System& system, const system::El
   std::optional<Frame3d> axes = group.axes(e, state);
   if (!axes || system.model.control.invariant_shell_axes) return axes;
   const auto nodes = group.nodes(e);
-  const Vec3d side = vec(state.x[at(nodes[1])]) - vec(state.x[at(nodes[0])]);
+  const Vec3d side = vec(state.x[nodes[1]]) - vec(state.x[nodes[0]]);
   const Vec3d in_plane = side - dot(side, axes->e3) * axes->e3;
   if (!(norm(in_plane) > 0.0)) return axes;
   const Vec3d x = unit(in_plane);

@@ -5,6 +5,8 @@
 
 #include <iterator>
 
+#include "base/index.hpp"
+
 namespace nugget::output {
 namespace {
 
@@ -23,7 +25,7 @@ std::string component_name(std::string_view name, int component, int components)
   static constexpr std::array<std::string_view, 3> axes{"x", "y", "z"}, numbers{"1", "2", "3"};
   static constexpr std::array<std::string_view, 6> pairs{"xx", "yy", "zz", "xy", "yz", "zx"};
   std::string full(name);
-  const auto i = static_cast<std::size_t>(component);
+  const auto i = at(component);
   if (const std::size_t place = full.find('*'); place != full.npos)
     full.replace(place, 1, components == 6 ? pairs[i] : axes[i]);
   else if (const std::size_t hash = full.find('#'); hash != full.npos)

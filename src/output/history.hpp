@@ -93,7 +93,7 @@ inline double component(const Vec3d& value, int i) {
   return i == 0 ? value.x : i == 1 ? value.y : value.z;
 }
 inline double component(const Tensor& value, int i) {
-  return value[static_cast<std::size_t>(i)];
+  return value[i];
 }
 
 /// `*_force` gives x_force, y_force, z_force of a vector, sig_xx ... sig_zx come from `sig_*` of a tensor, and

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/model_geometry.hpp"
 
+#include "base/index.hpp"
+
 namespace nugget::output {
 
 D3plotGeometry d3plot_geometry(const system::System& system) {
@@ -30,9 +32,9 @@ D3plotState unstressed_state(const system::System& system, const D3plotGeometry&
   state.parts.resize(model.parts.size());
   state.solids.resize(model.solids.size());
   state.beams.resize(model.beams.size());
-  state.beam_points.resize(model.beams.size() * static_cast<std::size_t>(geometry.beam_points));
+  state.beam_points.resize(model.beams.size() * at(geometry.beam_points));
   state.shells.resize(model.shells.size());
-  state.shell_layers.resize(model.shells.size() * static_cast<std::size_t>(geometry.layers));
+  state.shell_layers.resize(model.shells.size() * at(geometry.layers));
   for (std::size_t e = 0; e < model.shells.size(); ++e) state.shells[e].thickness = model.shells.thickness[e];
   return state;
 }

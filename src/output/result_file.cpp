@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/index.hpp"
+
 namespace nugget::output {
 namespace {
 
@@ -68,7 +70,7 @@ void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
       if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) errno = 0;
       throw WriteError(path_, reason);
     }
-    rest.remove_prefix(static_cast<std::size_t>(written));
+    rest.remove_prefix(at(written));
     at += static_cast<std::uint64_t>(written);
   }
   if (at > size_) size_ = at;

@@ -73,7 +73,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     rotational = Element::rotational;
     const std::size_t count = blocks() * width;
     nodes_.resize(count * corners);
-    state_.assign(count * static_cast<std::size_t>(kernel_.state_size()), 0.0);
+    state_.assign(count * at(kernel_.state_size()), 0.0);
     energy_.assign(count, 0.0);
     step_.assign(count, std::numeric_limits<double>::infinity());
     mass_.resize(size());
@@ -83,9 +83,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       const std::size_t own = std::min(e, size() - 1);
       std::array<Vec3d, corners> place;
       for (int a = 0; a < corners; ++a) {
-        const int node = connectivity[own][static_cast<std::size_t>(a)];
+        const int node = connectivity[own][a];
         nodes_[node_index(e, a)] = node;
-        place[static_cast<std::size_t>(a)] = x[static_cast<std::size_t>(node)];
+        place[a] = x[node];
       }
       kernel_.start(state(e), lane(e), element[own], place);
       if (e >= size()) {
@@ -169,13 +169,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     constexpr int per_node = Element::rotational ? 6 : 3, size = corners * per_node;
     typename Element::template Motion<R> motion;
     for (int a = 0; a < corners; ++a) {
-      const Vec3d x = vec(start.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
+      const Vec3d x = vec(start.x[nodes_[node_index(e, a)]]);
       motion.x[a] = {R(x.x), R(x.y), R(x.z)};
     }
-    AlignedReals scratch(static_cast<std::size_t>(kernel_.state_size() * width));
+    AlignedReals scratch(at(kernel_.state_size() * width));
     for (int first = 0; first < size; first += width) {
       for (int i = 0; i < kernel_.state_size(); ++i)
-        for (int l = 0; l < width; ++l) scratch[static_cast<std::size_t>(i * width + l)] = field(e, i);
+        for (int l = 0; l < width; ++l) scratch[i * width + l] = field(e, i);
       for (int a = 0; a < corners; ++a) {
         motion.v[a] = unit_motion(first - a * per_node);
         if constexpr (Element::rotational) motion.w[a] = unit_motion(first - a * per_node - 3);
@@ -183,7 +183,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       const auto out = kernel_.template cycle<R>(motion, no_step, scratch.data());
       for (int l = 0; l < std::min(width, size - first); ++l)
         for (int a = 0; a < corners; ++a) {
-          double* column = &k[static_cast<std::size_t>(a * per_node * size + first + l)];
+          double* column = &k[a * per_node * size + first + l];
           const auto put = [&](const Vec3<R>& f) {
             for (const R* c : {&f.x, &f.y, &f.z}) {
               *column = nugget::lane(*c, l) / no_step;
@@ -233,7 +233,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   ElementNodes nodes(std::size_t e) const override {
     ElementNodes n{};
-    for (int a = 0; a < corners; ++a) n[static_cast<std::size_t>(a)] = nodes_[node_index(e, a)];
+    for (int a = 0; a < corners; ++a) n[a] = nodes_[node_index(e, a)];
     return n;
   }
   bool alive(std::size_t e) const override { return field(e, Element::Layout::alive) != 0.0; }
@@ -305,13 +305,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
  private:
   static int lane(std::size_t e) { return static_cast<int>(e % width); }
-  std::size_t node_index(std::size_t e, int a) const {
-    return e / width * width * corners + static_cast<std::size_t>(a * width + lane(e));
-  }
-  double* state(std::size_t e) { return &state_[e / width * width * static_cast<std::size_t>(kernel_.state_size())]; }
-  const double* state(std::size_t e) const {
-    return &state_[e / width * width * static_cast<std::size_t>(kernel_.state_size())];
-  }
+  std::size_t node_index(std::size_t e, int a) const { return e / width * width * corners + at(a * width + lane(e)); }
+  double* state(std::size_t e) { return &state_[e / width * width * at(kernel_.state_size())]; }
+  const double* state(std::size_t e) const { return &state_[e / width * width * at(kernel_.state_size())]; }
   double& field(std::size_t e, int i) { return state(e)[i * width + lane(e)]; }
   double field(std::size_t e, int i) const { return state(e)[i * width + lane(e)]; }
   auto reader(std::size_t e) const {
@@ -329,8 +325,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   std::array<Vec3d, corners> places(std::size_t e, const State& now) const {
     std::array<Vec3d, corners> x;
-    for (int a = 0; a < corners; ++a)
-      x[static_cast<std::size_t>(a)] = vec(now.x[static_cast<std::size_t>(nodes_[node_index(e, a)])]);
+    for (int a = 0; a < corners; ++a) x[a] = vec(now.x[nodes_[node_index(e, a)]]);
     return x;
   }
   /// An inverted element has strains without meaning: it has no forces in the cycle that ends the run or deletes it,
@@ -350,8 +345,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   void note_inverted(std::size_t b, const R& volume) {
     for (int l = 0; l < width; ++l) {
       const int e = static_cast<int>(b * width) + l;
-      if (static_cast<std::size_t>(e) >= size() || nugget::lane(volume, l) > 0.0 || !alive(static_cast<std::size_t>(e)))
-        continue;
+      if (at(e) >= size() || nugget::lane(volume, l) > 0.0 || !alive(at(e))) continue;
       int first = inverted;
       while ((first < 0 || e < first) && !inverted.compare_exchange_weak(first, e)) {
       }
@@ -360,7 +354,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   void find_block_step(std::size_t b) {
     double smallest = step_[b * width];
     for (int l = 1; l < width; ++l) {
-      const double s = step_[b * width + static_cast<std::size_t>(l)];
+      const double s = step_[b * width + at(l)];
       // A NaN must not get lost: it compares false with everything.
       if (!(s >= smallest) && smallest == smallest) smallest = s;
     }
@@ -388,7 +382,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     for (auto s = first; s != last; ++s) {
       if (!alive(s->element)) continue;
       const int l = lane(s->element);
-      for (int i = 0; i < kernel_.state_size(); ++i) field(s->element, i) = scratch[at(i * width + l)];
+      for (int i = 0; i < kernel_.state_size(); ++i) field(s->element, i) = scratch[i * width + l];
       for (int a = 0; a < corners; ++a) {
         copy_lane(again.f[a], out.f[a], l);
         if constexpr (Element::rotational) copy_lane(again.m[a], out.m[a], l);
@@ -435,9 +429,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     thread_local AlignedReals scratch;
     scratch.assign(at(kernel_.state_size() * width), 0.0);
     for (std::size_t i = 0; i < fields; ++i)
-      real_store(&scratch[at(reference_fields_[i] * width)], real_load<R>(reference + i * width));
+      real_store(&scratch[reference_fields_[i] * width], real_load<R>(reference + i * width));
     const R alive_field = real_load<R>(state(b * width) + Element::Layout::alive * width);
-    real_store(&scratch[at(Element::Layout::alive * width)], alive_field);
+    real_store(&scratch[Element::Layout::alive * width], alive_field);
     for (int a = 0; a < corners; ++a) motion.x[a] = motion.x[a] - R(0.5 * dt) * motion.v[a];
     const auto out = inviscid_->template cycle<R>(motion, no_step, scratch.data());
 

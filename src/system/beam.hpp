@@ -17,7 +17,7 @@ struct BeamLayout : KernelLayout {
 template <class Layout, class Field>
 std::array<double, 8> beam_resultants(const Field& field) {
   std::array<double, 8> r{};
-  for (int i = 0; i < 6; ++i) r[static_cast<std::size_t>(i)] = field(Layout::resultant + i);
+  for (int i = 0; i < 6; ++i) r[i] = field(Layout::resultant + i);
   return r;
 }
 

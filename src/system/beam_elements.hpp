@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "base/index.hpp"
 #include "kernel/element/resultant_beam.hpp"
 #include "kernel/element/truss.hpp"
 #include "kernel/element/weld_beam.hpp"
@@ -36,8 +37,7 @@ struct IntegratedBeamElement {
   int state_size() const { return layout().size(); }
   int layers() const { return beam.fibres.count; }
   void start(double* state, int lane, model::Index e, const Places& place) const {
-    kernel::start_weld_beam(layout(), place[0], place[1], beams.side(static_cast<std::size_t>(e), x), state,
-                            native_width, lane);
+    kernel::start_weld_beam(layout(), place[0], place[1], beams.side(at(e), x), state, native_width, lane);
   }
   kernel::NodalMass nodal_mass(const Places& place) const {
     return kernel::weld_beam_nodal_mass(beam, norm(place[1] - place[0]), beam.density, nu);
@@ -87,8 +87,7 @@ struct ResultantBeamElement {
   int state_size() const { return Layout::count; }
   int layers() const { return 0; }
   void start(double* state, int lane, model::Index e, const Places& place) const {
-    kernel::start_resultant_beam(place[0], place[1], beams.side(static_cast<std::size_t>(e), x), state, native_width,
-                                 lane);
+    kernel::start_resultant_beam(place[0], place[1], beams.side(at(e), x), state, native_width, lane);
   }
   kernel::NodalMass nodal_mass(const Places& place) const {
     return kernel::resultant_beam_nodal_mass(beam, norm(place[1] - place[0]));
@@ -112,7 +111,7 @@ struct ResultantBeamElement {
       motion.w[a] = {D::variable(0.0, first + 3), D::variable(0.0, first + 4), D::variable(0.0, first + 5)};
     }
     std::array<double, Layout::count> state{};
-    for (int i = 0; i < Layout::count; ++i) state[static_cast<std::size_t>(i)] = field(i);
+    for (int i = 0; i < Layout::count; ++i) state[i] = field(i);
     const auto out = kernel::resultant_beam_cycle(beam, elastic.E, elastic.shear, motion, 1.0, state.data());
     std::size_t row = 0;
     const auto put = [&](const Vec3<D>& f) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "system/beam_elements.hpp"
 #include "system/discrete_beam_element.hpp"
 #include "system/groups.hpp"
@@ -30,7 +31,7 @@ kernel::WeldBeamProperties integrated_beam(const model::SectionBeam& section, do
   beam.torsion_share = kernel::rectangle_torsion_share(first, second);
   beam.offset_s = -0.5 * section.location[0] * first;
   beam.offset_t = -0.5 * section.location[1] * second;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(beam.fibres.count); ++k) {
+  for (std::size_t k = 0; k < at(beam.fibres.count); ++k) {
     beam.fibres.s[k] += beam.offset_s;
     beam.fibres.t[k] += beam.offset_t;
   }
@@ -41,7 +42,7 @@ kernel::WeldBeamProperties integrated_beam(const model::SectionBeam& section, do
 /// stiffness or the tie turns the twist into in-plane forces.
 bool free_to_twist(const model::Model& model, const weld::Weld& w) {
   return std::any_of(w.ends.begin(), w.ends.end(), [&](const weld::Projection& e) {
-    const bool drills = e.tie.shell != model::none && model.parts[at(e.tie.part)].drilling > 0.0;
+    const bool drills = e.tie.shell != model::none && model.parts[e.tie.part].drilling > 0.0;
     return e.tied && e.projection_case != 0 && e.tie.rigid_body == model::none && !e.tie.twist && !e.tie.couples &&
            !drills;
   });
@@ -54,28 +55,28 @@ void System::make_weld_beams(Findings& findings) {
   const std::vector<bool> deleted = deleted_with_welds(false);
   std::vector<bool> untwistable(model.beams.size(), false);
   for (const weld::Weld& w : ties.welds)
-    if (w.kind == weld::Weld::Kind::beam) untwistable[at(w.element)] = free_to_twist(model, w);
+    if (w.kind == weld::Weld::Kind::beam) untwistable[w.element] = free_to_twist(model, w);
   std::size_t untwisted = 0;
   const auto sorted = by_part(model.beams, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (sorted[p].empty()) continue;
-    if (model.beam_sections[at(model.parts[p].section)].elform == 6) {
+    if (model.beam_sections[model.parts[p].section].elform == 6) {
       std::vector<model::Index> kept;
       for (model::Index e : sorted[p])
-        if (!deleted[at(e)]) kept.push_back(e);
+        if (!deleted[e]) kept.push_back(e);
       add_discrete_beams(p, kept, findings);
       continue;
     }
-    if (!std::holds_alternative<kernel::Spotweld>(model.materials[at(model.parts[p].material)].law)) {
+    if (!std::holds_alternative<kernel::Spotweld>(model.materials[model.parts[p].material].law)) {
       add_beams(p, sorted[p]);
       continue;
     }
-    const bool wants_torsion = model.beam_sections[at(model.parts[p].section)].torsion;
+    const bool wants_torsion = model.beam_sections[model.parts[p].section].torsion;
     std::vector<model::Index> with, without;
     for (model::Index e : sorted[p]) {
-      if (deleted[at(e)]) continue;
-      untwisted += wants_torsion && untwistable[at(e)];
-      (wants_torsion && !untwistable[at(e)] ? with : without).push_back(e);
+      if (deleted[e]) continue;
+      untwisted += wants_torsion && untwistable[e];
+      (wants_torsion && !untwistable[e] ? with : without).push_back(e);
     }
     add_weld_beams(p, with, true);
     add_weld_beams(p, without, false);
@@ -90,8 +91,8 @@ void System::make_weld_beams(Findings& findings) {
 
 void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
   const model::Part& part = model.parts[p];
-  const model::SectionBeam& section = model.beam_sections[at(part.section)];
-  const model::Material& material = model.materials[at(part.material)];
+  const model::SectionBeam& section = model.beam_sections[part.section];
+  const model::Material& material = model.materials[part.material];
   const Members m = members(model.beams, chosen);
   const auto kind = model::ElementKind::beam;
   if (section.elform == 2) {
@@ -116,7 +117,7 @@ void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
   });
   if (computed) return;
   for (const ElementNodes& node : m.node) {
-    const double length = norm(start_[at(node[1])] - start_[at(node[0])]);
+    const double length = norm(start_[node[1]] - start_[node[0]]);
     const double whole = (material.density * model::beam_area(section) + section.extra_mass) * length;
     mass_only_elements_.push_back({static_cast<model::Index>(p), 2, node, whole, whole * length * length / 24.0});
   }
@@ -125,25 +126,25 @@ void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
 void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& chosen, Findings& findings) {
   if (chosen.empty()) return;
   const model::Part& part = model.parts[p];
-  const model::SectionBeam& section = model.beam_sections[at(part.section)];
-  const model::Material& material = model.materials[at(part.material)];
+  const model::SectionBeam& section = model.beam_sections[part.section];
+  const model::Material& material = model.materials[part.material];
   const auto* law = std::get_if<kernel::DiscreteBeam>(&material.law);
   if (law == nullptr) return;  // refused by the model
   const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor,
                                             law->between_points};
   std::optional<Frame3d> axes;
-  if (section.system != model::none) axes = model.systems[at(section.system)].axes;
+  if (section.system != model::none) axes = model.systems[section.system].axes;
   for (const model::Index e : chosen) {
-    const auto& n = model.beams.node[at(e)];
-    const Vec3d line = ties.x[at(n[1])] - ties.x[at(n[0])], side = model.beams.side(at(e), ties.x);
+    const auto& n = model.beams.node[e];
+    const Vec3d line = ties.x[n[1]] - ties.x[n[0]], side = model.beams.side(at(e), ties.x);
     const bool has_length = norm(line) > 0.0, between_points = beam.between_points && has_length;
     const auto report = [&](Severity severity, const std::string& what, const char* remedy) {
       findings.add({severity,
-                    model.beams.place[at(e)],
+                    model.beams.place[e],
                     "*ELEMENT_BEAM",
                     {},
                     {},
-                    fmt::format("discrete beam {} {}", model.beams.id[at(e)], what),
+                    fmt::format("discrete beam {} {}", model.beams.id[e], what),
                     remedy});
     };
     if (beam.follows_line() && !has_length)
@@ -168,7 +169,7 @@ void System::make_springs() {
     sorted[{model.discretes[e].part, model.discretes[e].grounded()}].push_back(static_cast<model::Index>(e));
   for (const auto& [key, chosen] : sorted) {
     for (std::size_t i = 0; i < chosen.size(); ++i)
-      discrete_location[at(chosen[i])] = {static_cast<int>(groups.size()), static_cast<int>(i)};
+      discrete_location[chosen[i]] = {static_cast<int>(groups.size()), static_cast<int>(i)};
     groups.push_back(std::make_unique<SpringGroup>(model, key.first, chosen, node_of, start_));
   }
 }
@@ -176,10 +177,10 @@ void System::make_springs() {
 void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion) {
   if (chosen.empty()) return;
   const model::Part& part = model.parts[p];
-  const model::Material& material = model.materials[at(part.material)];
+  const model::Material& material = model.materials[part.material];
   const auto* law = std::get_if<kernel::Spotweld>(&material.law);
   if (law == nullptr) return;  // refused by the model
-  const model::SectionBeam& section = model.beam_sections[at(part.section)];
+  const model::SectionBeam& section = model.beam_sections[part.section];
   kernel::WeldBeamProperties beam;
   beam.density = material.density;
   beam.fibres = kernel::disc_fibres(0.5 * (section.outer[0] + section.outer[1]),

@@ -67,7 +67,7 @@ struct BrickElement {
   ElementGroup::Layer layer(const Field& field, int, const Places&) const {
     ElementGroup::Layer l;
     const double left = field(Layout::integrity);
-    for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = left * field(Layout::stress + i);
+    for (int i = 0; i < 6; ++i) l.stress[i] = left * field(Layout::stress + i);
     if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     l.damage = damage_of(law, field, 1, [](int) { return Layout::first_history; });
     return l;
@@ -78,7 +78,7 @@ struct BrickElement {
   }
   template <class Put>
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
-    for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[i]);
     if (kernel::LawKernel<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
   }
   template <class Field, class Put, class Change>
@@ -157,7 +157,7 @@ struct FullBrickElement : BrickElement<Law> {
   template <class Put>
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
     for (int p = 0; p < Layout::points; ++p) {
-      for (int i = 0; i < 6; ++i) put(layout().point(p) + i, l.stress[static_cast<std::size_t>(i)]);
+      for (int i = 0; i < 6; ++i) put(layout().point(p) + i, l.stress[i]);
       if (kernel::LawKernel<Law>::has_plastic_strain) put(layout().history_of(p), l.plastic_strain);
     }
   }
@@ -171,7 +171,7 @@ struct FullBrickElement : BrickElement<Law> {
     const double share = field(Layout::integrity) / Layout::points;
     ElementGroup::Layer l;
     for (int p = 0; p < Layout::points; ++p)
-      for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout().point(p) + i);
+      for (int i = 0; i < 6; ++i) l.stress[i] += share * field(layout().point(p) + i);
     if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain = mean_of_points(field, 0);
     l.damage = damage_of(this->law, field, Layout::points, [this](int p) { return layout().history_of(p); });
     return l;

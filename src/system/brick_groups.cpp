@@ -45,7 +45,7 @@ std::array<model::Index, 8> laid_along(const weld::Weld& weld, const std::array<
   double most = -1.0;
   for (const auto& [low, up] : weld::opposite_faces(brick)) {
     Vec3d along;
-    for (std::size_t a = 0; a < 4; ++a) along += x[at(up[a])] - x[at(low[a])];
+    for (std::size_t a = 0; a < 4; ++a) along += x[up[a]] - x[low[a]];
     const double cosine = std::abs(dot(along, axis)) / norm(along);
     if (!(cosine > most * (1.0 + 1e-9))) continue;
     most = cosine;
@@ -61,15 +61,15 @@ void System::make_bricks() {
   const std::vector<bool> deleted = deleted_with_welds(true);
   auto sorted = by_part(model.solids, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
-    std::erase_if(sorted[p], [&](model::Index e) { return deleted[at(e)]; });
+    std::erase_if(sorted[p], [&](model::Index e) { return deleted[e]; });
     if (sorted[p].empty()) continue;
     const model::Part& part = model.parts[p];
-    const model::Material& material = model.materials[at(part.material)];
+    const model::Material& material = model.materials[part.material];
     const model::Hourglass& hourglass = hourglass_of(part);
     const auto* compound = std::get_if<kernel::ComposedLaw>(&material.law);
     if (compound != nullptr && compound->components->bond) {
       const Members m = members(model.solids, sorted[p]);
-      if (model::is_between_shells(model.solid_sections[at(part.section)].elform))
+      if (model::is_between_shells(model.solid_sections[part.section].elform))
         add_group(CohesiveBrickElement<true>{material.density, compound->components->bond}, model::ElementKind::solid,
                   p, m, solid_location);
       else
@@ -89,13 +89,13 @@ void System::make_bricks() {
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
       const BrickElement<Law> element{brick, kernel::LawKernel<Law>(law)};
       const auto [quadratic, tetrahedra, full, others] =
-          by_formulation(sorted[p], model.solid_sections[at(part.section)].elform);
+          by_formulation(sorted[p], model.solid_sections[part.section].elform);
       if (!quadratic.empty())
         add_group(QuadraticTetrahedronElement<Law>{{brick, element.law}}, model::ElementKind::solid, p,
                   different_nodes(quadratic), solid_location);
       if (!tetrahedra.empty()) {
         const Members m = different_nodes(tetrahedra);
-        const int elform = model.solid_sections[at(part.section)].elform;
+        const int elform = model.solid_sections[part.section].elform;
         std::shared_ptr<NodalPressure> shared;
         if (!std::is_same_v<Law, kernel::ComposedLaw> && elform == 13)
           shared = std::make_shared<NodalPressure>(first_four(m.node), start_, bulk_modulus(element.law.elastic()));
@@ -107,7 +107,7 @@ void System::make_bricks() {
                     solid_location);
       }
       if (!full.empty())
-        add_group(full_brick(element, model.solid_sections[at(part.section)]), model::ElementKind::solid, p,
+        add_group(full_brick(element, model.solid_sections[part.section]), model::ElementKind::solid, p,
                   members(model.solids, full), solid_location);
       if (!others.empty())
         add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_location);
@@ -128,7 +128,7 @@ System::Members System::different_nodes(const std::vector<model::Index>& solids)
   for (const model::Index e : solids) {
     ElementNodes node{};
     const std::vector<model::Index> different = model.solids.different_nodes(at(e));
-    for (std::size_t a = 0; a < different.size(); ++a) node[a] = node_of[at(different[a])];
+    for (std::size_t a = 0; a < different.size(); ++a) node[a] = node_of[different[a]];
     m.node.push_back(node);
   }
   return m;
@@ -152,11 +152,11 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
   std::vector<const weld::Weld*> weld_of(model.solids.size(), nullptr);
   for (const weld::Weld& w : ties.welds)
     if (w.kind != weld::Weld::Kind::rigid && w.of_bricks())
-      for (model::Index e : w.elements) weld_of[at(e)] = &w;
+      for (model::Index e : w.elements) weld_of[e] = &w;
   // Connections have yield stresses of their own: a group for each law.
   std::map<std::pair<double, double>, std::pair<kernel::Spotweld, std::vector<model::Index>>> by_law;
   for (model::Index e : chosen) {
-    const kernel::Spotweld own = weld_of[at(e)] ? weld::points_of(model, *weld_of[at(e)], law) : law;
+    const kernel::Spotweld own = weld_of[e] ? weld::points_of(model, *weld_of[e], law) : law;
     auto& [shared, bricks] = by_law[{own.yield, own.hardening}];
     shared = own;
     bricks.push_back(e);
@@ -165,12 +165,12 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
     const auto& [own, bricks] = entry;
     Members m = members(model.solids, bricks);
     for (std::size_t i = 0; i < bricks.size(); ++i) {
-      if (weld_of[at(bricks[i])] == nullptr) continue;
-      const auto laid = laid_along(*weld_of[at(bricks[i])], model.solids.node[at(bricks[i])], ties.x);
-      for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[at(laid[a])];
+      if (weld_of[bricks[i]] == nullptr) continue;
+      const auto laid = laid_along(*weld_of[bricks[i]], model.solids.node[bricks[i]], ties.x);
+      for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[laid[a]];
     }
     const BrickElement<kernel::Spotweld> element{brick, kernel::LawKernel<kernel::Spotweld>(own)};
-    const model::SectionSolid& section = model.solid_sections[at(model.parts[p].section)];
+    const model::SectionSolid& section = model.solid_sections[model.parts[p].section];
     if (section.elform == 2 || bends_without_locking(section.elform))
       add_group(full_brick(element, section), model::ElementKind::solid, p, m, solid_location);
     else

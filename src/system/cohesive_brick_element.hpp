@@ -48,7 +48,7 @@ struct CohesiveBrickElement {
     ElementGroup::Layer l;
     for (int p = 0; p < Layout::points; ++p) {
       const int point = Layout::point(p);
-      for (int i = 0; i < 3; ++i) l.stress[static_cast<std::size_t>(i)] += 0.25 * field(point + Layout::traction + i);
+      for (int i = 0; i < 3; ++i) l.stress[i] += 0.25 * field(point + Layout::traction + i);
       l.plastic_strain += 0.25 * field(point + Layout::damage);
     }
     return l;

@@ -74,7 +74,7 @@ ConstraintMap::Spin ConstraintMap::spin(const RowHead& row, std::span<const Corn
 }
 
 std::span<const ConstraintMap::Corner> ConstraintMap::corners(const RowHead& row) const {
-  return {corners_.data() + row.first_corner, static_cast<std::size_t>(row.end_corner - row.first_corner)};
+  return {corners_.data() + row.first_corner, at(row.end_corner - row.first_corner)};
 }
 
 void ConstraintMap::add(int dependent, bool rotations, std::span<const Term> terms) {
@@ -98,13 +98,13 @@ void ConstraintMap::add(int dependent, bool rotations, std::span<const Term> ter
     centre += c.weight * c.arm;
     sum += c.weight;
   }
-  for (int i = row.first_corner; i < row.end_corner; ++i) corners_[at(i)].arm -= (1.0 / sum) * centre;
+  for (int i = row.first_corner; i < row.end_corner; ++i) corners_[i].arm -= (1.0 / sum) * centre;
 }
 
 std::vector<int> ConstraintMap::sort_rows(int nodes) {
   constexpr int unknown = -1, waiting = -2;
   row_of_.assign(at(nodes), -1);
-  for (std::size_t r = 0; r < rows_.size(); ++r) row_of_[at(rows_[r].dependent)] = static_cast<int>(r);
+  for (std::size_t r = 0; r < rows_.size(); ++r) row_of_[rows_[r].dependent] = static_cast<int>(r);
 
   std::vector<int> level(rows_.size(), unknown), circular;
   const auto depth = [&](const auto& self, std::size_t r) -> int {
@@ -113,11 +113,11 @@ std::vector<int> ConstraintMap::sort_rows(int nodes) {
     level[r] = waiting;
     int deepest = 0;
     const auto look_at = [&](int node) {
-      const int row = row_of_[at(node)];
+      const int row = row_of_[node];
       if (row >= 0) deepest = std::max(deepest, 1 + self(self, at(row)));
     };
-    for (int i = rows_[r].begin; i < rows_[r].end; ++i) look_at(terms_[at(i)].node);
-    for (int i = rows_[r].first_corner; i < rows_[r].end_corner; ++i) look_at(corners_[at(i)].node);
+    for (int i = rows_[r].begin; i < rows_[r].end; ++i) look_at(terms_[i].node);
+    for (int i = rows_[r].first_corner; i < rows_[r].end_corner; ++i) look_at(corners_[i].node);
     return level[r] = deepest;
   };
   for (std::size_t r = 0; r < rows_.size(); ++r) depth(depth, r);
@@ -130,7 +130,7 @@ std::vector<int> ConstraintMap::sort_rows(int nodes) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i > 0 && level[order[i]] != level[order[i - 1]]) levels_.push_back(i);
     sorted.push_back(rows_[order[i]]);
-    row_of_[at(sorted.back().dependent)] = static_cast<int>(i);
+    row_of_[sorted.back().dependent] = static_cast<int>(i);
   }
   levels_.push_back(rows_.size());
   rows_ = std::move(sorted);
@@ -138,18 +138,18 @@ std::vector<int> ConstraintMap::sort_rows(int nodes) {
 }
 
 void ConstraintMap::remove(int node) {
-  rows_[at(row_of_[at(node)])].removed = true;
-  row_of_[at(node)] = -1;
+  rows_[row_of_[node]].removed = true;
+  row_of_[node] = -1;
 }
 
 std::span<const ConstraintMap::Term> ConstraintMap::terms(int node) const {
-  const RowHead& row = rows_[at(row_of_[at(node)])];
-  return {terms_.data() + row.begin, static_cast<std::size_t>(row.end - row.begin)};
+  const RowHead& row = rows_[row_of_[node]];
+  return {terms_.data() + row.begin, at(row.end - row.begin)};
 }
 
 std::span<ConstraintMap::Term> ConstraintMap::terms(int node) {
-  const RowHead& row = rows_[at(row_of_[at(node)])];
-  return {terms_.data() + row.begin, static_cast<std::size_t>(row.end - row.begin)};
+  const RowHead& row = rows_[row_of_[node]];
+  return {terms_.data() + row.begin, at(row.end - row.begin)};
 }
 
 void ConstraintMap::apply_to_velocities(double dt, std::span<Row> v, std::span<Row> w) {
@@ -166,9 +166,9 @@ void ConstraintMap::apply_to_velocities(double dt, std::span<Row> v, std::span<R
 void ConstraintMap::apply_to_velocities(RowHead& row, double dt, std::span<Row> v, std::span<Row> w) {
   Vec3d vd{}, wd{};
   for (int i = row.begin; i < row.end; ++i) {
-    Term& t = terms_[at(i)];
-    const Vec3d omega = vec(w[at(t.node)]);
-    Vec3d velocity = vec(v[at(t.node)]);
+    Term& t = terms_[i];
+    const Vec3d omega = vec(w[t.node]);
+    Vec3d velocity = vec(v[t.node]);
     if (!is_zero(t.arm)) velocity += swing(t.arm, omega, dt);
     vd += t.weight * velocity;
     wd += t.weight * omega;
@@ -178,23 +178,23 @@ void ConstraintMap::apply_to_velocities(RowHead& row, double dt, std::span<Row> 
     Vec3d mean{};
     double sum = 0.0;
     for (const Corner& corner : c) {
-      mean += corner.weight * vec(v[at(corner.node)]);
+      mean += corner.weight * vec(v[corner.node]);
       sum += corner.weight;
     }
     mean = (1.0 / sum) * mean;
     const auto walk = [&](double time) {
-      for (Corner& corner : c) corner.arm += time * (vec(v[at(corner.node)]) - mean);
+      for (Corner& corner : c) corner.arm += time * (vec(v[corner.node]) - mean);
     };
     walk(0.5 * dt);
     Vec3d turning{};
-    for (const Corner& corner : c) turning += corner.weight * cross(corner.arm, vec(v[at(corner.node)]));
+    for (const Corner& corner : c) turning += corner.weight * cross(corner.arm, vec(v[corner.node]));
     const Spin s = spin(row, c);
     wd = s.rest(wd) + s.of(turning);
     walk(0.5 * dt);
     if (!is_zero(row.arm)) vd += swing(row.arm, wd, dt);
   }
-  set(v[at(row.dependent)], vd);
-  if (row.rotations) set(w[at(row.dependent)], wd);
+  set(v[row.dependent], vd);
+  if (row.rotations) set(w[row.dependent], wd);
 }
 
 void ConstraintMap::transfer_forces(std::span<Row> f, std::span<Row> m) const {
@@ -210,11 +210,11 @@ void ConstraintMap::transfer_forces(const RowHead& row, std::span<Row> f, std::s
     moment += cross(row.arm, force);
     const Spin s = spin(row, corners(row));
     const Vec3d share = s.share(moment);
-    for (const Corner& c : corners(row)) nugget::add(f[at(c.node)], c.weight * cross(share, c.arm));
+    for (const Corner& c : corners(row)) nugget::add(f[c.node], c.weight * cross(share, c.arm));
     moment = s.rest(moment);
   }
   for (int i = row.begin; i < row.end; ++i) {
-    const Term& t = terms_[at(i)];
+    const Term& t = terms_[i];
     const std::size_t k = at(t.node);
     set(f[k], vec(f[k]) + t.weight * force);
     set(m[k], vec(m[k]) + t.weight * (moment + cross(t.arm, force)));
@@ -225,12 +225,12 @@ void ConstraintMap::transfer_forces(const RowHead& row, std::span<Row> f, std::s
 
 void ConstraintMap::transfer_mass(std::span<double> mass, std::span<double> inertia, int bodies) const {
   for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
-    if (row->removed || terms_[at(row->begin)].node >= bodies) continue;
+    if (row->removed || terms_[row->begin].node >= bodies) continue;
     const std::size_t d = at(row->dependent);
     for (int i = row->begin; i < row->end; ++i) {
-      const Term& t = terms_[at(i)];
-      mass[at(t.node)] += t.weight * mass[d];
-      inertia[at(t.node)] += t.weight * ((row->rotations ? inertia[d] : 0.0) + mass[d] * dot(t.arm, t.arm));
+      const Term& t = terms_[i];
+      mass[t.node] += t.weight * mass[d];
+      inertia[t.node] += t.weight * ((row->rotations ? inertia[d] : 0.0) + mass[d] * dot(t.arm, t.arm));
     }
     mass[d] = 0.0;
     if (row->rotations) inertia[d] = 0.0;
@@ -238,7 +238,7 @@ void ConstraintMap::transfer_mass(std::span<double> mass, std::span<double> iner
 }
 
 std::vector<ConstraintMap::Block> ConstraintMap::blocks(int dependent) const {
-  const RowHead& row = rows_[at(row_of_[at(dependent)])];
+  const RowHead& row = rows_[row_of_[dependent]];
   std::map<int, Matrix> direct;  // with the nodes that the row itself names
   const auto add_crossed = [](Matrix& to, std::size_t i0, std::size_t j0, double factor, const Vec3d& a) {
     const auto x = cross_matrix(a);
@@ -254,7 +254,7 @@ std::vector<ConstraintMap::Block> ConstraintMap::blocks(int dependent) const {
     to[i0 + 2][j] += a.z;
   };
   for (int i = row.begin; i < row.end; ++i) {
-    const Term& t = terms_[at(i)];
+    const Term& t = terms_[i];
     Matrix& b = direct[t.node];
     for (std::size_t j = 0; j < 3; ++j) {
       b[j][j] += t.weight;
@@ -274,7 +274,7 @@ std::vector<ConstraintMap::Block> ConstraintMap::blocks(int dependent) const {
   for (auto& [node, b] : direct) {
     if (!row.rotations)
       for (std::size_t i = 3; i < 6; ++i) b[i].fill(0.0);
-    if (row_of_[at(node)] < 0) {
+    if (row_of_[node] < 0) {
       for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < 6; ++j) closed[node][i][j] += b[i][j];
       continue;

@@ -54,13 +54,11 @@ class ConstraintMap {
   /// Releases a dependent node; from then on it is independent.
   void remove(int node);
 
-  bool dependent(int node) const { return row_of_[static_cast<std::size_t>(node)] >= 0; }
+  bool dependent(int node) const { return row_of_[node] >= 0; }
   /// The terms of a dependent node's row; their nodes may be dependent.
   std::span<const Term> terms(int node) const;
   std::span<Term> terms(int node);
-  bool rotations(int node) const {
-    return rows_[static_cast<std::size_t>(row_of_[static_cast<std::size_t>(node)])].rotations;
-  }
+  bool rotations(int node) const { return rows_[row_of_[node]].rotations; }
   std::size_t size() const { return rows_.size(); }
 
   /// v, w := T (v, w) for the step dt; arms are turned to their place at the end of the step, so that x + dt v keeps a

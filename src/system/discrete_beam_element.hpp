@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "base/index.hpp"
 #include "kernel/element/discrete_beam.hpp"
 #include "model/model.hpp"
 #include "system/beam.hpp"
@@ -74,7 +75,7 @@ struct DiscreteBeamElement {
   Frame3d triad(model::Index element, const Places& place) const {
     const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (axes) return *axes;
-    const Vec3d line = place[1] - place[0], towards = beams.side(static_cast<std::size_t>(element), x);
+    const Vec3d line = place[1] - place[0], towards = beams.side(at(element), x);
     if (!(norm(line) > 0.0)) return global;
     const Vec3d r = unit(line);
     const Vec3d s = towards - dot(towards, r) * r;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/index.hpp"
 #include "kernel/law/point_damage.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/state.hpp"
@@ -52,8 +53,7 @@ class ElementGroup {
 
   /// Row of the force slot of node `a` of element `e` (its moment stands in the next row).
   std::size_t slot_row(std::size_t e, int a) const {
-    return first_slot +
-           (e * static_cast<std::size_t>(nodes_per_element) + static_cast<std::size_t>(a)) * (rotational ? 2 : 1);
+    return first_slot + (e * at(nodes_per_element) + at(a)) * (rotational ? 2 : 1);
   }
   /// Rows that the group needs, padding lanes included.
   virtual std::size_t slot_rows() const = 0;
@@ -80,9 +80,7 @@ class ElementGroup {
   virtual double hourglass_energy(std::size_t e) const = 0;
   virtual double mass(std::size_t e) const = 0;  ///< physical, of the whole element
   /// Its share at node a, physical.
-  double nodal_mass(std::size_t e, int a) const {
-    return model::mass_at(mass(e), static_cast<std::size_t>(nodes_per_element), static_cast<std::size_t>(a));
-  }
+  double nodal_mass(std::size_t e, int a) const { return model::mass_at(mass(e), at(nodes_per_element), at(a)); }
   virtual double nodal_inertia(std::size_t e) const = 0;      ///< physical rotary inertia at each of its nodes
   virtual double mass_scale(std::size_t e) const = 0;         ///< factor on the density by mass scaling
   virtual void scale_mass(std::size_t e, double factor) = 0;  ///< sets that factor

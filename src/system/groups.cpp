@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "base/index.hpp"
 #include "system/system.hpp"
 
 // Which kernel runs which element: one group a part and formulation.
 namespace nugget::system {
 
 const model::Hourglass& System::hourglass_of(const model::Part& part) const {
-  return part.hourglass == model::none ? model.control.hourglass : model.hourglass[at(part.hourglass)];
+  return part.hourglass == model::none ? model.control.hourglass : model.hourglass[part.hourglass];
 }
 
 void System::make_groups(Findings& findings) {
   start_.resize(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) start_[i] = ties.x[at(model_node[i])];
+  for (std::size_t i = 0; i < nodes; ++i) start_[i] = ties.x[model_node[i]];
   make_shells();
   make_bricks();
   make_weld_beams(findings);
@@ -30,7 +29,7 @@ std::vector<bool> System::deleted_with_welds(bool bricks) const {
   std::vector<bool> deleted(bricks ? model.solids.size() : model.beams.size(), false);
   for (const weld::Weld& w : ties.welds)
     if (w.deleted && w.kind != weld::Weld::Kind::rigid && w.of_bricks() == bricks)
-      for (model::Index e : w.elements) deleted[at(e)] = true;
+      for (model::Index e : w.elements) deleted[e] = true;
   return deleted;
 }
 

@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "base/index.hpp"
 #include "kernel/law/own_kernels.hpp"
 #include "system/batch_group.hpp"
 #include "system/order.hpp"
@@ -23,10 +22,9 @@ std::vector<std::vector<model::Index>> by_part(const Elements& elements, std::si
                                                const std::vector<Vec3d>& x) {
   std::vector<Vec3d> centre(elements.size());
   for (std::size_t e = 0; e < elements.size(); ++e)
-    for (model::Index k : elements.node[e])
-      centre[e] += (1.0 / static_cast<double>(elements.node[e].size())) * x[at(k)];
+    for (model::Index k : elements.node[e]) centre[e] += (1.0 / static_cast<double>(elements.node[e].size())) * x[k];
   std::vector<std::vector<model::Index>> sorted(parts);
-  for (int e : morton_order(centre)) sorted[at(elements.part[at(e)])].push_back(e);
+  for (int e : morton_order(centre)) sorted[elements.part[e]].push_back(e);
   return sorted;
 }
 
@@ -50,7 +48,7 @@ System::Members System::members(const Elements& elements, const std::vector<mode
   m.element = chosen;
   for (model::Index e : chosen) {
     ElementNodes node{};
-    for (std::size_t a = 0; a < elements.node[at(e)].size(); ++a) node[a] = node_of[at(elements.node[at(e)][a])];
+    for (std::size_t a = 0; a < elements.node[e].size(); ++a) node[a] = node_of[elements.node[e][a]];
     m.node.push_back(node);
   }
   return m;
@@ -62,7 +60,7 @@ void System::add_group(Element element, model::ElementKind kind, std::size_t par
   groups.push_back(std::make_unique<BatchGroup<Element>>(std::move(element), kind, static_cast<model::Index>(part),
                                                          m.element, m.node, start_));
   for (std::size_t e = 0; e < m.element.size(); ++e)
-    locations[at(m.element[e])] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
+    locations[m.element[e]] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
 }
 
 }  // namespace nugget::system

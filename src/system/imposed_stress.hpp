@@ -39,9 +39,9 @@ class TakesStress {
 template <class Field, class Put, class Change>
 void change_solid_point(const Field& field, const Put& put, int at, const Change& change) {
   std::array<double, 6> stress;
-  for (int i = 0; i < 6; ++i) stress[static_cast<std::size_t>(i)] = field(at + i);
+  for (int i = 0; i < 6; ++i) stress[i] = field(at + i);
   change(stress);
-  for (int i = 0; i < 6; ++i) put(at + i, stress[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < 6; ++i) put(at + i, stress[i]);
 }
 /// Stress rr rs rt, as ElementGroup::layer gives them.
 template <class Field, class Put, class Change>

@@ -52,7 +52,7 @@ Mobility mobility(const System& system, int node) {
     double inverse_mass = 0.0;
     Mobility::Matrix inverse{};
     if (at(b.node) < system.nodes) {
-      const double mass = system.mass[at(b.node)], inertia = system.inertia[at(b.node)];
+      const double mass = system.mass[b.node], inertia = system.inertia[b.node];
       if (mass > 0.0) inverse_mass = 1.0 / mass;
       for (std::size_t k = 0; k < 3; ++k)
         if (inertia > 0.0) inverse[k][k] = 1.0 / inertia;

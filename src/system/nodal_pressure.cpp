@@ -22,7 +22,7 @@ NodalPressure::NodalPressure(const std::vector<std::array<int, 4>>& corners, std
     std::array<Vec3d, 4> place;
     std::array<int, 4> local;
     for (std::size_t a = 0; a < 4; ++a) {
-      place[a] = x[at(c[a])];
+      place[a] = x[c[a]];
       local[a] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), c[a]) - nodes.begin());
       ++first_[at(local[a]) + 1];
     }
@@ -33,7 +33,7 @@ NodalPressure::NodalPressure(const std::vector<std::array<int, 4>>& corners, std
   around_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t e = 0; e < local_.size(); ++e)
-    for (const int n : local_[e]) around_[next[at(n)]++] = static_cast<int>(e);
+    for (const int n : local_[e]) around_[next[n]++] = static_cast<int>(e);
   at_node_.resize(nodes.size());
 }
 
@@ -41,7 +41,7 @@ const std::vector<double>& NodalPressure::update(const State& now, const std::fu
   parallel_for(corners_.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       std::array<Vec3d, 4> place;
-      for (std::size_t a = 0; a < 4; ++a) place[a] = vec(now.x[at(corners_[e][a])]);
+      for (std::size_t a = 0; a < 4; ++a) place[a] = vec(now.x[corners_[e][a]]);
       // What is inside out is deleted, or ends the run: its neighbours go on without it.
       volume_[e] = alive(e) ? std::max(0.0, kernel::tetrahedron_volume(place)) : 0.0;
     }
@@ -60,7 +60,7 @@ const std::vector<double>& NodalPressure::update(const State& now, const std::fu
   parallel_for(corners_.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       mean_[e] = 0.0;
-      for (const int n : local_[e]) mean_[e] += 0.25 * at_node_[at(n)];
+      for (const int n : local_[e]) mean_[e] += 0.25 * at_node_[n];
     }
   });
   return mean_;

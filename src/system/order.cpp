@@ -37,8 +37,7 @@ std::vector<int> morton_order(const std::vector<Vec3d>& points) {
     code[i] = spread(static_cast<std::uint64_t>(p.x)) | spread(static_cast<std::uint64_t>(p.y)) << 1 |
               spread(static_cast<std::uint64_t>(p.z)) << 2;
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return code[static_cast<std::size_t>(a)] < code[static_cast<std::size_t>(b)]; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return code[a] < code[b]; });
   return order;
 }
 

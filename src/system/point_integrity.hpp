@@ -16,7 +16,7 @@ double point_integrity(const kernel::LawKernel<kernel::Spotweld>& law, const Fie
   double sum = 0.0;
   for (int k = 0; k < count; ++k) {
     std::array<double, numbers> history;
-    for (int i = 0; i < numbers; ++i) history[static_cast<std::size_t>(i)] = field(history_of(k) + i);
+    for (int i = 0; i < numbers; ++i) history[i] = field(history_of(k) + i);
     sum += law.integrity<double>(history.data());
   }
   return sum / count;

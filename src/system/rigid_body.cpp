@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "system/constraint_map.hpp"
 
 namespace nugget::system {
@@ -54,12 +55,12 @@ Vec3d RigidBody::constrained_spin(const Vec3d& momentum, const Frame3d& at) cons
   std::array<double, 3> b{};
   Inertia a{};
   for (int i = 0; i < 3; ++i) {
-    const Vec3d turning = RigidBody::momentum(e[static_cast<std::size_t>(i)], at);
+    const Vec3d turning = RigidBody::momentum(e[i], at);
     for (int j = 0; j <= i; ++j) {
       const bool held = i != j && ((fixed >> (3 + i) & 1u) || (fixed >> (3 + j) & 1u));
-      a[static_cast<std::size_t>(place[i][j])] = held ? 0.0 : dot(e[static_cast<std::size_t>(j)], turning);
+      a[place[i][j]] = held ? 0.0 : dot(e[j], turning);
     }
-    b[static_cast<std::size_t>(i)] = (fixed >> (3 + i) & 1u) ? 0.0 : dot(e[static_cast<std::size_t>(i)], momentum);
+    b[i] = (fixed >> (3 + i) & 1u) ? 0.0 : dot(e[i], momentum);
   }
   return fixed_axes.global(solve(a, {b[0], b[1], b[2]}));
 }
@@ -70,7 +71,7 @@ Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const {
 
 double RigidBody::advance(double velocity_interval, double dt, State& state) {
   if (!(mass > 0.0)) return 0.0;  // all its nodes were released
-  const auto k = static_cast<std::size_t>(node);
+  const auto k = at(node);
   const Vec3d force = vec(state.f[k]), moment = vec(state.m[k]), v_before = vec(state.v[k]), w_before = vec(state.w[k]);
   Vec3d velocity = v_before + (velocity_interval / mass) * force;
   hold(velocity, fixed & 7u, fixed_axes);
@@ -90,7 +91,7 @@ double RigidBody::advance(double velocity_interval, double dt, State& state) {
 }
 
 void RigidBody::turn(double dt, const State& state) {
-  axes = turned_axes(axes, dt * vec(state.w[static_cast<std::size_t>(node)]));
+  axes = turned_axes(axes, dt * vec(state.w[node]));
   // Round-off would make the triad drift from orthogonality over very many steps.
   axes.e1 = unit(axes.e1);
   axes.e2 = unit(axes.e2 - dot(axes.e1, axes.e2) * axes.e1);
@@ -98,7 +99,7 @@ void RigidBody::turn(double dt, const State& state) {
 }
 
 void RigidBody::set_spin(const Vec3d& axis, double value, double dt, State& state) {
-  const auto k = static_cast<std::size_t>(node);
+  const auto k = at(node);
   Vec3d w = vec(state.w[k]);
   w += (value - dot(axis, w)) * axis;
   angular_momentum = momentum(w, turned_axes(axes, (0.5 * dt) * w));

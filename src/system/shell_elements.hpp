@@ -5,6 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/index.hpp"
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/full_shell.hpp"
@@ -78,7 +79,7 @@ struct ShellElement {
   int layers() const { return shell.layers.count; }
 
   void start(double* state, int lane, model::Index e, const Places& x) const {
-    kernel::start_shell(layout(), shells.thickness[static_cast<std::size_t>(e)], state, native_width, lane);
+    kernel::start_shell(layout(), shells.thickness[e], state, native_width, lane);
     const Frame3d frame = frame_of(x);
     const double size = std::sqrt(area(x));
     for (int k = 0; k < layers(); ++k) {
@@ -104,7 +105,7 @@ struct ShellElement {
       return kernel::triangle_area(x);
   }
   kernel::NodalMass nodal_mass(model::Index e, const Places& x) const {
-    const double t = shells.thickness[static_cast<std::size_t>(e)];
+    const double t = shells.thickness[e];
     const double shear_share = shell.shear_factor * law.elastic().shear / law.elastic().plane;
     if constexpr (corners == 4)
       return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shear_share, shell.profile);
@@ -153,7 +154,7 @@ struct ShellElement {
   ElementGroup::Layer layer(const Field& field, int k, const Places& x) const {
     const Frame3d frame = frame_of(x);
     std::array<double, 5> s;
-    for (int c = 0; c < 5; ++c) s[static_cast<std::size_t>(c)] = component(field, k, c);
+    for (int c = 0; c < 5; ++c) s[c] = component(field, k, c);
     return {
         global_stress(frame, s[0], s[1], s[2], s[3], s[4]),
         kernel::LawKernel<Law>::has_plastic_strain ? component(field, k, 5) : 0.0,
@@ -164,7 +165,7 @@ struct ShellElement {
   void set_layer(const Put& put, int k, const ElementGroup::Layer& l, const Places& x) const {
     const std::array<double, 5> s = local_stress(frame_of(x), l.stress);
     for (int column = 0; column < columns; ++column) {
-      for (int c = 0; c < 5; ++c) put(layout().layer(k, column) + c, s[static_cast<std::size_t>(c)]);
+      for (int c = 0; c < 5; ++c) put(layout().layer(k, column) + c, s[c]);
       if (kernel::LawKernel<Law>::has_plastic_strain) put(layout().layer(k, column) + 5, l.plastic_strain);
     }
   }
@@ -186,11 +187,11 @@ struct ShellElement {
     std::array<double, 8> r{};
     const double t = field(Layout::thickness);
     for (int k = 0; k < layers(); ++k) {
-      const auto point = static_cast<std::size_t>(k);
+      const auto point = at(k);
       const double w = t * shell.layers.weight[point], z = 0.5 * t * (shell.layers.zeta[point] - shell.offset);
-      for (int c = 0; c < 3; ++c) r[static_cast<std::size_t>(c)] += w * z * component(field, k, c);
-      for (int c = 0; c < 2; ++c) r[static_cast<std::size_t>(3 + c)] += shear_force(k) * w * component(field, k, 3 + c);
-      for (int c = 0; c < 3; ++c) r[static_cast<std::size_t>(5 + c)] += w * component(field, k, c);
+      for (int c = 0; c < 3; ++c) r[c] += w * z * component(field, k, c);
+      for (int c = 0; c < 2; ++c) r[3 + c] += shear_force(k) * w * component(field, k, 3 + c);
+      for (int c = 0; c < 3; ++c) r[5 + c] += w * component(field, k, c);
     }
     return r;
   }

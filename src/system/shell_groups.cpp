@@ -29,8 +29,8 @@ kernel::LayerRule layer_rule(const model::SectionShell& section, const model::Co
     kernel::LayerRule rule;
     rule.count = section.layers;
     for (int k = 0; k < section.layers; ++k) {
-      rule.zeta[at(k)] = section.layers == 1 ? 0.0 : -1.0 + 2.0 * k / (section.layers - 1);
-      rule.weight[at(k)] =
+      rule.zeta[k] = section.layers == 1 ? 0.0 : -1.0 + 2.0 * k / (section.layers - 1);
+      rule.weight[k] =
           section.layers == 1 ? 1.0 : (k == 0 || k == section.layers - 1 ? 0.5 : 1.0) / (section.layers - 1);
     }
     return rule;
@@ -39,7 +39,7 @@ kernel::LayerRule layer_rule(const model::SectionShell& section, const model::Co
 }
 
 kernel::LayerRule layer_rule(const model::Model& model, model::Index part) {
-  return layer_rule(model.shell_sections[at(model.parts[at(part)].section)], model.control);
+  return layer_rule(model.shell_sections[model.parts[part].section], model.control);
 }
 
 std::array<double, 6> global_stress(const Frame3d& f, double xx, double yy, double xy, double xz, double yz) {
@@ -114,8 +114,8 @@ template <ShellKind Kind>
 void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) {
   if (chosen.empty()) return;
   const model::Part& part = model.parts[p];
-  const model::SectionShell& section = model.shell_sections[at(part.section)];
-  const model::Material& material = model.materials[at(part.material)];
+  const model::SectionShell& section = model.shell_sections[part.section];
+  const model::Material& material = model.materials[part.material];
   const kernel::ShellProperties shell = shell_properties(part, section, material, hourglass_of(part), model.control);
   const Members m = members(model.shells, chosen);
   constexpr int corners = ShellElement<kernel::Elastic, Kind>::corners;
@@ -126,8 +126,8 @@ void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) 
   if (computed) return;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     std::array<Vec3d, corners> x;
-    for (std::size_t a = 0; a < corners; ++a) x[a] = start_[at(m.node[i][a])];
-    const double t = model.shells.thickness[at(chosen[i])];
+    for (std::size_t a = 0; a < corners; ++a) x[a] = start_[m.node[i][a]];
+    const double t = model.shells.thickness[chosen[i]];
     kernel::NodalMass own;
     if constexpr (corners == 4)
       own = kernel::shell_nodal_mass(x, t, shell.density, shell.offset, section.extra_mass);
@@ -142,7 +142,7 @@ void System::make_shells() {
   const auto sorted = by_part(model.shells, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (sorted[p].empty()) continue;
-    const model::SectionShell& section = model.shell_sections[at(model.parts[p].section)];
+    const model::SectionShell& section = model.shell_sections[model.parts[p].section];
     const int formulation = triangle_formulation(section, model.control);
     std::vector<model::Index> quads, triangles;
     for (model::Index e : sorted[p])

@@ -15,27 +15,27 @@ namespace nugget::system {
 
 SpringGroup::SpringGroup(const model::Model& model, model::Index p, std::vector<model::Index> chosen,
                          const std::vector<int>& node_of, const std::vector<Vec3d>& x)
-    : section_(model.discrete_sections[at(model.parts[at(p)].section)]),
-      law_(std::get<kernel::Spring>(model.materials[at(model.parts[at(p)].material)].law)),
+    : section_(model.discrete_sections[model.parts[p].section]),
+      law_(std::get<kernel::Spring>(model.materials[model.parts[p].material].law)),
       model_(model) {
   kind = model::ElementKind::discrete;
   part = p;
   element = std::move(chosen);
   rotational = section_.torsional;
-  nodes_per_element = model.discretes[at(element.front())].grounded() ? 1 : 2;
+  nodes_per_element = model.discretes[element.front()].grounded() ? 1 : 2;
   State start;
   start.x.resize(x.size());
   for (std::size_t k = 0; k < x.size(); ++k) set(start.x[k], x[k]);
   for (const model::Index e : element) {
     Entry s;
-    s.source = &model.discretes[at(e)];
-    s.node[0] = node_of[at(s.source->node[0])];
-    if (!s.source->grounded()) s.node[1] = node_of[at(s.source->node[1])];
-    s.ground = x[at(s.node[0])];
+    s.source = &model.discretes[e];
+    s.node[0] = node_of[s.source->node[0]];
+    if (!s.source->grounded()) s.node[1] = node_of[s.source->node[1]];
+    s.ground = x[s.node[0]];
     if (s.source->orientation != model::none)
       for (const std::size_t i : {0u, 1u})
-        if (const model::Index n = model.spring_orientations[at(s.source->orientation)].node[i]; n != model::none)
-          s.direction[i] = node_of[at(n)];
+        if (const model::Index n = model.spring_orientations[s.source->orientation].node[i]; n != model::none)
+          s.direction[i] = node_of[n];
     s.state = law_.start();
     s.line = line_of(s, start, s.length);
     s.step = std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ SpringGroup::SpringGroup(const model::Model& model, model::Index p, std::vector<
 }
 
 Vec3d SpringGroup::span(const Entry& s, const State& state) const {
-  return (s.node[1] < 0 ? s.ground : vec(state.x[at(s.node[1])])) - vec(state.x[at(s.node[0])]);
+  return (s.node[1] < 0 ? s.ground : vec(state.x[s.node[1]])) - vec(state.x[s.node[0]]);
 }
 
 Vec3d SpringGroup::line_of(const Entry& s, const State& state, double& length) const {
@@ -54,9 +54,9 @@ Vec3d SpringGroup::line_of(const Entry& s, const State& state, double& length) c
     return length > 0.0 ? (1.0 / length) * v : s.line;
   };
   if (s.source->orientation == model::none) return along(span);
-  const model::SpringOrientation& o = model_.spring_orientations[at(s.source->orientation)];
+  const model::SpringOrientation& o = model_.spring_orientations[s.source->orientation];
   Vec3d direction = o.direction;
-  if (s.direction[0] >= 0) direction = unit(vec(state.x[at(s.direction[1])]) - vec(state.x[at(s.direction[0])]));
+  if (s.direction[0] >= 0) direction = unit(vec(state.x[s.direction[1]]) - vec(state.x[s.direction[0]]));
   if (o.in_plane) return along(span - dot(span, direction) * direction);
   length = dot(span, direction);
   return direction;
@@ -77,7 +77,7 @@ void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, 
       for (int a = 0; a < nodes_per_element; ++a) {
         Row& row = slots[slot_row(e, a) + (rotational ? 1 : 0)];
         const Vec3d now = a == 0 ? pull : -pull;
-        work += dot(vec(row) + now, vec((rotational ? state.w : state.v)[at(s.node[at(a)])]));
+        work += dot(vec(row) + now, vec((rotational ? state.w : state.v)[s.node[a]]));
         set(row, now);
       }
       s.energy += 0.5 * dt * work;
@@ -92,8 +92,8 @@ void SpringGroup::advance(Entry& s, const State& state, double dt) {
   double length = 0.0;
   s.line = line_of(s, state, length);
   const auto rate = [&](const std::vector<Row>& of) {
-    const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[at(s.node[1])]);
-    return dot(second - vec(of[at(s.node[0])]), s.line);
+    const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[s.node[1]]);
+    return dot(second - vec(of[s.node[0]]), s.line);
   };
   double velocity = rate(section_.torsional ? state.w : state.v);
   if (section_.torsional)
@@ -179,9 +179,9 @@ void SpringGroup::damp(std::size_t e, const State& state, std::span<Row> slots) 
   const Entry& s = springs_[e];
   Vec3d pull{};
   if (s.alive) {
-    const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[at(s.node[1])]);
+    const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[s.node[1]]);
     const double k = s.source->scale * law_.initial_stiffness();
-    pull = (damping_time_at(s.step) * k * dot(second - vec(of[at(s.node[0])]), s.line)) * s.line;
+    pull = (damping_time_at(s.step) * k * dot(second - vec(of[s.node[0]]), s.line)) * s.line;
   }
   for (int a = 0; a < nodes_per_element; ++a) set(slots[slot_row(e, a) + (rotational ? 1 : 0)], a == 0 ? -pull : pull);
 }
@@ -202,7 +202,7 @@ Vec3d free_of_supports(const model::Model& model, model::Index node, const Vec3d
     if (spc.node != node || spc.birth > from || spc.death < to) continue;
     const unsigned bits = rotation ? spc.fixed >> 3 : spc.fixed & 7u;
     const Frame3d axes =
-        spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
+        spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[spc.system].axes;
     const Vec3d* direction[3] = {&axes.e1, &axes.e2, &axes.e3};
     for (unsigned i = 0; i < 3; ++i)
       if (bits >> i & 1u) rest -= dot(rest, *direction[i]) * *direction[i];
@@ -219,20 +219,20 @@ void SpringGroup::stop(State& state, std::span<const double> mass) {
     const bool drawn = section_.most_elongation > 0.0 && s.elongation >= section_.most_elongation;
     if (!pushed && !drawn) continue;
     const std::size_t a = at(s.node[0]);
-    const Vec3d va = vec(state.v[a]), vb = s.node[1] < 0 ? Vec3d{} : vec(state.v[at(s.node[1])]);
+    const Vec3d va = vec(state.v[a]), vb = s.node[1] < 0 ? Vec3d{} : vec(state.v[s.node[1]]);
     const double opening = dot(vb - va, s.line);
     if (pushed ? opening >= 0.0 : opening <= 0.0) continue;
     // What a unit impulse along the line does to either node.
     const auto push = [&](std::size_t end) {
       const Vec3d free = free_of_supports(model_, s.source->node[end], s.line, false, state.time, state.time);
-      return (1.0 / mass[at(s.node[end])]) * free;
+      return (1.0 / mass[s.node[end]]) * free;
     };
     const Vec3d push_a = push(0), push_b = s.node[1] < 0 ? Vec3d{} : push(1);
     const double both = dot(push_a + push_b, s.line);
     if (!(both > 0.0)) continue;
     const double impulse = opening / both;
     add(state.v[a], impulse * push_a);
-    if (s.node[1] >= 0) add(state.v[at(s.node[1])], -impulse * push_b);
+    if (s.node[1] >= 0) add(state.v[s.node[1]], -impulse * push_b);
     s.energy += 0.5 * impulse * opening;
   }
 }
@@ -252,14 +252,14 @@ std::map<std::pair<int, bool>, std::vector<SpringEnd>> springs_at_nodes(const Sy
     if (springs == nullptr) continue;
     for (std::size_t e = 0; e < springs->size(); ++e)
       for (int a = 0; a < springs->nodes_per_element; ++a)
-        at_node[{springs->nodes(e)[at(a)], springs->torsional()}].push_back({springs, e});
+        at_node[{springs->nodes(e)[a], springs->torsional()}].push_back({springs, e});
   }
   return at_node;
 }
 
 /// What of a vector at a node no motion is prescribed to.
 Vec3d free_of_motions(const System& system, int node, const Vec3d& n, bool rotation) {
-  const model::Index k = system.model_node[at(node)];
+  const model::Index k = system.model_node[node];
   Vec3d rest = n;
   for (const model::PrescribedMotion& motion : system.model.motions)
     if (!motion.circular && motion.rotation == rotation &&
@@ -270,7 +270,7 @@ Vec3d free_of_motions(const System& system, int node, const Vec3d& n, bool rotat
 
 /// Whether supports or prescribed motion hold a direction of a node for ever.
 bool is_constrained(const System& system, int node, const Vec3d& n, bool rotation) {
-  const Vec3d rest = free_of_supports(system.model, system.model_node[at(node)], n, rotation, 0.0, model::forever);
+  const Vec3d rest = free_of_supports(system.model, system.model_node[node], n, rotation, 0.0, model::forever);
   return norm(free_of_motions(system, node, rest, rotation)) < 1e-9;
 }
 
@@ -307,7 +307,7 @@ void check_springs(const System& system, Findings& findings) {
     const auto& [node, rotation] = key;
     const Mobility m = mobility(system, node);
     for (const SpringEnd& end : ends) {
-      const model::Discrete& d = system.model.discretes[at(end.group->element[end.spring])];
+      const model::Discrete& d = system.model.discretes[end.group->element[end.spring]];
       const Vec3d n = end.group->line(end.spring);
       const int id = system.node_id(node);
       if (!(Mobility::along(rotation ? m.rotation : m.translation, n) > 0.0) &&
@@ -317,7 +317,7 @@ void check_springs(const System& system, Findings& findings) {
                                    rotation ? "rotary inertia" : "mass"),
                        rotation ? "give it an *ELEMENT_INERTIA, or hold its rotations"
                                 : "give it an *ELEMENT_MASS, or hold it by *BOUNDARY_SPC");
-      if (end.group->has_stops() && (system.map.dependent(node) || !(system.mass[at(node)] > 0.0)))
+      if (end.group->has_stops() && (system.map.dependent(node) || !(system.mass[node] > 0.0)))
         findings.error(
             d.place, "*SECTION_DISCRETE",
             fmt::format("node {} of spring {}, which has a stop (CDL, TDL), follows other nodes or has no mass", id,

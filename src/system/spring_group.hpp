@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/index.hpp"
 #include "system/element_group.hpp"
 
 namespace nugget::system {
@@ -83,7 +84,7 @@ class SpringGroup final : public ElementGroup {
   };
   /// A modulus along the spring's line, as a matrix of its freedoms.
   void along_line(std::size_t e, double modulus, std::span<double> k) const;
-  std::size_t at_each_node() const { return static_cast<std::size_t>(nodes_per_element); }
+  std::size_t at_each_node() const { return at(nodes_per_element); }
   Vec3d span(const Entry& s, const State& state) const;
   /// The line of a spring and, of one along it, the elongation's length on it.
   Vec3d line_of(const Entry& s, const State& state, double& length) const;

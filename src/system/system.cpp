@@ -43,8 +43,8 @@ void fit_motion(RigidBody& body, double m, const Vec3d& linear, const Vec3d& ang
     spin = solve(spread, angular - cross(middle, linear) + share * mean);
     velocity = (1.0 / m) * linear - cross(spin, middle);
   }
-  set(state.v[at(body.node)], velocity);
-  set(state.w[at(body.node)], spin);
+  set(state.v[body.node], velocity);
+  set(state.w[body.node], spin);
   body.angular_momentum = body.momentum(spin, body.axes);
 }
 
@@ -68,19 +68,19 @@ void System::order_nodes() {
   model_node.resize(nodes);
   for (std::size_t i = 0; i < nodes; ++i) {
     model_node[i] = order[i];
-    node_of[at(order[i])] = static_cast<int>(i);
+    node_of[order[i]] = static_cast<int>(i);
   }
 }
 
 void System::make_constraints(Findings& findings) {
   constraint_source_.assign(nodes, {});
   const auto claim = [&](model::Index node, const ConstraintSource& who, const Place& place) {
-    ConstraintSource& held = constraint_source_[at(node_of[at(node)])];
+    ConstraintSource& held = constraint_source_[node_of[node]];
     if (!held.none()) {
-      findings.error(place, "",
-                     fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[at(node)],
-                                 name(held), name(who)),
-                     "a node may follow only one rigid body or tie: remove it from one of them");
+      findings.error(
+          place, "",
+          fmt::format("node {} is made dependent twice: by {} and by {}", model.nodes.id[node], name(held), name(who)),
+          "a node may follow only one rigid body or tie: remove it from one of them");
       return false;
     }
     held = who;
@@ -101,23 +101,23 @@ void System::make_constraints(Findings& findings) {
     for (model::Index n : source.nodes) {
       if (!claim(n, {.body = static_cast<model::Index>(b)}, source.place)) continue;
       // Arms hold the node's position until the centre is known; see make_bodies.
-      const ConstraintMap::Term term{body.node, 1.0, ties.x[at(n)]};
-      map.add(node_of[at(n)], true, {&term, 1});
+      const ConstraintMap::Term term{body.node, 1.0, ties.x[n]};
+      map.add(node_of[n], true, {&term, 1});
     }
     bodies.push_back(std::move(body));
   }
   for (std::size_t t = 0; t < ties.ties.size(); ++t) {
     const weld::Tie& tie = ties.ties[t];
-    const model::Contact& contact = model.contacts[at(tie.contact)];
-    const Vec3d gap = ties.x[at(tie.node)] - tie.point;
+    const model::Contact& contact = model.contacts[tie.contact];
+    const Vec3d gap = ties.x[tie.node] - tie.point;
     // With TIEDPRJ = 1 or an offset the node keeps its gap, which then turns with the segment.
     const bool projected = dot(gap, gap) <= 1e-24 * (1.0 + dot(tie.point, tie.point));
     if (tie.spring) {
       const int anchor = static_cast<int>(nodes + bodies.size() + springs.size());
-      springs.push_back({t, node_of[at(tie.node)], anchor});
+      springs.push_back({t, node_of[tie.node], anchor});
       add_tie(anchor, tie, projected || !tie.lever ? Vec3d{} : gap, true);
     } else if (claim(tie.node, {.contact = tie.contact}, contact.place)) {
-      add_tie(node_of[at(tie.node)], tie, projected ? Vec3d{} : gap, tie.rotations);
+      add_tie(node_of[tie.node], tie, projected ? Vec3d{} : gap, tie.rotations);
     }
   }
   for (std::size_t k = 0; k < model.interpolations.size(); ++k) {
@@ -134,34 +134,32 @@ void System::add_interpolation(const model::Interpolation& i) {
   std::vector<ConstraintMap::Corner> corners;
   Vec3d centre;
   for (std::size_t k = 0; k < i.weight.size(); ++k) {
-    const Vec3d x = ties.x[at(i.independent[k])];
-    const int node = node_of[at(i.independent[k])];
+    const Vec3d x = ties.x[i.independent[k]];
+    const int node = node_of[i.independent[k]];
     terms.push_back({node, i.weight[k], {}});
     corners.push_back({node, i.weight[k], x});
     centre += i.weight[k] * x;
   }
-  map.add(node_of[at(i.node)], i.rotations, terms, ConstraintMap::Turn::whole, corners, ties.x[at(i.node)] - centre);
+  map.add(node_of[i.node], i.rotations, terms, ConstraintMap::Turn::whole, corners, ties.x[i.node] - centre);
 }
 
 void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations) {
   if (tie.rigid_body != model::none) {
     // Arms hold the position until the centre is known; see make_bodies.
-    const ConstraintMap::Term term{bodies[at(body_of[at(tie.rigid_body)])].node, 1.0, tie.point + arm};
+    const ConstraintMap::Term term{bodies[body_of[tie.rigid_body]].node, 1.0, tie.point + arm};
     map.add(dependent, true, {&term, 1});
     return;
   }
   const std::size_t corners = tie.segment[3] == tie.segment[2] ? 3 : 4;
   std::vector<ConstraintMap::Term> terms;
   for (std::size_t i = 0; i < corners; ++i)
-    if (tie.weight[i] != 0.0)
-      terms.push_back({node_of[at(tie.segment[i])], tie.weight[i], tie.couples ? Vec3d{} : arm});
+    if (tie.weight[i] != 0.0) terms.push_back({node_of[tie.segment[i]], tie.weight[i], tie.couples ? Vec3d{} : arm});
   if (!tie.couples && !tie.twist) {
     map.add(dependent, rotations, terms);
     return;
   }
   std::vector<ConstraintMap::Corner> around;
-  for (std::size_t i = 0; i < corners; ++i)
-    around.push_back({node_of[at(tie.segment[i])], 1.0, ties.x[at(tie.segment[i])]});
+  for (std::size_t i = 0; i < corners; ++i) around.push_back({node_of[tie.segment[i]], 1.0, ties.x[tie.segment[i]]});
   if (tie.couples)
     map.add(dependent, rotations, terms, ConstraintMap::Turn::whole, around, arm);
   else
@@ -169,15 +167,15 @@ void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool
 }
 
 std::string System::name(const ConstraintSource& constraint_name) const {
-  if (constraint_name.body != model::none) return weld::name_body(model.rigid_bodies[at(constraint_name.body)]);
-  if (constraint_name.contact != model::none) return weld::name_contact(model.contacts[at(constraint_name.contact)]);
+  if (constraint_name.body != model::none) return weld::name_body(model.rigid_bodies[constraint_name.body]);
+  if (constraint_name.contact != model::none) return weld::name_contact(model.contacts[constraint_name.contact]);
   if (constraint_name.interpolation != model::none)
-    return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[at(constraint_name.interpolation)].id);
+    return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[constraint_name.interpolation].id);
   return "nothing";
 }
 
 void System::release(std::size_t tie) {
-  const int node = node_of[at(ties.ties[tie].node)];
+  const int node = node_of[ties.ties[tie].node];
   if (map.dependent(node)) map.remove(node);
 }
 
@@ -185,23 +183,23 @@ void System::assemble_mass() {
   own_mass.assign(nodes, 0.0);
   own_inertia_.assign(nodes, 0.0);
   const auto put = [&](int node, double m, double j) {
-    own_mass[at(node)] += m;
-    own_inertia_[at(node)] += j;
+    own_mass[node] += m;
+    own_inertia_[node] += j;
   };
   for (const auto& group : groups) {
     const int corners = group->nodes_per_element;
     for (std::size_t e = 0; e < group->size(); ++e) {
       const ElementNodes node = group->nodes(e);
       const double scale = group->mass_scale(e), j = scale * group->nodal_inertia(e);
-      for (int a = 0; a < corners; ++a) put(node[at(a)], scale * group->nodal_mass(e, a), j);
+      for (int a = 0; a < corners; ++a) put(node[a], scale * group->nodal_mass(e, a), j);
     }
   }
   for (const MassOnlyElement& mass_only : mass_only_elements_)
     for (int a = 0; a < mass_only.corners; ++a)
-      put(mass_only.node[at(a)], mass_only.nodal_mass(a), mass_only.nodal_inertia);
-  for (const model::PointMass& m : model.masses) put(node_of[at(m.node)], m.mass, 0.0);
+      put(mass_only.node[a], mass_only.nodal_mass(a), mass_only.nodal_inertia);
+  for (const model::PointMass& m : model.masses) put(node_of[m.node], m.mass, 0.0);
   for (const model::PointInertia& p : model.inertias)
-    put(node_of[at(p.node)], p.mass, (p.inertia[0] + p.inertia[3] + p.inertia[5]) / 3.0);
+    put(node_of[p.node], p.mass, (p.inertia[0] + p.inertia[3] + p.inertia[5]) / 3.0);
 }
 
 void System::make_bodies() {
@@ -225,7 +223,7 @@ void System::make_bodies() {
     ++count[b];
   });
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const model::RigidBody& source = model.rigid_bodies[at(bodies[b].source)];
+    const model::RigidBody& source = model.rigid_bodies[bodies[b].source];
     bodies[b].mass = source.given ? source.inertia.mass : mass_sum[b];
     bodies[b].center0 = source.given        ? source.inertia.center
                         : mass_sum[b] > 0.0 ? (1.0 / mass_sum[b]) * moment[b]
@@ -239,14 +237,14 @@ void System::make_bodies() {
   });
   // Nodes carry the mean of a point's moments of inertia; a body takes the whole tensor.
   for (const model::PointInertia& p : model.inertias) {
-    const int node = node_of[at(p.node)];
+    const int node = node_of[p.node];
     if (!map.dependent(node) || at(map.terms(node).front().node) < nodes) continue;
     Inertia& tensor = body_at(map.terms(node).front().node).inertia;
     const double mean = (p.inertia[0] + p.inertia[3] + p.inertia[5]) / 3.0;
     for (std::size_t i = 0; i < 6; ++i) tensor[i] += p.inertia[i] - (i == 0 || i == 3 || i == 5 ? mean : 0.0);
   }
   for (RigidBody& body : bodies) {
-    const model::RigidBody& source = model.rigid_bodies[at(body.source)];
+    const model::RigidBody& source = model.rigid_bodies[body.source];
     if (source.given) body.inertia = source.inertia.inertia;
     regularize_inertia(body.inertia);
   }
@@ -258,7 +256,7 @@ void System::release_nodes(std::size_t b, std::span<const int> released, std::sp
   Vec3d momentum = body.mass * vec(state.v[c]);
   for (const int d : released) {
     map.remove(d);
-    momentum -= own_mass[at(d)] * vec(state.v[at(d)]);
+    momentum -= own_mass[d] * vec(state.v[d]);
   }
   transfer_dependent_mass();
   body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -272,17 +270,17 @@ void System::release_nodes(std::size_t b, std::span<const int> released, std::sp
   }
   Vec3d moment;
   for (const int d : kept) {
-    body.mass += own_mass[at(d)];
-    moment += own_mass[at(d)] * map.terms(d).front().arm;
+    body.mass += own_mass[d];
+    moment += own_mass[d] * map.terms(d).front().arm;
   }
   const Vec3d shift = (1.0 / body.mass) * moment;
   for (const int d : kept) {
     Vec3d& arm = map.terms(d).front().arm;
     arm -= shift;
-    add_point(body.inertia, own_mass[at(d)], own_inertia_[at(d)], arm);
-    add(state.f[c], vec(state.f[at(d)]));
-    add(state.m[c], vec(state.m[at(d)]) + cross(arm, vec(state.f[at(d)])));
-    state.f[at(d)] = state.m[at(d)] = Row{};
+    add_point(body.inertia, own_mass[d], own_inertia_[d], arm);
+    add(state.f[c], vec(state.f[d]));
+    add(state.m[c], vec(state.m[d]) + cross(arm, vec(state.f[d])));
+    state.f[d] = state.m[d] = Row{};
   }
   regularize_inertia(body.inertia);
   add(state.x[c], shift);
@@ -341,7 +339,7 @@ State System::initial_state() {
     RigidBody& body = bodies[b];
     const std::size_t k = at(body.node);
     set(state.x[k], body.center0);
-    if (model.rigid_bodies[at(body.source)].given) {
+    if (model.rigid_bodies[body.source].given) {
       fit_motion(body, sum[b], linear[b], angular[b], first[b], turning[b], spread[b], state);
       continue;
     }
@@ -361,7 +359,7 @@ State System::initial_state() {
     if (body.fixed != 0) body.advance(0.0, 0.0, state);
   for (const TieSpring& s : springs) {
     const weld::Tie& tie = ties.ties[s.tie];
-    set(state.x[at(s.anchor)], tie.lever ? ties.x[at(tie.node)] : tie.point);
+    set(state.x[s.anchor], tie.lever ? ties.x[tie.node] : tie.point);
   }
   map.apply_to_velocities(0.0, state.v, state.w);
   return state;
@@ -382,7 +380,7 @@ void System::link_slots() {
     for (const auto& group : groups)
       for (std::size_t e = 0; e < group->size(); ++e) {
         const ElementNodes node = group->nodes(e);
-        for (int a = 0; a < group->nodes_per_element; ++a) visit(at(node[at(a)]), *group, group->slot_row(e, a));
+        for (int a = 0; a < group->nodes_per_element; ++a) visit(at(node[a]), *group, group->slot_row(e, a));
       }
   };
   each_slot([&](std::size_t node, const ElementGroup&, std::size_t) { ++count[node + 1]; });
@@ -396,11 +394,11 @@ void System::link_slots() {
 }
 
 Vec3d System::nodal_force(ElementLocation location, int a) const {
-  return vec(slots_[groups[at(location.group)]->slot_row(at(location.element), a)]);
+  return vec(slots_[groups[location.group]->slot_row(at(location.element), a)]);
 }
 
 Vec3d System::nodal_moment(ElementLocation location, int a) const {
-  const ElementGroup& group = *groups[at(location.group)];
+  const ElementGroup& group = *groups[location.group];
   return group.rotational ? vec(slots_[group.slot_row(at(location.element), a) + 1]) : Vec3d{};
 }
 
@@ -408,7 +406,7 @@ void System::internal_force(State& state) {
   for (const auto& group : groups)
     if (auto* looks = dynamic_cast<BeforeCycle*>(group.get())) looks->before_cycle(state);
   for_each_block([&](int g, std::size_t begin, std::size_t end) {
-    groups[at(g)]->cycle(begin, end, state, state.dt, slots_, damping_slots);
+    groups[g]->cycle(begin, end, state, state.dt, slots_, damping_slots);
   });
   gather_slots(slots_, state.f, state.m);
 }
@@ -462,7 +460,7 @@ System::Controlling System::controlling() const {
     if (c.step != c.step) break;
   }
   if (c.group < 0) return c;
-  const ElementGroup& group = *groups[at(c.group)];
+  const ElementGroup& group = *groups[c.group];
   const std::size_t width = group.block_width();
   for (std::size_t e = block * width; e < std::min(group.size(), (block + 1) * width); ++e) {
     if (!(group.stable_step(e) > group.block_step[block])) c.element = static_cast<int>(e);
@@ -473,10 +471,10 @@ System::Controlling System::controlling() const {
 
 std::string System::Controlling::describe(const System& s) const {
   if (group < 0) return "nothing";
-  const ElementGroup& g = *s.groups[at(group)];
-  const model::Index e = element >= 0 ? g.element[at(element)] : model::none;
+  const ElementGroup& g = *s.groups[group];
+  const model::Index e = element >= 0 ? g.element[element] : model::none;
   return fmt::format("{} {} of part {}", s.kind_name(g), e == model::none ? 0 : s.element_id(g, e),
-                     s.model.parts[at(g.part)].id);
+                     s.model.parts[g.part].id);
 }
 
 std::string_view System::kind_name(const ElementGroup& group) const {
@@ -492,10 +490,10 @@ std::string_view System::kind_name(const ElementGroup& group) const {
 
 int System::element_id(const ElementGroup& group, model::Index e) const {
   switch (group.kind) {
-    case model::ElementKind::shell: return model.shells.id[at(e)];
-    case model::ElementKind::solid: return model.solids.id[at(e)];
-    case model::ElementKind::beam: return model.beams.id[at(e)];
-    case model::ElementKind::discrete: return model.discretes[at(e)].id;
+    case model::ElementKind::shell: return model.shells.id[e];
+    case model::ElementKind::solid: return model.solids.id[e];
+    case model::ElementKind::beam: return model.beams.id[e];
+    case model::ElementKind::discrete: return model.discretes[e].id;
     case model::ElementKind::nothing: break;
   }
   return 0;
@@ -507,8 +505,8 @@ void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {
   const double j = more * group.nodal_inertia(e);
   const ElementNodes node = group.nodes(e);
   for (int a = 0; a < corners; ++a) {
-    own_mass[at(node[at(a)])] += more * group.nodal_mass(e, a);
-    own_inertia_[at(node[at(a)])] += j;
+    own_mass[node[a]] += more * group.nodal_mass(e, a);
+    own_inertia_[node[a]] += j;
   }
   group.scale_mass(e, factor);
 }
@@ -549,7 +547,7 @@ System::Masses System::masses() const {
         m.physical += extra;
       } else {
         m.added += extra;
-        m.added_by_part[at(group->part)] += extra;
+        m.added_by_part[group->part] += extra;
       }
     }
   }
@@ -558,7 +556,7 @@ System::Masses System::masses() const {
   for (const model::PointInertia& p : model.inertias) m.physical += p.mass;
   // The mass that a deck gives a rigid body stands in place of that of its elements and nodes.
   const auto given = [&](const ConstraintMap::Term& t) {
-    return at(t.node) >= nodes && model.rigid_bodies[at(bodies[at(t.node) - nodes].source)].given;
+    return at(t.node) >= nodes && model.rigid_bodies[bodies[at(t.node) - nodes].source].given;
   };
   for (std::size_t d = 0; d < nodes; ++d) {
     if (!map.dependent(static_cast<int>(d))) continue;
@@ -566,7 +564,7 @@ System::Masses System::masses() const {
       if (given(t)) m.physical -= t.weight * own_mass[d];
   }
   for (const RigidBody& body : bodies)
-    if (model.rigid_bodies[at(body.source)].given) m.physical += body.mass;
+    if (model.rigid_bodies[body.source].given) m.physical += body.mass;
   return m;
 }
 

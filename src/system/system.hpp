@@ -38,7 +38,7 @@ class System {
   std::vector<int> node_of;
   std::vector<model::Index> model_node;
   /// Id in the deck of a node that is not virtual.
-  int node_id(int node) const { return model.nodes.id[at(model_node[at(node)])]; }
+  int node_id(int node) const { return model.nodes.id[model_node[node]]; }
   std::size_t all_nodes() const { return nodes + bodies.size() + springs.size(); }
 
   /// Lumped mass and rotary inertia by node; zero for dependent nodes (theirs is handed over) and for nodes that carry
@@ -61,7 +61,7 @@ class System {
   };
   std::vector<TieSpring> springs;
   /// What makes a dependent node dependent, for messages: `*CONTACT_SPOTWELD 3`, `rigid part 5`.
-  std::string constraint_name(int node) const { return name(constraint_source_[at(node)]); }
+  std::string constraint_name(int node) const { return name(constraint_source_[node]); }
   /// Ends a tie by constraint: its node keeps its velocity and takes its mass back. Then call
   /// `transfer_dependent_mass`.
   void release(std::size_t tie);
@@ -78,7 +78,7 @@ class System {
   std::vector<ElementLocation> shell_location, solid_location, beam_location, discrete_location;
   /// Of an element of a weld.
   ElementLocation location_of(const weld::Weld& weld, model::Index element) const {
-    return (weld.of_bricks() ? solid_location : beam_location)[static_cast<std::size_t>(element)];
+    return (weld.of_bricks() ? solid_location : beam_location)[element];
   }
   /// Internal force of an element at its node `a` after the last cycle; on the node itself acts the opposite [force].
   Vec3d nodal_force(ElementLocation location, int a) const;
@@ -92,9 +92,7 @@ class System {
     ElementNodes node;
     double mass;           ///< of the element
     double nodal_inertia;  ///< at each node
-    double nodal_mass(int a) const {
-      return model::mass_at(mass, static_cast<std::size_t>(corners), static_cast<std::size_t>(a));
-    }
+    double nodal_mass(int a) const { return model::mass_at(mass, at(corners), at(a)); }
   };
   const std::vector<MassOnlyElement>& mass_only_elements() const { return mass_only_elements_; }
 

@@ -59,7 +59,7 @@ struct TetrahedronElement {
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int, const Places&) const {
     ElementGroup::Layer l;
-    for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] = field(Layout::stress + i);
+    for (int i = 0; i < 6; ++i) l.stress[i] = field(Layout::stress + i);
     if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain = field(Layout::first_history);
     l.damage = damage_of(law, field, 1, [](int) { return Layout::first_history; });
     return l;
@@ -70,7 +70,7 @@ struct TetrahedronElement {
   }
   template <class Put>
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
-    for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[i]);
     if (kernel::LawKernel<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
   }
   template <class Field, class Put, class Change>

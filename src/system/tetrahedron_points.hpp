@@ -38,7 +38,7 @@ struct TetrahedronPoints {
     const double share = 1.0 / layout.points;
     ElementGroup::Layer l;
     for (int p = 0; p < layout.points; ++p) {
-      for (int i = 0; i < 6; ++i) l.stress[static_cast<std::size_t>(i)] += share * field(layout.point(p) + i);
+      for (int i = 0; i < 6; ++i) l.stress[i] += share * field(layout.point(p) + i);
       if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain += share * field(layout.history_of(p));
     }
     l.damage = damage_of(law, field, layout.points, [&](int p) { return layout.history_of(p); });
@@ -54,7 +54,7 @@ struct TetrahedronPoints {
   void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
     const auto layout = self().layout();
     for (int p = 0; p < layout.points; ++p) {
-      for (int i = 0; i < 6; ++i) put(layout.point(p) + i, l.stress[static_cast<std::size_t>(i)]);
+      for (int i = 0; i < 6; ++i) put(layout.point(p) + i, l.stress[i]);
       if (kernel::LawKernel<Law>::has_plastic_strain) put(layout.history_of(p), l.plastic_strain);
     }
   }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "base/index.hpp"
 #include "deck/deck.hpp"
 
 // Any bytes are a deck: they may be refused, but never crash the reader. Every block is walked by cards as the model's
@@ -22,7 +23,7 @@ void walk(const deck::Deck& deck, const deck::Block& block, Findings& findings) 
   deck::Cursor cursor(deck, block, findings);
   for (int card = 0; cursor.more(); ++card) {
     cursor.peek();
-    cursor.peek_number(static_cast<std::size_t>(card % 9));
+    cursor.peek_number(at(card % 9));
     switch (card % 4) {
       case 0: cursor.read(numbers).integer("c"); break;
       case 1: cursor.read(heading).text("heading"); break;
@@ -41,7 +42,7 @@ void require(bool holds) {
 void check(const deck::ElementTable& t) {
   const std::size_t n = t.id.size();
   require(t.part.size() == n && t.line.size() == n && t.file.size() == n);
-  require(t.node.size() == n * static_cast<std::size_t>(t.nodes_per_element));
+  require(t.node.size() == n * at(t.nodes_per_element));
   const auto fits = [n](const auto& column) { return column.empty() || column.size() == n; };
   require(fits(t.thickness) && fits(t.angle) && fits(t.system) && fits(t.offset));
   require(fits(t.tied_parts) && fits(t.orientation) && fits(t.section));

@@ -24,8 +24,8 @@ std::vector<int> Prism::layer(int k) const {
 }
 
 Vec3d Prism::place(int id) const {
-  const auto& xy = section[static_cast<std::size_t>((id - 1) % count())];
-  return {xy[0], xy[1], z[static_cast<std::size_t>((id - 1) / count())]};
+  const auto& xy = section[(id - 1) % count()];
+  return {xy[0], xy[1], z[(id - 1) / count()]};
 }
 
 std::string Prism::text() const {
@@ -69,7 +69,7 @@ std::string moved(const Prism& prism, const std::vector<int>& nodes, std::array<
   int curve = first_curve;
   for (int n : nodes)
     for (int i = 0; i < 3; ++i) {
-      if (!along[static_cast<std::size_t>(i)]) continue;
+      if (!along[i]) continue;
       motions += fields({static_cast<double>(n), i + 1.0, 2, static_cast<double>(curve)});
       curves += "*DEFINE_CURVE\n" + fields({static_cast<double>(curve++), 0, 1, 1, 0, 0, 0});
       for (int k = 0; k <= points; ++k) {

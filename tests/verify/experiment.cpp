@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment.hpp"
+#include "base/index.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -119,11 +120,11 @@ void Experiment::expect_same_end(const std::string& kept, double until) const {
 std::size_t Experiment::node(int id) const {
   const model::Index n = model_->node_index(id);
   if (n == model::none) throw std::runtime_error(fmt::format("no node {}", id));
-  return static_cast<std::size_t>(system_->node_of[static_cast<std::size_t>(n)]);
+  return at(system_->node_of[n]);
 }
 
 Vec3d Experiment::displacement(const impact::Snapshot& now, int id) const {
-  return position(now, id) - ties_->x[static_cast<std::size_t>(model_->node_index(id))];
+  return position(now, id) - ties_->x[model_->node_index(id)];
 }
 
 const weld::History& Experiment::history(const impact::Snapshot& now, int id) const {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/index.hpp"
 #include "specimen.hpp"
 
 // Decks of rigid bodies and joints, and what a run says of them.
@@ -73,13 +74,13 @@ inline const system::RigidBody& body_of(const impact::Snapshot& now, int id) {
   throw std::runtime_error("no such body");
 }
 inline Vec3d velocity(const impact::Snapshot& now, int id) {
-  return now.velocity(static_cast<std::size_t>(body_of(now, id).node));
+  return now.velocity(at(body_of(now, id).node));
 }
 inline Vec3d spin(const impact::Snapshot& now, int id) {
-  return now.spin(static_cast<std::size_t>(body_of(now, id).node));
+  return now.spin(at(body_of(now, id).node));
 }
 inline Vec3d place(const impact::Snapshot& now, int id) {
-  return vec(now.state.x[static_cast<std::size_t>(body_of(now, id).node)]);
+  return vec(now.state.x[body_of(now, id).node]);
 }
 
 /// How far momentum, angular momentum and the energy ratio of bodies 1 and 2 have gone from where they were.
@@ -90,7 +91,7 @@ class Drift {
     for (const int id : {1, 2}) {
       const system::RigidBody& b = body_of(now, id);
       // Velocities and momenta at t(n+1/2): places half a step on.
-      const Vec3d v = vec(now.state.v[static_cast<std::size_t>(b.node)]);
+      const Vec3d v = vec(now.state.v[b.node]);
       l += b.mass * v;
       a += b.angular_momentum + cross(place(now, id) + (0.5 * now.state.dt) * v, b.mass * v);
     }

@@ -43,7 +43,7 @@ std::vector<double> LinearExperiment::elastic_frequencies(int count) const {
 
 nvh::SixDof LinearExperiment::motion(const nvh::Modes& modes, std::size_t mode, int node) const {
   const model::Index n = system_->model.node_index(node);
-  return matrices_->equations.motion(system_->node_of[at(n)], modes.shape[mode]);
+  return matrices_->equations.motion(system_->node_of[n], modes.shape[mode]);
 }
 
 }  // namespace nugget::verify

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "specimen.hpp"
+#include "base/index.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,9 +15,8 @@ system::ElementGroup::Layer layer_of(const impact::Snapshot& now, const std::vec
                                      const std::vector<system::System::ElementLocation>& locations, int id, int k) {
   const auto found = std::find(ids.begin(), ids.end(), id);
   if (found == ids.end()) throw std::runtime_error(fmt::format("no element {}", id));
-  const system::System::ElementLocation location = locations[static_cast<std::size_t>(found - ids.begin())];
-  return now.system.groups[static_cast<std::size_t>(location.group)]->layer(static_cast<std::size_t>(location.element),
-                                                                            k, now.state);
+  const system::System::ElementLocation location = locations[found - ids.begin()];
+  return now.system.groups[location.group]->layer(at(location.element), k, now.state);
 }
 
 }  // namespace

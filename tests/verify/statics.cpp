@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "statics.hpp"
+#include "base/index.hpp"
 
 #include <Eigen/Sparse>
 #include <stdexcept>
@@ -27,7 +28,7 @@ Eigen::Matrix<double, 24, 24> shell_stiffness(ShellKind kind, const kernel::Shel
   for (int i = 0; i < 4; ++i) {
     vary(nodes.v[i], 6 * i);
     vary(nodes.w[i], 6 * i + 3);
-    const Vec3d& at = x[static_cast<std::size_t>(i)];
+    const Vec3d& at = x[i];
     nodes.x[i] = Vec3<R>{R(at.x), R(at.y), R(at.z)} + nodes.v[i];
   }
   const auto force = kind == ShellKind::full ? kernel::full_shell_cycle<R>(shell, law, nodes, 1.0, state.data())
@@ -35,7 +36,7 @@ Eigen::Matrix<double, 24, 24> shell_stiffness(ShellKind kind, const kernel::Shel
   Eigen::Matrix<double, 24, 24> k;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 24; ++j) {
-      const auto column = static_cast<std::size_t>(j);
+      const auto column = at(j);
       const R* rows[6] = {&force.f[i].x, &force.f[i].y, &force.f[i].z, &force.m[i].x, &force.m[i].y, &force.m[i].z};
       for (int c = 0; c < 6; ++c) k(6 * i + c, j) = rows[c]->d[column];
     }
@@ -71,7 +72,7 @@ void Statics::grid(int nu, int nv, const std::function<Vec3d(double, double)>& s
 
 std::array<Vec3d, 4> Statics::places(std::size_t e) const {
   std::array<Vec3d, 4> place;
-  for (std::size_t a = 0; a < 4; ++a) place[a] = x[static_cast<std::size_t>(shells[e][a])];
+  for (std::size_t a = 0; a < 4; ++a) place[a] = x[shells[e][a]];
   return place;
 }
 
@@ -97,8 +98,8 @@ std::vector<std::array<double, 6>> Statics::stresses(const Eigen::VectorXd& u, s
   kernel::NodalMotion<double, 4> nodes;
   const std::array<Vec3d, 4> place = places(e);
   for (int a = 0; a < 4; ++a) {
-    const auto first = 6 * shells[e][static_cast<std::size_t>(a)];
-    nodes.x[a] = place[static_cast<std::size_t>(a)];
+    const auto first = 6 * shells[e][a];
+    nodes.x[a] = place[a];
     nodes.v[a] = {u(first), u(first + 1), u(first + 2)};
     nodes.w[a] = {u(first + 3), u(first + 4), u(first + 5)};
   }
@@ -109,7 +110,7 @@ std::vector<std::array<double, 6>> Statics::stresses(const Eigen::VectorXd& u, s
   std::vector<std::array<double, 6>> all;
   for (int column = 0; column < layout.columns; ++column)
     for (int k = 0; k < layout.layers; ++k) {
-      const double* s = &state[static_cast<std::size_t>(layout.layer(k, column))];
+      const double* s = &state[layout.layer(k, column)];
       all.push_back(system::global_stress(kernel::shell_frame(place), s[0] / small, s[1] / small, s[2] / small,
                                           s[3] / small, s[4] / small));
     }
@@ -123,9 +124,9 @@ void Statics::hold(int node, std::initializer_list<int> dofs, double value) {
 Eigen::VectorXd Statics::solve() const {
   const Eigen::Index all = force.size();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(all);
-  std::vector<int> free(static_cast<std::size_t>(all), 0);
+  std::vector<int> free(at(all), 0);
   for (const auto& [dof, value] : held_) {
-    free[static_cast<std::size_t>(dof)] = -1;
+    free[dof] = -1;
     u(dof) = value;
   }
   int count = 0;
@@ -143,10 +144,10 @@ Eigen::VectorXd Statics::solve() const {
       for (int r = 0; r < 24; ++r)
         if (r % 6 > 2) k(r, r) += 1e-6 * k.block<3, 3>(3, 3).trace();
     for (int r = 0; r < 24; ++r) {
-      const int i = 6 * nodes[static_cast<std::size_t>(r / 6)] + r % 6, row = free[static_cast<std::size_t>(i)];
+      const int i = 6 * nodes[r / 6] + r % 6, row = free[i];
       if (row < 0) continue;
       for (int c = 0; c < 24; ++c) {
-        const int j = 6 * nodes[static_cast<std::size_t>(c / 6)] + c % 6, column = free[static_cast<std::size_t>(j)];
+        const int j = 6 * nodes[c / 6] + c % 6, column = free[j];
         if (column < 0)
           right(row) -= k(r, c) * u(j);
         else

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "linear.hpp"
 #include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
@@ -52,8 +53,8 @@ nvh::SixDof static_motion(Specimen s, int node) {
   const LinearExperiment experiment(s.deck());
   Findings findings;
   const nvh::Statics statics = nvh::solve_statics(experiment.matrices(), findings);
-  const auto n = static_cast<std::size_t>(experiment.system().model.node_index(node));
-  return statics.motion[static_cast<std::size_t>(experiment.system().node_of[n])];
+  const auto n = at(experiment.system().model.node_index(node));
+  return statics.motion[experiment.system().node_of[n]];
 }
 
 // Bending of n one-point beams: P L^3 / (3 E I) (1 - 1 / (4 n^2)) + P L / (kappa G A), and an end moment exactly.
@@ -165,7 +166,7 @@ TEST(Beams, ModesOfAPinnedBeam) {
     const nvh::Modes modes = beam.modes(2);
     for (int k = 1; k <= 2; ++k)
       expect_reference("beams", fmt::format("pinned beam of 40, ELFORM {}: mode {} [Hz]", elform, k),
-                       modes.frequency(static_cast<std::size_t>(k - 1)), k * k * first, 5e-3);
+                       modes.frequency(at(k - 1)), k * k * first, 5e-3);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/index.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -16,8 +17,7 @@ constexpr double pi = std::numbers::pi, E = 210000.0, density = 7.85e-9;
 
 std::array<double, 8> resultants(const impact::Snapshot& now) {
   const system::System::ElementLocation location = now.system.beam_location.at(0);
-  return now.system.groups[static_cast<std::size_t>(location.group)]->resultants(
-      static_cast<std::size_t>(location.element));
+  return now.system.groups[location.group]->resultants(at(location.element));
 }
 
 /// A bolt of one beam between nodes at 0 and at (0, 0, length).
@@ -81,8 +81,7 @@ TEST(Bolt, PulledInFastFollowsItsCurve) {
       off = std::max(off, std::abs(n - F * t / T));
       way = u, way_now = pulled(t);
       const system::System::ElementLocation location = now.system.beam_location.at(0);
-      energy = now.system.groups[static_cast<std::size_t>(location.group)]->internal_energy(
-          static_cast<std::size_t>(location.element));
+      energy = now.system.groups[location.group]->internal_energy(at(location.element));
       energy_now = work(t);
       released = t, elongation = u, speed = experiment.velocity(now, b.head).z;
       return;
@@ -169,11 +168,10 @@ TEST(Bolt, OfBricksFollowsItsCurveInMotion) {
         if (now.state.time > 1e-4) return;
         const double stress = 300.0 * std::min(1.0, now.state.time / 5e-5);
         for (std::size_t e = 0; e < now.system.solid_location.size(); ++e) {
-          const Vec3d first = now.system.model.nodes.x[static_cast<std::size_t>(now.system.model.solids.node[e][0])];
+          const Vec3d first = now.system.model.nodes.x[now.system.model.solids.node[e][0]];
           if (first.x != 40.0) continue;
           const system::System::ElementLocation location = now.system.solid_location[e];
-          const auto layer = now.system.groups[static_cast<std::size_t>(location.group)]->layer(
-              static_cast<std::size_t>(location.element), 0, now.state);
+          const auto layer = now.system.groups[location.group]->layer(at(location.element), 0, now.state);
           off = std::max(off, std::abs(layer.stress[0] - stress));
         }
       });

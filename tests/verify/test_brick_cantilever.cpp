@@ -44,7 +44,7 @@ double tip_deflection(int n, double couple, double force, Root root, double coef
   double w = 0.0;
   for (const int id : beam.top()) {
     const model::Index node = run.system().model.node_index(id);
-    w += 0.25 * solved.motion[static_cast<std::size_t>(run.system().node_of[static_cast<std::size_t>(node)])][0];
+    w += 0.25 * solved.motion[run.system().node_of[node]][0];
   }
   return w;
 }

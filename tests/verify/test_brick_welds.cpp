@@ -56,7 +56,7 @@ class Clamped {
       for (int n : prism_.bottom()) centre += (1.0 / prism_.count()) * run_.position(now, n);
       for (const auto& r : now.components.supports.spc_reactions()) {
         reaction_ += r.force;
-        moment_ += cross(vec(now.state.x[static_cast<std::size_t>(r.node)]) - centre, r.force);
+        moment_ += cross(vec(now.state.x[r.node]) - centre, r.force);
       }
     });
   }

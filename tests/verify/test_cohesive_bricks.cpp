@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.hpp"
 #include "experiment.hpp"
 #include "linear.hpp"
 #include "nvh/statics/statics.hpp"
@@ -260,8 +261,8 @@ class Static {
     EXPECT_EQ(findings.errors(), 0);
   }
   double displacement(int id, std::size_t direction) const {
-    const auto node = static_cast<std::size_t>(run_.system().model.node_index(id));
-    return solved_->motion[static_cast<std::size_t>(run_.system().node_of[node])][direction];
+    const auto node = at(run_.system().model.node_index(id));
+    return solved_->motion[run_.system().node_of[node]][direction];
   }
 
  private:
@@ -331,7 +332,7 @@ TEST(CohesiveBricks, DoubleCantileverBeam) {
       if (now.state.time < 0.5 * end) return;
       // Force on the upper arm: that of its shell on the driven nodes.
       double force = 0.0;
-      const auto location = now.system.shell_location[static_cast<std::size_t>(80)];
+      const auto location = now.system.shell_location[80];
       force += now.system.nodal_force(location, 0).z + now.system.nodal_force(location, 3).z;
       const double apart = 2.0 * experiment.displacement(now, Pair::node(1, 0, 0)).z;
       sum += force * std::sqrt(apart);

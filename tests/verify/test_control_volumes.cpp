@@ -8,6 +8,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "base/index.hpp"
 #include "model/control_volume.hpp"
 #include "specimen.hpp"
 
@@ -85,7 +86,7 @@ TEST(ControlVolumes, LidOverATyresGas) {
 TEST(ControlVolumes, AWarpedFaceIsBilinear) {
   const std::vector<Vec3d> x{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 2}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   std::vector<model::Segment> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-  const auto place = [&](model::Index n) { return x.at(static_cast<std::size_t>(n)); };
+  const auto place = [&](model::Index n) { return x.at(at(n)); };
   EXPECT_TRUE(model::surface_border(faces).openings.empty());
   EXPECT_NEAR(model::enclosed_volume(faces, {}, place), 1.25, 1e-14);
   faces.erase(faces.begin() + 2);  // a plane side: its four edges are one opening

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/index.hpp"
 #include "impact/conditions/damping.hpp"
 #include "specimen.hpp"
 
@@ -368,7 +369,7 @@ TEST(Damping, OfRigidBodies) {
   Vec3d v, w;
   double balance = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    const auto k = static_cast<std::size_t>(now.system.bodies.at(0).node);
+    const auto k = at(now.system.bodies.at(0).node);
     v = now.velocity(k), w = now.spin(k);
     balance = std::max(balance, std::abs(now.energy.ratio() - 1.0));
   });
@@ -397,7 +398,7 @@ TEST(Damping, RelativeToABodyConservesMomentum) {
   Experiment experiment(specimen.deck());
   double relative = 0.0, momentum = 0.0, ratio = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    const Vec3d body = now.velocity(static_cast<std::size_t>(now.system.bodies.at(0).node));
+    const Vec3d body = now.velocity(at(now.system.bodies.at(0).node));
     const Vec3d v = experiment.velocity(now, light(0, 0));
     relative = v.z - body.z;
     momentum = density * (8000.0 * body.z + 1000.0 * v.z);

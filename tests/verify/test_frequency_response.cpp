@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "linear.hpp"
 #include "specimen.hpp"
 

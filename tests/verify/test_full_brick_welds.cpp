@@ -53,7 +53,7 @@ Outcome run(const std::string& law, const Motion& motion, int cycles = 2000, int
     out.force = out.moment = {};
     for (const auto& r : now.components.supports.spc_reactions()) {
       out.force -= r.force;
-      out.moment -= cross(vec(now.state.x[static_cast<std::size_t>(r.node)]), r.force);
+      out.moment -= cross(vec(now.state.x[r.node]), r.force);
     }
     out.moment += Vec3d{0.5 * length * out.force.y, -0.5 * length * out.force.x, 0.0};
   });

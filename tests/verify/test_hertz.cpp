@@ -39,8 +39,8 @@ TEST(Hertz, SphereOnARigidWall) {
   s.card("MAT_ELASTIC", {1, density, E, nu}).card("SECTION_SOLID", {1, 1}).part(1, 1, 1);
   s.card("CONTROL_HOURGLASS", {6, 1.0}).card("CONTROL_TERMINATION", {7e-5});
   const Grid grid = s.bricks(1, {cells, cells, cells_up}, [&](int i, int j, int k) {
-    const double z = k <= cells ? up[static_cast<std::size_t>(k)] - 1.0 : (k - cells) / 3.0;
-    const Vec3d p = in_ball({across[static_cast<std::size_t>(i)], across[static_cast<std::size_t>(j)], z});
+    const double z = k <= cells ? up[k] - 1.0 : (k - cells) / 3.0;
+    const Vec3d p = in_ball({across[i], across[j], z});
     return radius * (p + Vec3d{0, 0, 1});
   });
   std::vector<int> left, front;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.hpp"
 #include "impact/recording/cross_sections.hpp"
 #include "impact/recording/element_histories.hpp"
 #include "impact/recording/histories.hpp"
@@ -193,8 +194,8 @@ TEST(NodalForceGroups, AreTheReactionsOfDrivenNodes) {
       work += row.energy;
     }
     for (const impact::Supports::Reaction& r : now.components.supports.motion_reactions()) {
-      const auto k = static_cast<std::size_t>(r.node);
-      const int id = experiment.model().nodes.id[static_cast<std::size_t>(experiment.system().model_node[k])];
+      const auto k = at(r.node);
+      const int id = experiment.model().nodes.id[experiment.system().model_node[k]];
       const double expected = r.force.x - experiment.system().mass[k] * now.acceleration(k).x;
       worst = std::max(worst, std::abs(inner.at(id).x - expected));
       largest = std::max(largest, std::abs(inner.at(id).x));
@@ -243,7 +244,7 @@ TEST(ElementHistories, StretchedShellHasLogarithmicStrainsAndHookesStress) {
   ASSERT_EQ(shell.layers.size(), 3u);
   const double strain = std::log(stretch), stress = modulus / (1.0 - nu * nu) * strain;
   for (int k = 0; k < 3; ++k) {
-    const auto& s = shell.layers[static_cast<std::size_t>(k)].stress;
+    const auto& s = shell.layers[k].stress;
     expect_reference("elout", fmt::format("stretched shell, layer {}: sig-xx = E/(1-nu^2) ln 1.05", k + 1), s[0],
                      stress, 1e-4);
     expect_reference("elout", fmt::format("stretched shell, layer {}: sig-yy", k + 1), s[1], nu * stress, 1e-4);

@@ -33,7 +33,7 @@ TEST(Impulse, CylindricalPanel) {
         const double angle = 60.0 * degree * i / around, y = length * j / along;
         const Vec3d out{std::sin(angle), 0.0, std::cos(angle)};
         const int n = s.node(radius * out + Vec3d{0.0, y, 0.0});
-        node[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = n;
+        node[i][j] = n;
         const bool end = j == 0 || j == along;
         (i == around ? clamped : end ? hinged : symmetric).push_back(n);
         if (i > 0 && i < around && !end) symmetric.pop_back();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "joint_decks.hpp"
 #include "linear.hpp"
 #include "nvh/response/frequency_response.hpp"
@@ -60,8 +61,8 @@ nvh::Statics solve(const LinearExperiment& experiment) {
 }
 
 double lift(const LinearExperiment& e, const nvh::Statics& solved, int node) {
-  const auto n = static_cast<std::size_t>(e.system().model.node_index(node));
-  return solved.motion[static_cast<std::size_t>(e.system().node_of[n])][2];
+  const auto n = at(e.system().model.node_index(node));
+  return solved.motion[e.system().node_of[n]][2];
 }
 
 // A rod on a hinge and a spring, pushed in its middle: half the load each, the end rises by F / (2 k). Sabotage: the

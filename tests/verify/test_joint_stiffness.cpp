@@ -65,7 +65,7 @@ struct Hinge {
     double turned = 0.0, first = 0.0, worst = 0.0;
     run_to_end(experiment, [&](const impact::Snapshot& now) {
       path.push_back({now.state.time, slides ? place(now, 2).z : turned});
-      turned += now.state.dt * vec(now.state.w[static_cast<std::size_t>(body_of(now, 2).node)]).z;
+      turned += now.state.dt * vec(now.state.w[body_of(now, 2).node]).z;
       if (first == 0.0) first = now.energy.total();
       worst = std::max(worst, std::abs(now.energy.total() / first - 1.0));
     });
@@ -167,7 +167,7 @@ TEST(JointStiffness, WhatIsTurnedIsLoaded) {
   double turned = 0.0, least = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     least = std::min(least, turned);
-    turned += now.state.dt * vec(now.state.w[static_cast<std::size_t>(body_of(now, 2).node)]).z;
+    turned += now.state.dt * vec(now.state.w[body_of(now, 2).node]).z;
   });
   expect_reference("joints", "systems 0.3 rad apart at the start: turn to the other side", least, -0.6, 2e-3);
 }

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "linear.hpp"
 #include "nvh/matrices/stresses.hpp"
 #include "nvh/statics/statics.hpp"
@@ -66,7 +65,7 @@ nvh::Statics solve(const LinearExperiment& experiment) {
 }
 
 double deflection(const LinearExperiment& experiment, const nvh::Statics& solved, int id) {
-  return solved.motion[at(experiment.system().node_of[at(experiment.system().model.node_index(id))])][2];
+  return solved.motion[experiment.system().node_of[experiment.system().model.node_index(id)]][2];
 }
 
 // MacNeal and Harder's patch, each of its five shells parted into two triangles, bent to a constant curvature.

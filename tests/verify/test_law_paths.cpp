@@ -203,7 +203,7 @@ struct MetalPoint {
     }
     Eigen::Vector3d left(1, 1, 1);
     for (int i = 0; i < 2; ++i) {
-      double& w = damage[static_cast<std::size_t>(i)];
+      double& w = damage[i];
       w = std::max(w, lost(crack.col(i).dot(plastic * crack.col(i))));
       left[i] = std::sqrt(1.0 - w);
     }
@@ -475,8 +475,7 @@ TEST(LawPaths, CrushableFoam) {
     }
     expect_path(
         "MAT_063", mat("063", {{1, 5e-11, 2.0, 0, 7, 0.02}}) + yield, path, 2e-2,
-        [&](int, double share) { return stress[static_cast<std::size_t>(std::lround(share * steps))]; }, 5e-3,
-        only_bricks);
+        [&](int, double share) { return stress[std::lround(share * steps)]; }, 5e-3, only_bricks);
   }
 }
 
@@ -506,7 +505,7 @@ struct Core {
         const double factor = 1.0 + growth * rate.norm();
         const auto held = [&](int i, int j, int component) {
           const double dense = component < 3 ? young : shear, twice = component < 3 ? 1.0 : 2.0;
-          const double m = modulus[static_cast<std::size_t>(component)];
+          const double m = modulus[component];
           const double at = !own_strains ? 1.0 - V : component < 3 ? -strain(i, j) : 2.0 * std::abs(strain(i, j));
           const double most = factor * (component < 3 ? direct(at) : sheared(at));
           return std::clamp(stress(i, j) + twice * (m + beta * (dense - m)) * de(i, j), -most, most);
@@ -564,8 +563,7 @@ TEST(LawPaths, Honeycomb) {
       const std::vector<Tensor> stress = core.stresses(path, end, steps);
       expect_path(
           growth > 0.0 ? "MAT_026 with LCSR" : "MAT_026", core.cards("026") + curves, path, end,
-          [&](int, double share) { return stress[static_cast<std::size_t>(std::lround(share * steps))]; }, 5e-3,
-          only_bricks);
+          [&](int, double share) { return stress[std::lround(share * steps)]; }, 5e-3, only_bricks);
     }
   }
 }
@@ -584,8 +582,7 @@ TEST(LawPaths, HoneycombByItsOwnStrains) {
     const std::vector<Tensor> stress = core.stresses(path, end, steps);
     expect_path(
         "MAT_126", core.cards("126") + curves, path, end,
-        [&](int, double share) { return stress[static_cast<std::size_t>(std::lround(share * steps))]; }, 5e-3,
-        only_bricks);
+        [&](int, double share) { return stress[std::lround(share * steps)]; }, 5e-3, only_bricks);
   }
 }
 
@@ -633,8 +630,7 @@ TEST(LawPaths, Viscoelasticity) {
       }
       expect_path(
           fmt::format("MAT_006 in {} s", end), mat("006", {{1, 1.2e-9, bulk, first, last, beta}}), path, end,
-          [&](int, double share) { return stress[static_cast<std::size_t>(std::lround(share * steps))]; }, 3e-3,
-          only_bricks);
+          [&](int, double share) { return stress[std::lround(share * steps)]; }, 3e-3, only_bricks);
     }
 }
 

@@ -65,8 +65,7 @@ std::array<double, 5> stress_at_end(const Pulled& pulled, double* eroded = nullp
   double ratio = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     for (int p = pulled.first; p <= pulled.last; ++p)
-      stress[static_cast<std::size_t>(p)] =
-          (p <= 2 ? shell_layer(experiment, now, p, 1) : brick_layer(experiment, now, p - 2)).stress[0];
+      stress[p] = (p <= 2 ? shell_layer(experiment, now, p, 1) : brick_layer(experiment, now, p - 2)).stress[0];
     ratio = now.energy.ratio();
     if (eroded) *eroded = now.energy.eroded;
   });
@@ -90,7 +89,7 @@ void expect_stress(const std::string& what, const Pulled& pulled, double strain,
   for (int p = pulled.first; p <= pulled.last; ++p)
     expect_reference(test_case,
                      fmt::format("{}, {}: true stress at a strain of {} [MPa]", what, element_names[p], strain),
-                     stress[static_cast<std::size_t>(p)], expected, gate);
+                     stress[p], expected, gate);
 }
 
 void expect_law(const std::string& test_case, const std::string& what, const std::string& material, double strain,
@@ -195,7 +194,7 @@ void expect_stress_along_strips(const std::string& what, const std::string& mate
         const int id = p % 2 * n + e;
         const double stress =
             (p < 2 ? shell_layer(experiment, now, id, 1) : brick_layer(experiment, now, id)).stress[0];
-        Ratio& r = ratios[static_cast<std::size_t>(p)];
+        Ratio& r = ratios[p];
         r.mean.add(stress / expected, 1.0);
         r.least = std::min(r.least, stress / expected);
         r.most = std::max(r.most, stress / expected);

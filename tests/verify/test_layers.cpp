@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.hpp"
 #include "kernel/law/law_components.hpp"
 #include "linear.hpp"
 #include "nvh/statics/statics.hpp"
@@ -66,8 +67,8 @@ nvh::SixDof tip(const std::string& cards, const Vec3d& load, int along = 40) {
   nvh::check_statics(strip.system().model, findings);
   const nvh::Statics solved = nvh::solve_statics(strip.matrices(), findings);
   EXPECT_EQ(findings.errors(), 0);
-  const auto node = strip.system().node_of[static_cast<std::size_t>(strip.system().model.node_index(end[2]))];
-  return solved.motion[static_cast<std::size_t>(node)];
+  const auto node = strip.system().node_of[strip.system().model.node_index(end[2])];
+  return solved.motion[node];
 }
 
 /// A, B, D of slices, per width: stiffness times place to the powers 0 to 2 (Jones, Mechanics of Composite Materials,
@@ -80,7 +81,7 @@ Section section_of(const std::vector<Ply>& plies, const std::vector<double>& mod
   for (const Ply& p : plies) s.thickness += p.thickness;
   double z = -0.5 * s.thickness;
   for (const Ply& p : plies) {
-    const double E = modulus[static_cast<std::size_t>(p.material)], top = z + p.thickness;
+    const double E = modulus[p.material], top = z + p.thickness;
     s.A += E * (top - z);
     s.B += E * (top * top - z * z) / 2.0;
     s.D += E * (top * top * top - z * z * z) / 3.0;
@@ -160,11 +161,10 @@ TEST(Layers, FirstFrequencyOfACantilever) {
   const std::vector<Ply> plies{{2, 0.4}, {3, 0.6}, {1, 1.0}, {3, 0.6}, {2, 0.4}};
   const Section s = section_of(plies, E);
   double mass = 4e-9;  // MAREA
-  for (const Ply& p : plies) mass += density[static_cast<std::size_t>(p.material)] * p.thickness;
+  for (const Ply& p : plies) mass += density[p.material] * p.thickness;
   Specimen deck;
   deck.card("CONTROL_IMPLICIT_GENERAL", {1, 1}).card("CONTROL_IMPLICIT_EIGENVALUE", {2});
-  for (int k = 1; k <= 3; ++k)
-    deck.text(elastic(k, density[static_cast<std::size_t>(k)], E[static_cast<std::size_t>(k)], 0.0));
+  for (int k = 1; k <= 3; ++k) deck.text(elastic(k, density[k], E[k], 0.0));
   deck.text(composite(1, 2, split(plies, 4), 5.0 / 6.0, 0.0, 4e-9));
   const Grid grid = deck.shells(1, {}, {200.0, 20.0, 0.0}, 40, 4);
   deck.node_set(1, grid.across(0)).card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1});
@@ -326,7 +326,7 @@ double step_over_bound(const std::string& cards, double width, bool triangle) {
   run_to_end(run, [&](const impact::Snapshot& now) { step = now.system.groups.front()->stable_step(0); });
   const system::ElementGroup& group = *run.system().groups.front();
   const int corners = group.nodes_per_element, size = 6 * corners;
-  std::vector<double> k(static_cast<std::size_t>(size * size));
+  std::vector<double> k(at(size * size));
   group.stiffness(0, run.simulation().state(), k);
   Eigen::MatrixXd K = Eigen::Map<Eigen::MatrixXd>(k.data(), size, size);
   Eigen::VectorXd scale(size);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/index.hpp"
 #include "linear.hpp"
 #include "nvh/matrices/stresses.hpp"
 #include "nvh/statics/statics.hpp"
@@ -41,8 +42,7 @@ TEST(LinearStatics, CantileverStripUnderTipForce) {
   s.node_set(2, grid.across(40)).card("LOAD_NODE_SET", {2, 3, 9, 0.2});
   const LinearExperiment strip(s.deck());
   const nvh::Statics solved = solve(strip);
-  const auto tip = static_cast<std::size_t>(
-      strip.system().node_of[static_cast<std::size_t>(strip.system().model.node_index(grid.across(40)[2]))]);
+  const auto tip = at(strip.system().node_of[strip.system().model.node_index(grid.across(40)[2])]);
   expect_reference("cantilever strip", "cantilever strip, static, 40 x 4 shells: deflection for 1 N [mm]",
                    solved.motion[tip][2], 0.952381, 5e-3);
   const auto& supports = strip.matrices().equations.supports();
@@ -130,8 +130,7 @@ TEST(LinearStatics, AMotionAroundAnAxisPullsByTheArc) {
     s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {1.0 * driven, dof, 2, 9, phi}).text(fields({1.0, -1.0}));
     const LinearExperiment rods(s.deck());
     const nvh::Statics solved = solve(rods);
-    const auto k = static_cast<std::size_t>(
-        rods.system().node_of[static_cast<std::size_t>(rods.system().model.node_index(driven))]);
+    const auto k = at(rods.system().node_of[rods.system().model.node_index(driven)]);
     expect_reference("arc", fmt::format("linear statics, DOF {:g}: way around the axis", dof),
                      -0.8 * solved.motion[k][0] + 0.6 * solved.motion[k][1], arm * phi, 1e-9);
     EXPECT_NEAR(0.6 * solved.motion[k][0] + 0.8 * solved.motion[k][1], 0.0, 1e-12);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/index.hpp"
 #include "impact/recording/cross_sections.hpp"
 #include "specimen.hpp"
 
@@ -89,7 +90,7 @@ void expect_two_of_three_parts_to_fall(bool by_set) {
   double falls = 0.0, body = 0.0, stays = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     falls = experiment.velocity(now, first(0, 0)).z;
-    body = now.velocity(static_cast<std::size_t>(now.system.bodies.at(0).node)).z;
+    body = now.velocity(at(now.system.bodies.at(0).node)).z;
     stays = experiment.velocity(now, third(0, 0)).z;
   });
   const std::string keyword = by_set ? "*LOAD_GRAVITY_PART_SET" : "*LOAD_GRAVITY_PART";
@@ -218,8 +219,7 @@ TEST(Preload, OfAWeldBeam) {
   double during = 0.0, after = 0.0, shear = 0.0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     const system::System::ElementLocation location = now.system.beam_location.at(0);
-    const auto r = now.system.groups[static_cast<std::size_t>(location.group)]->resultants(
-        static_cast<std::size_t>(location.element));
+    const auto r = now.system.groups[location.group]->resultants(at(location.element));
     (now.state.time < 1.9e-5 ? during : after) = r[0];
     shear = std::abs(r[1]) + std::abs(r[2]);
   });
@@ -243,14 +243,14 @@ struct Cap {
         .card("CONTROL_TERMINATION", {end})
         .part(1, 1, 1);
     apex = specimen.node({0, 0, radius});
-    std::vector<std::vector<int>> ring(static_cast<std::size_t>(along + 1));
+    std::vector<std::vector<int>> ring(at(along + 1));
     std::vector<int> sides_x, sides_y, clamped;
     for (int i = 1; i <= along; ++i)
       for (int j = 0; j <= around; ++j) {
         const double theta = half * i / along, phi = 0.5 * pi * j / around;
         const int id = specimen.node({radius * std::sin(theta) * std::cos(phi),
                                       radius * std::sin(theta) * std::sin(phi), radius * std::cos(theta)});
-        ring[static_cast<std::size_t>(i)].push_back(id);
+        ring[i].push_back(id);
         if (i == along)
           clamped.push_back(id);
         else if (j == 0)
@@ -260,10 +260,10 @@ struct Cap {
       }
     // Normals point outwards; the pressure pushes inwards.
     for (int j = 0; j < around; ++j) {
-      const auto k = static_cast<std::size_t>(j);
+      const auto k = at(j);
       specimen.shell(1, {apex, ring[1][k], ring[1][k + 1], ring[1][k + 1]});
       for (int i = 1; i < along; ++i) {
-        const auto &inner = ring[static_cast<std::size_t>(i)], &outer = ring[static_cast<std::size_t>(i + 1)];
+        const auto &inner = ring[i], &outer = ring[i + 1];
         specimen.shell(1, {inner[k], outer[k], outer[k + 1], inner[k + 1]});
       }
     }

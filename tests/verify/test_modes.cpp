@@ -169,7 +169,7 @@ TEST(Modes, TaperedMembrane) {
       all.push_back(s.node({x, y, 0.0}));
       if (i == 0) root.push_back(all.back());
     }
-  const auto node = [&](int i, int j) { return all[static_cast<std::size_t>(j * (nx + 1) + i)]; };
+  const auto node = [&](int i, int j) { return all[j * (nx + 1) + i]; };
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) s.shell(1, {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
   s.node_set(1, all).card("BOUNDARY_SPC_SET", {1, 0, 0, 0, 1, 1, 1});

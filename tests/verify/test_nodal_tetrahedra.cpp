@@ -38,17 +38,14 @@ class Block {
             ++elements;
           }
   }
-  int operator()(int i, int j, int k) const {
-    return nodes_[static_cast<std::size_t>(i + (n_[0] + 1) * (j + (n_[1] + 1) * k))];
-  }
+  int operator()(int i, int j, int k) const { return nodes_[i + (n_[0] + 1) * (j + (n_[1] + 1) * k)]; }
   /// Nodes at the beginning (or end) of an axis.
   std::vector<int> plane(int axis, bool end = false) const {
     std::vector<int> chosen;
     for (int k = 0; k <= n_[2]; ++k)
       for (int j = 0; j <= n_[1]; ++j)
         for (int i = 0; i <= n_[0]; ++i)
-          if (std::array{i, j, k}[static_cast<std::size_t>(axis)] == (end ? n_[static_cast<std::size_t>(axis)] : 0))
-            chosen.push_back((*this)(i, j, k));
+          if (std::array{i, j, k}[axis] == (end ? n_[axis] : 0)) chosen.push_back((*this)(i, j, k));
     return chosen;
   }
   int elements = 0;  ///< ids from 1 on

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "impact/recording/histories.hpp"
 #include "specimen.hpp"
 
@@ -31,9 +32,7 @@ TEST(PointMasses, TensorOfAPointInABody) {
   timing(s, 0.1, 1e-3);
   Experiment experiment(s.deck());
   Vec3d w;
-  run_to_end(experiment, [&](const impact::Snapshot& now) {
-    w = now.spin(static_cast<std::size_t>(now.system.bodies.at(0).node));
-  });
+  run_to_end(experiment, [&](const impact::Snapshot& now) { w = now.spin(at(now.system.bodies.at(0).node)); });
   expect_reference("bodies", "spin about x of two points with tensors", w.x, 1e-4 / 4.0, 1e-4);
   expect_reference("bodies", "about y, with their distance", w.y, 1e-4 / (3.0 + 8.0), 1e-4);
   expect_reference("bodies", "about z, with their distance", w.z, 1e-4 / (2.0 + 8.0), 1e-4);

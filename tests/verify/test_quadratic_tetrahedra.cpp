@@ -11,6 +11,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/index.hpp"
 #include "linear.hpp"
 #include "model/segments.hpp"
 #include "nvh/statics/statics.hpp"
@@ -29,12 +30,10 @@ class Mesh {
       : specimen_(s) {
     static constexpr int pieces[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                                          {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
-    const auto inner = [&](int axis, int i) { return i > 0 && i < cells[static_cast<std::size_t>(axis)]; };
+    const auto inner = [&](int axis, int i) { return i > 0 && i < cells[axis]; };
     std::vector<int> nodes;
-    const auto at = [&](int i, int j, int k) -> int& {
-      return nodes[static_cast<std::size_t>((k * (cells[1] + 1) + j) * (cells[0] + 1) + i)];
-    };
-    nodes.resize(static_cast<std::size_t>((cells[0] + 1) * (cells[1] + 1) * (cells[2] + 1)));
+    const auto at = [&](int i, int j, int k) -> int& { return nodes[(k * (cells[1] + 1) + j) * (cells[0] + 1) + i]; };
+    nodes.resize(at((cells[0] + 1) * (cells[1] + 1) * (cells[2] + 1)));
     for (int k = 0; k <= cells[2]; ++k)
       for (int j = 0; j <= cells[1]; ++j)
         for (int i = 0; i <= cells[0]; ++i)
@@ -64,8 +63,7 @@ class Mesh {
     static constexpr int face[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     for (const auto& c : corners_)
       for (const auto& f : face) {
-        const int a = c[static_cast<std::size_t>(f[0])], b = c[static_cast<std::size_t>(f[1])],
-                  d = c[static_cast<std::size_t>(f[2])];
+        const int a = c[f[0]], b = c[f[1]], d = c[f[2]];
         const auto on = [&](int n) { return std::abs(place_.at(n).x - x) < 1e-9; };
         if (on(a) && on(b) && on(d)) text += fields({1.0 * a, 1.0 * b, 1.0 * d, 1.0 * d});
       }
@@ -141,8 +139,7 @@ TEST(QuadraticTetrahedra, PulledByPressure) {
   double least = 1e9, most = 0.0;
   for (const int id : mesh.plane(0, 40.0)) {
     const model::Index n = experiment.system().model.node_index(id);
-    const double u =
-        solved.motion[static_cast<std::size_t>(experiment.system().node_of[static_cast<std::size_t>(n)])][0];
+    const double u = solved.motion[experiment.system().node_of[n]][0];
     least = std::min(least, u);
     most = std::max(most, u);
   }
@@ -198,8 +195,7 @@ double bent(std::array<int, 3> cells) {
   double deflection = 0.0;
   for (const int id : end) {
     const model::Index n = experiment.system().model.node_index(id);
-    deflection += solved.motion[static_cast<std::size_t>(experiment.system().node_of[static_cast<std::size_t>(n)])][2] /
-                  static_cast<double>(end.size());
+    deflection += solved.motion[experiment.system().node_of[n]][2] / static_cast<double>(end.size());
   }
   return deflection;
 }
@@ -333,7 +329,7 @@ std::pair<double, std::size_t> surface(const model::Model& m) {
   double area = 0.0;
   std::set<model::Index> nodes;
   for (const model::Segment& s : model::exterior_faces(m, all)) {
-    const auto x = [&](std::size_t a) { return m.nodes.x[static_cast<std::size_t>(s[a])]; };
+    const auto x = [&](std::size_t a) { return m.nodes.x[s[a]]; };
     area += 0.5 * norm(cross(x(2) - x(0), x(3) - x(1)));
     nodes.insert(s.begin(), s.end());
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/index.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -65,7 +66,7 @@ TEST(RigidBodies, TorqueFreeBlockFlips) {
   Vec3d momentum;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
     const system::RigidBody& body = now.system.bodies.at(0);
-    seen.add(now.state.time, body.axes.local(now.spin(static_cast<std::size_t>(body.node))).y);
+    seen.add(now.state.time, body.axes.local(now.spin(at(body.node))).y);
     drift = std::max(drift, std::abs(now.energy.kinetic / 4082.157 - 1.0));
     momentum = body.angular_momentum;
   });

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -85,7 +86,7 @@ Result run(const Body& body, const std::string& wall, const Vec3d& seen = below)
   Experiment experiment(s.deck());
   Result result;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    const auto k = static_cast<std::size_t>(now.system.bodies.at(0).node);
+    const auto k = at(now.system.bodies.at(0).node);
     result.end = {now.velocity(k), now.spin(k)};
     result.impulse = now.components.walls.all()[0].impulse();
     result.wall_velocity = now.components.walls.all()[0].velocity();

@@ -83,7 +83,7 @@ TEST(Rivets, APendulumPullsThreeTimesItsWeightAtTheBottom) {
 TEST(Rivets, ChainsAreSolvedTogether) {
   Specimen s;
   std::array<int, 3> n{};
-  for (int i = 0; i < 3; ++i) n[at(i)] = s.mass_point({2.0 * i, 0, 0}, 1.0, 0.1);
+  for (int i = 0; i < 3; ++i) n[i] = s.mass_point({2.0 * i, 0, 0}, 1.0, 0.1);
   s.card("CONSTRAINED_RIVET", {double(n[0]), double(n[1])});
   s.card("CONSTRAINED_RIVET", {double(n[1]), double(n[2])});
   s.card("LOAD_NODE_POINT", {double(n[2]), 1, 1, 6.0});

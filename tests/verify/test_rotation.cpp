@@ -9,7 +9,6 @@
 #include <numbers>
 #include <vector>
 
-#include "base/index.hpp"
 #include "experiment.hpp"
 #include "system/constraint_map.hpp"
 #include "weld_decks.hpp"
@@ -51,7 +50,7 @@ std::string driven_round(const std::vector<Point>& points, int steps, bool rotat
       circle.push_back(system::turned(stressed, (2.0 * std::numbers::pi * k / steps) * spindle) - p.x);
     for (int i = 0; i < 3; ++i) {
       drive(i + 1);
-      for (int k = 0; k <= steps; ++k) text += line((loading + k) * dt, part(circle[at(k)], i));
+      for (int k = 0; k <= steps; ++k) text += line((loading + k) * dt, part(circle[k], i));
       if (!rotations) continue;
       drive(i + 5);
       text += line(loading * dt, part(p.tilt, i));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "experiment.hpp"
 #include "statics.hpp"
 
@@ -43,8 +44,8 @@ Statics patch() {
 template <class Field>
 void hold_outside(Statics& s, const Field& field) {
   for (int n = 0; n < 4; ++n) {
-    const std::array<double, 6> u = field(s.x[static_cast<std::size_t>(n)]);
-    for (int dof = 0; dof < 6; ++dof) s.hold(n, {dof}, u[static_cast<std::size_t>(dof)]);
+    const std::array<double, 6> u = field(s.x[n]);
+    for (int dof = 0; dof < 6; ++dof) s.hold(n, {dof}, u[dof]);
   }
 }
 
@@ -274,7 +275,7 @@ TEST(ShellStatics, ZSectionInTorsion) {  // NAFEMS LE5
   const auto axial = [&](int row) {
     double sum = 0.0;
     for (int column : {n / 4 - 1, n / 4}) {
-      const auto stress = z.stresses(u, static_cast<std::size_t>(row * n + column));
+      const auto stress = z.stresses(u, at(row * n + column));
       for (const auto& s : stress) sum += s[0] / static_cast<double>(2 * stress.size());
     }
     return sum;

@@ -123,8 +123,8 @@ TEST(Shells, MembranePatchTest) {
   std::array<Vec3d, 4> moved{};
   long cycles = 0;
   run_to_end(experiment, [&](const impact::Snapshot& now) {
-    for (int e = 0; e < 5; ++e) stress[static_cast<std::size_t>(e)] = shell_layer(experiment, now, e + 1, 1).stress;
-    for (int i = 0; i < 4; ++i) moved[static_cast<std::size_t>(i)] = experiment.displacement(now, 5 + i);
+    for (int e = 0; e < 5; ++e) stress[e] = shell_layer(experiment, now, e + 1, 1).stress;
+    for (int i = 0; i < 4; ++i) moved[i] = experiment.displacement(now, 5 + i);
     cycles = now.state.cycle;
   });
   EXPECT_GT(cycles, 200);  // long enough for what is wrong to show
@@ -140,7 +140,7 @@ TEST(Shells, MembranePatchTest) {
   expect_reference("membrane patch", "membrane patch, worst xy stress", worst(3, 400.0), 400.0, 1e-6);
   double astray = 0.0;
   for (int i = 4; i < 8; ++i) {
-    const Vec3d d = (1.0 / scale) * moved[static_cast<std::size_t>(i - 4)], expected{1e-3 * u(i), 1e-3 * v(i), 0.0};
+    const Vec3d d = (1.0 / scale) * moved[i - 4], expected{1e-3 * u(i), 1e-3 * v(i), 0.0};
     astray = std::max(astray, norm(d - expected) / norm(expected));
   }
   expect_reference("membrane patch", "membrane patch, worst inner node, off the linear field by its share", astray, 0.0,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/index.hpp"
 #include "brick_decks.hpp"
 #include "experiment.hpp"
 #include "weld_decks.hpp"
@@ -20,7 +21,7 @@ std::string jumping_steps(std::initializer_list<double> steps, double every, int
   std::string text = "*DEFINE_CURVE\n" + fields({90, 0, 1, 1, 0, 0, 0});
   const std::vector<double> step(steps);
   for (int i = 0; i < jumps; ++i) {
-    const double value = step[static_cast<std::size_t>(i) % step.size()];
+    const double value = step[at(i) % step.size()];
     text += fmt::format("{:20.12g}{:20.12g}\n{:20.12g}{:20.12g}\n", i * every, value, (i + 1 - 1e-9) * every, value);
   }
   return text;

@@ -10,7 +10,6 @@
 #include <numbers>
 #include <vector>
 
-#include "base/index.hpp"
 #include "experiment.hpp"
 #include "weld_decks.hpp"
 
@@ -58,12 +57,12 @@ struct OnAPlate {
     run.run([&](const impact::Snapshot& now) {
       plate = end = {};
       for (const auto& r : now.components.supports.spc_reactions()) {
-        const Vec3d x = vec(now.state.x[at(r.node)]);
+        const Vec3d x = vec(now.state.x[r.node]);
         plate.force += r.force;
         plate.moment += r.moment + cross(x, r.force);
       }
       for (const auto& r : now.components.supports.motion_reactions()) {
-        const Vec3d x = vec(now.state.x[at(r.node)]);
+        const Vec3d x = vec(now.state.x[r.node]);
         end.force += r.force;
         end.moment += r.moment + cross(x, r.force);
       }
@@ -114,7 +113,7 @@ TEST(TieForms, OffsetsKeepTheGapAsALever) {
   const Path shift = [](double s) { return std::array{1e-3 * ramp(s), 0.0, 0.0, 0.0, 0.0, 0.0}; };
   for (const auto& f : forms) {
     OnAPlate s(f.form, 0.5, shift, 1.8e-3, 2e-3);
-    EXPECT_EQ(s.run.ties().x[at(s.run.model().node_index(5))].z, 0.5);
+    EXPECT_EQ(s.run.ties().x[s.run.model().node_index(5)].z, 0.5);
     s.go();
     const double v = s.end.force.x, end_moment = s.end.moment.y - 6.5 * v;
     ASSERT_GT(v, 10.0);
@@ -145,7 +144,7 @@ TEST(TieForms, TorsionBecomesInPlaneForces) {
     at_corners.clear();
     for (const auto& r : now.components.supports.spc_reactions()) {
       s.plate.force += r.force;
-      s.plate.moment += r.moment + cross(vec(now.state.x[at(r.node)]), r.force);
+      s.plate.moment += r.moment + cross(vec(now.state.x[r.node]), r.force);
       at_corners.push_back(norm(r.force));
     }
     for (const auto& r : now.components.supports.motion_reactions()) s.end.moment += r.moment;
@@ -304,11 +303,11 @@ TEST(TieForms, MomentsOnBrickFacesAreCouples) {
     block = end = {};
     for (const auto& r : now.components.supports.spc_reactions()) {
       block.force += r.force;
-      block.moment += cross(vec(now.state.x[at(r.node)]), r.force);
+      block.moment += cross(vec(now.state.x[r.node]), r.force);
     }
     for (const auto& r : now.components.supports.motion_reactions()) {
       end.force += r.force;
-      end.moment += r.moment + cross(vec(now.state.x[at(r.node)]), r.force);
+      end.moment += r.moment + cross(vec(now.state.x[r.node]), r.force);
     }
   });
   ASSERT_GT(std::abs(end.moment.z), 100.0);
@@ -426,16 +425,16 @@ TEST(WeldGroup, Forces) {
     ++count;
     for (int i = 0; i < 4; ++i) {
       const weld::Resultants& r = run.weld(now, 901 + i);
-      sums[at(i)].x += r.shear_s;
-      sums[at(i)].y += r.shear_t;
-      sums[at(i)].torsion += r.torsion;
+      sums[i].x += r.shear_s;
+      sums[i].y += r.shear_t;
+      sums[i].torsion += r.torsion;
     }
     turn += now.system.bodies[1].axes.e1.y;
   });
   // (30, 20), (30, -20), (-30, 20), (-30, -20); the upper plate pushes each weld's upper end.
   const double y[4] = {5679.57, 5679.57, -1679.57, -1679.57};
   for (int i = 0; i < 4; ++i) {
-    const Sum& s = sums[at(i)];
+    const Sum& s = sums[i];
     const double shear = std::hypot(s.x, s.y) / count;
     expect_reference("weld group between rigid plates", fmt::format("shear of weld {} [N]", i + 1), shear,
                      std::hypot(2453.05, y[i]), 5e-3);

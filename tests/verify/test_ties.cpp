@@ -55,7 +55,7 @@ void expect_split(const std::string& test_case, const Vec3d& place, const std::a
   s.run.run([&](const impact::Snapshot& now) {
     for (const auto& r : now.components.supports.spc_reactions())
       for (std::size_t i = 0; i < 4; ++i)
-        if (static_cast<std::size_t>(r.node) == s.run.node(corners[i])) {
+        if (at(r.node) == s.run.node(corners[i])) {
           reaction[i] = r.force;
           couple[i] = r.moment;
         }
@@ -193,9 +193,8 @@ void expect_runs(Experiment& run) {
     for (const weld::Tie& tie : run.ties().ties) {
       Vec3d follows;
       for (std::size_t i = 0; i < 4; ++i)
-        if (tie.weight[i] != 0.0)
-          follows += tie.weight[i] * vec(now.state.x[at(now.system.node_of[at(tie.segment[i])])]);
-      EXPECT_LT(norm(follows - vec(now.state.x[at(now.system.node_of[at(tie.node)])])), 1e-12);
+        if (tie.weight[i] != 0.0) follows += tie.weight[i] * vec(now.state.x[now.system.node_of[tie.segment[i]]]);
+      EXPECT_LT(norm(follows - vec(now.state.x[now.system.node_of[tie.node]])), 1e-12);
     }
   });
   EXPECT_EQ(outcome.termination, impact::Termination::normal) << outcome.message;
@@ -265,7 +264,7 @@ TEST(ProjectionDeck, Case6AnotherSegmentInReach) {
   c.parts = {1, 2, 3};
   Experiment run = c.deck({33, 15, 0}, {33, 15, 2});
   expect_case(run, 6, 1, true);
-  EXPECT_EQ(run.model().parts[at(run.ties().welds[0].sheets[0])].id, 3);
+  EXPECT_EQ(run.model().parts[run.ties().welds[0].sheets[0]].id, 3);
   EXPECT_THAT(text(run.findings()),
               HasSubstr("node 901 at (33, 15, 0): over no segment of its own sheet; the closest is shell 305 of "
                         "part 3, 1 away, moved 1"));
@@ -369,7 +368,7 @@ TEST(FreeAssembly, SpinningSheets) {
   Momenta start;
   double i1 = 0.0, i3 = 0.0, sheet = 0.0;
   for (std::size_t k = 0; k < system.nodes; ++k) {
-    const Vec3d r = run.ties().x[at(system.model_node[k])] - Vec3d{20, 20, 0.5};
+    const Vec3d r = run.ties().x[system.model_node[k]] - Vec3d{20, 20, 0.5};
     i1 += system.mass[k] * (r.y * r.y + r.z * r.z) + system.inertia[k];
     i3 += system.mass[k] * (r.x * r.x + r.y * r.y) + system.inertia[k];
     if (r.z > 0.0) sheet += system.mass[k];

@@ -204,7 +204,7 @@ TEST(TimeSteps, WeldsOwnDt) {
   expect_reference("mass scaling of a weld", "mass added by DT, from the nodes [t]", nodal_mass(run.system()) - before,
                    3.627597e-6, 1e-3);
   const system::System::ElementLocation location = run.system().beam_location[0];
-  const auto& group = *run.system().groups[static_cast<std::size_t>(location.group)];
+  const auto& group = *run.system().groups[location.group];
   expect_reference("mass scaling of a weld", "density factor", group.mass_scale(0), 11.9658, 1e-4);
   expect_reference("mass scaling of a weld", "modulus that would give DT without mass [MPa]",
                    210000.0 / group.mass_scale(0), 17550.0, 1e-4);

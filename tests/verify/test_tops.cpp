@@ -111,7 +111,7 @@ TEST(Tops, ElasticBricksOnAPinnedNode) {
   double across = 0.0, along = 0.0, moment = 0.0;
   const system::System& system = experiment.system();
   for (std::size_t n = 0; n < experiment.model().nodes.size(); ++n) {
-    const double m = system.mass[static_cast<std::size_t>(system.node_of[n])];
+    const double m = system.mass[system.node_of[n]];
     const Vec3d x = experiment.model().nodes.x[n];
     const double z = dot(x, axis), r2 = dot(x, x) - z * z;
     along += m * r2, across += m * (0.5 * r2 + z * z), moment += m * gravity * z;

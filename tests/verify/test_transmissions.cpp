@@ -89,7 +89,7 @@ TEST(Transmissions, PinionDrivesItsRack) {
     Experiment experiment(s.deck());
     double angle = 0.0, way = 0.0, drift = 0.0, force = 0.0;
     run_to_end(experiment, [&](const impact::Snapshot& now) {
-      angle += now.state.dt * vec(now.state.w[static_cast<std::size_t>(body_of(now, 1).node)]).z;
+      angle += now.state.dt * vec(now.state.w[body_of(now, 1).node]).z;
       way = place(now, 2).x - 20.0;
       force = now.components.joints.force(0).x;
       drift = std::max(drift, std::abs(now.energy.total() - now.energy.external));

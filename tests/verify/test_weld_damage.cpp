@@ -40,7 +40,7 @@ class Pulled {
                    driven(2, path, cycles * step, 1, 100) + "*END\n");
     run.run([&](const impact::Snapshot& now) {
       const system::System::ElementLocation location = now.system.beam_location[0];
-      const auto& group = *now.system.groups[static_cast<std::size_t>(location.group)];
+      const auto& group = *now.system.groups[location.group];
       samples.push_back({run.displacement(now, 2).x, run.weld(now, 1).axial,
                          group.layer(0, 0, now.state).plastic_strain, now.energy.internal + now.energy.eroded,
                          now.energy.eroded, run.weld(now, 1), run.history(now, 1).damage().begun()});
@@ -247,7 +247,7 @@ std::vector<BrickSample> brick_run(const std::string& material, const Motion& to
   run.run([&](const impact::Snapshot& now) {
     const weld::History& h = *now.components.welds.history(0);
     const system::System::ElementLocation location = now.system.solid_location[0];
-    const auto& group = *now.system.groups[static_cast<std::size_t>(location.group)];
+    const auto& group = *now.system.groups[location.group];
     samples.push_back({now.state.time / (cycles * dt), h.resultants().axial, h.failure_value(),
                        now.energy.internal + now.energy.hourglass + now.energy.eroded, now.energy.eroded,
                        group.plastic_strain(0, 0), h.failed()});

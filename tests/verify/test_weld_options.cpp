@@ -100,7 +100,7 @@ Outcome run(const Kind& kind, const std::string& material, const std::string& mo
     Vec3d n, m;
     for (const auto& r : now.components.supports.spc_reactions()) {
       n -= r.force;
-      m -= r.moment + cross(vec(now.state.x[static_cast<std::size_t>(r.node)]), r.force);
+      m -= r.moment + cross(vec(now.state.x[r.node]), r.force);
     }
     m += Vec3d{0.5 * length * n.y, -0.5 * length * n.x, 0.0};  // to mid-length
     out.load = {n.z, n.x, n.y, m.z, m.x, m.y};

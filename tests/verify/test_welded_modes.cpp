@@ -94,9 +94,7 @@ std::string hat(int step) {
   const int points = static_cast<int>(profile.size());
   std::string nodes = "*NODE\n", shells = "*ELEMENT_SHELL\n";
   for (int i = 0; i <= along; ++i)
-    for (int j = 0; j < points; ++j)
-      nodes += node_line(1 + j + i * points, i * h, profile[static_cast<std::size_t>(j)].first,
-                         profile[static_cast<std::size_t>(j)].second);
+    for (int j = 0; j < points; ++j) nodes += node_line(1 + j + i * points, i * h, profile[j].first, profile[j].second);
   for (int i = 0; i < along; ++i)
     for (int j = 0; j + 1 < points; ++j) {
       const int n = 1 + j + i * points;

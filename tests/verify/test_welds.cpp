@@ -43,7 +43,7 @@ class Driven {
     if (!samples_.empty()) return samples_;
     run_.run([&](const impact::Snapshot& now) {
       const system::System::ElementLocation location = now.system.beam_location[0];
-      const auto& group = *now.system.groups[static_cast<std::size_t>(location.group)];
+      const auto& group = *now.system.groups[location.group];
       double plastic = 0.0;
       for (int k = 0; k < group.layers(); ++k) plastic = std::max(plastic, group.layer(0, k, now.state).plastic_strain);
       samples_.push_back(

@@ -82,7 +82,7 @@ std::string driven(int node, const Path& path, double duration, int points, int 
     if (start > 0.0) curves += fmt::format("{:20.12g}{:20.12g}\n", 0.0, 0.0);
     for (int k = 0; k <= points; ++k) {
       const double s = static_cast<double>(k) / points;
-      curves += fmt::format("{:20.14g}{:20.13g}\n", start + s * duration, path(s)[static_cast<std::size_t>(i)]);
+      curves += fmt::format("{:20.14g}{:20.13g}\n", start + s * duration, path(s)[i]);
     }
   }
   return motions + curves;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
-
 namespace nugget::impact {
 namespace {
 
@@ -57,9 +55,9 @@ Bag bag_at_start(const ControlVolume& source, double volume) {
 double outflow(const ControlVolume& source, const std::vector<Curve>& curves, double pressure, double temperature) {
   const FlowingGas& gas = source.flowing;
   if (!(pressure > source.ambient)) return 0.0;
-  if (gas.outflow_curve != model::none) return curves[at(gas.outflow_curve)].clamped(pressure - source.ambient);
+  if (gas.outflow_curve != model::none) return curves[gas.outflow_curve].clamped(pressure - source.ambient);
   const auto by_pressure = [&](double value, model::Index curve) {
-    return curve == model::none ? value : curves[at(curve)].clamped(pressure);
+    return curve == model::none ? value : curves[curve].clamped(pressure);
   };
   const double opening = by_pressure(gas.shape, gas.shape_curve) * by_pressure(gas.area, gas.area_curve);
   if (opening == 0.0) return 0.0;

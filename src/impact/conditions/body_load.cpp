@@ -34,8 +34,7 @@ std::vector<double> ActingLoad<model::BodyLoad>::nodes_without_weight() const {
       const double added = group->mass_scale(e) - 1.0;
       if (!(added > 0.0)) continue;
       const auto nodes = group->nodes(e);
-      for (int a = 0; a < group->nodes_per_element; ++a)
-        without[at(nodes[at(a)])] += share * added * group->nodal_mass(e, a);
+      for (int a = 0; a < group->nodes_per_element; ++a) without[nodes[a]] += share * added * group->nodal_mass(e, a);
     }
   }
   return without;
@@ -49,12 +48,12 @@ void ActingLoad<model::BodyLoad>::load_everything() {
       without[k] += own[k];
     else
       for (const system::ConstraintMap::Term& t : system_.map.terms(static_cast<int>(k)))
-        without[at(t.node)] += t.weight * own[k];
+        without[t.node] += t.weight * own[k];
   }
   for (std::size_t k = 0; k < without.size(); ++k) {
     const bool rigid = k >= system_.nodes;
     // The mass that a deck gives a body is not that of its elements, scaled or not.
-    if (rigid && system_.model.rigid_bodies[at(system_.bodies[k - system_.nodes].source)].given) without[k] = 0.0;
+    if (rigid && system_.model.rigid_bodies[system_.bodies[k - system_.nodes].source].given) without[k] = 0.0;
     const double m = (rigid ? system_.bodies[k - system_.nodes].mass : system_.mass[k]) - without[k];
     if (m <= 0.0) continue;
     nodes_.push_back(static_cast<int>(k));
@@ -74,8 +73,7 @@ void ActingLoad<model::BodyLoad>::load_parts() {
       const double added = group->mass_scale(e) - 1.0;
       const double weight =
           1.0 + (group->added_mass_is_physical ? added : system_.model.control.weight_of_added_mass * added);
-      for (int a = 0; a < group->nodes_per_element; ++a)
-        mass[nodes[static_cast<std::size_t>(a)]] += weight * group->nodal_mass(e, a);
+      for (int a = 0; a < group->nodes_per_element; ++a) mass[nodes[a]] += weight * group->nodal_mass(e, a);
     }
   }
   // Rigid parts, and what else has mass without a kernel. A body of given mass weighs that, not what its mesh would.
@@ -84,18 +82,17 @@ void ActingLoad<model::BodyLoad>::load_parts() {
   };
   std::map<model::Index, Mesh> meshes;
   for (const system::System::MassOnlyElement& mass_only : system_.mass_only_elements()) {
-    const model::Index source = system_.model.parts[at(mass_only.part)].rigid_body;
-    const bool given = source != model::none && system_.model.rigid_bodies[at(source)].given;
+    const model::Index source = system_.model.parts[mass_only.part].rigid_body;
+    const bool given = source != model::none && system_.model.rigid_bodies[source].given;
     if (given) {
       meshes[source].all += mass_only.mass;
       if (wanted(mass_only.part)) meshes[source].wanted += mass_only.mass;
     } else if (wanted(mass_only.part)) {
-      for (int a = 0; a < mass_only.corners; ++a)
-        mass[mass_only.node[static_cast<std::size_t>(a)]] += mass_only.nodal_mass(a);
+      for (int a = 0; a < mass_only.corners; ++a) mass[mass_only.node[a]] += mass_only.nodal_mass(a);
     }
   }
   for (const auto& [source, mesh] : meshes) {
-    const system::RigidBody& rigid = system_.bodies[at(system_.body_of[at(source)])];
+    const system::RigidBody& rigid = system_.bodies[system_.body_of[source]];
     if (mesh.wanted > 0.0) mass[rigid.node] += mesh.wanted / mesh.all * rigid.mass;
   }
   for (const auto& [node, m] : mass) {
@@ -109,7 +106,7 @@ void ActingLoad<model::BodyLoad>::load_parts() {
 void ActingLoad<model::BodyLoad>::load_nodes() {
   const model::Model& model = system_.model;
   std::vector<char> wanted(system_.nodes, 0);
-  const auto place = [&](model::Index n) { return at(system_.node_of[at(n)]); };
+  const auto place = [&](model::Index n) { return at(system_.node_of[n]); };
   for (const model::Index n : load_.nodes) wanted[place(n)] = 1;
   const auto take = [&](int node, double mass) {
     if (!(mass > 0.0)) return;
@@ -117,7 +114,7 @@ void ActingLoad<model::BodyLoad>::load_nodes() {
     mass_.push_back(mass);
   };
   for (const system::RigidBody& rigid : system_.bodies) {
-    const std::vector<model::Index>& nodes = model.rigid_bodies[at(rigid.source)].nodes;
+    const std::vector<model::Index>& nodes = model.rigid_bodies[rigid.source].nodes;
     if (!std::all_of(nodes.begin(), nodes.end(), [&](model::Index n) { return wanted[place(n)] != 0; })) continue;
     for (const model::Index n : nodes) wanted[place(n)] = 0;
     take(rigid.node, rigid.mass);
@@ -129,9 +126,9 @@ void ActingLoad<model::BodyLoad>::load_nodes() {
 
 double ActingLoad<model::BodyLoad>::motion(const system::State& state) const {
   if (state.relaxing && load_.relaxation_curve != model::none)
-    return load_.scale * system_.model.curves[at(load_.relaxation_curve)].zero_outside(state.time);
+    return load_.scale * system_.model.curves[load_.relaxation_curve].zero_outside(state.time);
   if (load_.curve == model::none) return load_.scale;
-  return load_.scale * load_value(system_.model.curves[at(load_.curve)], state.time, state);
+  return load_.scale * load_value(system_.model.curves[load_.curve], state.time, state);
 }
 
 void ActingLoad<model::BodyLoad>::apply(system::State& state, double dt, double& work) {

@@ -28,7 +28,7 @@ Frame3d frame(const Vec3d& first, const Vec3d& second) {
 
 /// Axes that turn with a shell or a solid: means of opposite sides, so that no corner counts for more than another.
 Frame3d axes_of(const system::ElementNodes& node, std::size_t corners, const system::State& state) {
-  const auto x = [&](std::size_t a) { return vec(state.x[at(node[a])]); };
+  const auto x = [&](std::size_t a) { return vec(state.x[node[a]]); };
   if (corners == 8)
     return frame(x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7),
                  x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5));
@@ -149,7 +149,7 @@ std::vector<Damping::Member> Damping::of_parts(const std::vector<model::Index>& 
     for (std::size_t e = 0; e < group->size(); ++e) {
       const auto nodes = group->nodes(e);
       for (int a = 0; a < group->nodes_per_element; ++a) {
-        auto& [mass, inertia] = own[nodes[at(a)]];
+        auto& [mass, inertia] = own[nodes[a]];
         mass += group->mass_scale(e) * group->nodal_mass(e, a);
         inertia += group->mass_scale(e) * group->nodal_inertia(e);
       }
@@ -159,24 +159,24 @@ std::vector<Damping::Member> Damping::of_parts(const std::vector<model::Index>& 
   for (const auto& [node, m] : own) members.push_back({at(node), m.first, m.second, -1});
   std::vector<int> bodies;
   for (const model::Index p : parts)
-    if (const model::Index body = system_.model.parts[at(p)].rigid_body; body != model::none)
-      bodies.push_back(system_.body_of[at(body)]);
+    if (const model::Index body = system_.model.parts[p].rigid_body; body != model::none)
+      bodies.push_back(system_.body_of[body]);
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  for (const int b : bodies) members.push_back({at(system_.bodies[at(b)].node), system_.bodies[at(b)].mass, 0.0, b});
+  for (const int b : bodies) members.push_back({at(system_.bodies[b].node), system_.bodies[b].mass, 0.0, b});
   return members;
 }
 
 Vec3d Damping::carried(model::Index body, const Vec3d& x, const system::State& state) const {
   if (body == model::none) return {};
-  const auto k = at(system_.bodies[at(system_.body_of[at(body)])].node);
+  const auto k = at(system_.bodies[system_.body_of[body]].node);
   return vec(state.v[k]) + cross(vec(state.w[k]), x - vec(state.x[k]));
 }
 
 void Damping::push(std::size_t node, model::Index body, const Vec3d& force, const system::State& state) {
   nugget::add(force_[node], force);
   if (body == model::none) return;
-  const auto k = at(system_.bodies[at(system_.body_of[at(body)])].node);
+  const auto k = at(system_.bodies[system_.body_of[body]].node);
   nugget::add(force_[k], -force);
   nugget::add(moment_[k], -cross(vec(state.x[node]) - vec(state.x[k]), force));
 }
@@ -211,7 +211,7 @@ void Damping::apply(system::State& state, double dt) {
 void Damping::add(const ByMass& damping, const system::State& state) {
   const model::MassDamping& card = *damping.card;
   const double d =
-      card.factor * (card.curve == model::none ? 1.0 : system_.model.curves[at(card.curve)].zero_outside(state.time));
+      card.factor * (card.curve == model::none ? 1.0 : system_.model.curves[card.curve].zero_outside(state.time));
   if (d == 0.0) return;
   const auto times = [](const Vec3d& a, const Vec3d& b) { return Vec3d{a.x * b.x, a.y * b.y, a.z * b.z}; };
   const auto one = [&](std::size_t k, double mass, double inertia) {
@@ -232,7 +232,7 @@ void Damping::add(const ByMass& damping, const system::State& state) {
   }
   for (const Member& m : damping.members) {
     if (m.body >= 0)
-      whole_body(system_.bodies[at(m.body)]);
+      whole_body(system_.bodies[m.body]);
     else
       one(m.node, m.mass, m.inertia);
   }
@@ -295,9 +295,9 @@ void Damping::add_deforming(const system::State& state, double dt) {
   std::vector<DampingFilters::Step> steps;
   for (const DampingFilters& filters : deform_) steps.push_back(filters.over(dt));
   system_.for_each_block([&](int g, std::size_t begin, std::size_t end) {
-    if (deforming_of_[at(g)] < 0) return;
-    const system::ElementGroup& group = *system_.groups[at(g)];
-    Deforming& damping = deforming_[at(deforming_of_[at(g)])];
+    if (deforming_of_[g] < 0) return;
+    const system::ElementGroup& group = *system_.groups[g];
+    Deforming& damping = deforming_[deforming_of_[g]];
     const std::size_t width = group.block_width();
     deform(damping, steps[damping.filters], begin * width, std::min(group.size(), end * width), state, dt);
   });
@@ -306,7 +306,7 @@ void Damping::add_deforming(const system::State& state, double dt) {
 
 void Damping::deform(Deforming& damping, const DampingFilters::Step& step, std::size_t begin, std::size_t end,
                      const system::State& state, double dt) {
-  const system::ElementGroup& group = *system_.groups[at(damping.group)];
+  const system::ElementGroup& group = *system_.groups[damping.group];
   const DampingFilters& filters = deform_[damping.filters];
   const std::size_t count = filters.corner.size(), rows = rows_of(group), corners = at(group.nodes_per_element);
   for (std::size_t e = begin; e < end; ++e) {
@@ -345,7 +345,7 @@ void Damping::deform(Deforming& damping, const DampingFilters::Step& step, std::
 
 void Damping::add(const Relative& damping, const system::State& state) {
   const model::RelativeDamping& card = *damping.card;
-  const double factor = card.curve == model::none ? 1.0 : system_.model.curves[at(card.curve)].zero_outside(state.time);
+  const double factor = card.curve == model::none ? 1.0 : system_.model.curves[card.curve].zero_outside(state.time);
   const double linear = factor * 2.0 * card.share * 2.0 * std::numbers::pi * card.frequency;
   for (const Member& m : damping.members) {
     const Vec3d v = vec(state.v[m.node]) - carried(card.rigid_body, vec(state.x[m.node]), state);

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "base/index.hpp"
 #include "impact/conditions/in_force.hpp"
 
 namespace nugget::impact {
@@ -11,15 +10,14 @@ namespace nugget::impact {
 ActingLoad<model::ControlVolume>::ActingLoad(const model::ControlVolume& source, const system::System& system)
     : source_(source), system_(system), faces_(source.segments, source.share, system) {
   gas_.at_start = source.volume_scale * enclosed_volume(source.segments, source.openings,
-                                                        [&](model::Index n) { return system.model.nodes.x[at(n)]; });
+                                                        [&](model::Index n) { return system.model.nodes.x[n]; });
   gas_.volume = gas_.at_start;
   if (source.gas == model::ControlVolume::Gas::flowing) gas_.bag = bag_at_start(source, gas_.at_start);
 }
 
 double ActingLoad<model::ControlVolume>::volume(const system::State& state) const {
-  return source_.volume_scale * enclosed_volume(source_.segments, source_.openings, [&](model::Index n) {
-           return vec(state.x[at(system_.node_of[at(n)])]);
-         });
+  return source_.volume_scale * enclosed_volume(source_.segments, source_.openings,
+                                                [&](model::Index n) { return vec(state.x[system_.node_of[n]]); });
 }
 
 void ActingLoad<model::ControlVolume>::apply(system::State& state, double dt, double& work) {
@@ -32,7 +30,7 @@ void ActingLoad<model::ControlVolume>::apply(system::State& state, double dt, do
 
 double ActingLoad<model::ControlVolume>::pressure(const system::State& state, double dt) {
   using Kind = model::ControlVolume::Gas;
-  const auto curve = [&](model::Index c) -> const Curve& { return system_.model.curves[at(c)]; };
+  const auto curve = [&](model::Index c) -> const Curve& { return system_.model.curves[c]; };
   const double relative = gas_.volume / gas_.at_start;
   if (!(relative > 0.0)) return 0.0;
   if (source_.gas == Kind::flowing) {

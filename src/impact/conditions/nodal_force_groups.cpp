@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/conditions/nodal_force_groups.hpp"
 
-#include "base/index.hpp"
 #include "impact/conditions/axes_now.hpp"
 
 namespace nugget::impact {
@@ -15,12 +14,12 @@ NodalForceGroups::NodalForceGroups(const system::System& system) : system_(syste
     for (std::size_t e = 0; e < group.size(); ++e) {
       const auto nodes = group.nodes(e);
       for (int a = 0; a < group.nodes_per_element; ++a)
-        at_node[at(nodes[at(a)])].push_back({{static_cast<int>(g), static_cast<int>(e)}, a});
+        at_node[nodes[a]].push_back({{static_cast<int>(g), static_cast<int>(e)}, a});
     }
   }
   for (const model::NodalForceGroup& card : cards) {
     Group group{&card, {}};
-    for (const model::Index n : card.nodes) group.nodes.push_back({n, at_node[at(system.node_of[at(n)])], {}, 0.0});
+    for (const model::Index n : card.nodes) group.nodes.push_back({n, at_node[system.node_of[n]], {}, 0.0});
     groups_.push_back(std::move(group));
   }
 }
@@ -30,7 +29,7 @@ void NodalForceGroups::update(const system::State& state) {
     for (Node& node : group.nodes) {
       Vec3d force{};
       for (const Corner& c : node.corners) force += system_.nodal_force(c.location, c.corner);
-      node.work += 0.5 * state.dt * dot(node.force + force, vec(state.v[at(system_.node_of[at(node.node)])]));
+      node.work += 0.5 * state.dt * dot(node.force + force, vec(state.v[system_.node_of[node.node]]));
       node.force = force;
     }
 }
@@ -40,8 +39,7 @@ output::NodforState NodalForceGroups::state(const system::State& now) const {
   s.time = now.time;
   for (const Group& group : groups_) {
     output::NodforGroup out{group.card->set_id, {}, {}};
-    for (const Node& node : group.nodes)
-      out.rows.push_back({system_.model.nodes.id[at(node.node)], node.force, node.work});
+    for (const Node& node : group.nodes) out.rows.push_back({system_.model.nodes.id[node.node], node.force, node.work});
     if (group.card->system != model::none) out.axes = axes_now(system_, now, group.card->system);
     s.groups.push_back(std::move(out));
   }

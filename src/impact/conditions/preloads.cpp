@@ -57,8 +57,8 @@ bool takes_stress(const system::ElementGroup& group) {
 }
 
 std::string why_no_stress(const model::Model& model, model::Index solid) {
-  const bool bond = model::bond_of(model, model.parts[at(model.solids.part[at(solid)])]) != nullptr;
-  return fmt::format("solid {} takes no stress: {}", model.solids.id[at(solid)],
+  const bool bond = model::bond_of(model, model.parts[model.solids.part[solid]]) != nullptr;
+  return fmt::format("solid {} takes no stress: {}", model.solids.id[solid],
                      bond ? "it is adhesive, which begins without tractions"
                           : "in tetrahedra of ELFORM 13 the nodes have the pressure");
 }
@@ -78,11 +78,11 @@ std::vector<double> layer_places(const model::Model& model, const system::Elemen
 }
 
 double beam_area(const model::Model& model, model::Index beam) {
-  const model::Part& part = model.parts[at(model.beams.part[at(beam)])];
-  const model::SectionBeam& section = model.beam_sections[at(part.section)];
+  const model::Part& part = model.parts[model.beams.part[beam]];
+  const model::SectionBeam& section = model.beam_sections[part.section];
   if (section.volume > 0.0) {
-    const auto& n = model.beams.node[at(beam)];
-    const double length = norm(model.nodes.x[at(n[1])] - model.nodes.x[at(n[0])]);
+    const auto& n = model.beams.node[beam];
+    const double length = norm(model.nodes.x[n[1]] - model.nodes.x[n[0]]);
     return length > 0.0 ? section.volume / length : 0.0;
   }
   return model::beam_area(section);
@@ -93,7 +93,7 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
   const model::Model& model = system.model;
   const auto begun = [&](model::Index curve) {
     Prescribed p;
-    p.curve = &model.curves[at(curve)];
+    p.curve = &model.curves[curve];
     p.begin = p.curve->x.front();
     p.end = end_of_rise(*p.curve);
     return p;
@@ -104,11 +104,11 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
       const double area = beam_area(model, beam);
       const system::ImposedStress stress{
           0, {1, 0, 0}, card.scale / area, card.bends ? Others::bending : Others::kept, area};
-      if (!(area > 0.0) || !prescribe(p, system.beam_location[at(beam)], stress))
+      if (!(area > 0.0) || !prescribe(p, system.beam_location[beam], stress))
         findings.error(card.place, "*INITIAL_AXIAL_FORCE_BEAM",
                        fmt::format("beam {} has no section with stresses; weld beams (ELFORM 9), integrated beams "
                                    "(ELFORM 1) and trusses (ELFORM 3) take an axial force",
-                                   model.beams.id[at(beam)]),
+                                   model.beams.id[beam]),
                        "take it out of the set");
     }
     prescribed_.push_back(std::move(p));
@@ -117,7 +117,7 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
     Prescribed p = begun(card.curve);
     const Others others = card.bends ? Others::bending : card.keep_shear ? Others::kept : Others::none;
     for (const model::Index solid : card.solids) {
-      const system::System::ElementLocation location = system.solid_location[at(solid)];
+      const system::System::ElementLocation location = system.solid_location[solid];
       if (location.group >= 0 && !prescribe(p, location, {0, card.normal, 1.0, others}))
         findings.error(card.place, "*INITIAL_STRESS_SECTION", why_no_stress(model, solid),
                        "use tetrahedra of ELFORM 10, or cut through bricks");
@@ -128,8 +128,8 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
     prescribed_.push_back(std::move(p));
   }
   for (const model::InitialStress& s : model.initial_state.solids) {
-    const system::System::ElementLocation location = system.solid_location[at(s.element)];
-    if (location.group < 0 || takes_stress(*system.groups[at(location.group)])) continue;
+    const system::System::ElementLocation location = system.solid_location[s.element];
+    if (location.group < 0 || takes_stress(*system.groups[location.group])) continue;
     findings.error(s.place, "*INITIAL_STRESS_SOLID", why_no_stress(model, s.element),
                    "take it out, or use tetrahedra of ELFORM 10");
   }
@@ -141,7 +141,7 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
 
 bool Preloads::prescribe(Prescribed& p, const system::System::ElementLocation& location,
                          system::ImposedStress stress) const {
-  if (location.group < 0 || !takes_stress(*system_.groups[at(location.group)])) return false;
+  if (location.group < 0 || !takes_stress(*system_.groups[location.group])) return false;
   stress.element = at(location.element);
   p.elements.emplace_back(location.group, stress);
   return true;
@@ -149,14 +149,14 @@ bool Preloads::prescribe(Prescribed& p, const system::System::ElementLocation& l
 
 void Preloads::start(const system::State& state) {
   const model::InitialState& initial = system_.model.initial_state;
-  for (const model::InitialStress& s : initial.shells) start(s, system_.shell_location[at(s.element)], true, state);
-  for (const model::InitialStress& s : initial.solids) start(s, system_.solid_location[at(s.element)], false, state);
+  for (const model::InitialStress& s : initial.shells) start(s, system_.shell_location[s.element], true, state);
+  for (const model::InitialStress& s : initial.solids) start(s, system_.solid_location[s.element], false, state);
 }
 
 void Preloads::start(const model::InitialStress& stress, const system::System::ElementLocation& location, bool shell,
                      const system::State& state) {
   if (location.group < 0 || stress.points.empty()) return;
-  system::ElementGroup& group = *system_.groups[at(location.group)];
+  system::ElementGroup& group = *system_.groups[location.group];
   const std::map<double, Layer> given = by_place(stress.points);
   const std::vector<double> places = shell ? layer_places(system_.model, group) : std::vector<double>{0.0};
   for (std::size_t k = 0; k < places.size(); ++k)
@@ -178,7 +178,7 @@ void Preloads::apply(const system::State& state) {
     std::stable_sort(
         stresses.begin(), stresses.end(),
         [](const system::ImposedStress& a, const system::ImposedStress& b) { return a.element < b.element; });
-    dynamic_cast<system::TakesStress&>(*system_.groups[at(group)]).impose(std::move(stresses));
+    dynamic_cast<system::TakesStress&>(*system_.groups[group]).impose(std::move(stresses));
   }
 }
 

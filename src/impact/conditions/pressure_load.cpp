@@ -21,7 +21,7 @@ void PressedFaces::press(double pressure, system::State& state, double dt, doubl
     std::array<std::size_t, 4> k{};
     std::array<Vec3d, 4> x;
     for (std::size_t a = 0; a < 4; ++a) {
-      k[a] = at(system_.node_of[at(segment[a])]);
+      k[a] = at(system_.node_of[segment[a]]);
       x[a] = vec(state.x[k[a]]);
     }
     const Vec3d force = -pressure * area(x, triangle);
@@ -42,7 +42,7 @@ void PressedFaces::archive(Archive& a) {
 
 void ActingLoad<model::PressureLoad>::apply(system::State& state, double dt, double& work) {
   const double time = state.time - load_.arrival;
-  const Curve& curve = system_.model.curves[at(load_.curve)];
+  const Curve& curve = system_.model.curves[load_.curve];
   faces_.press(time >= 0.0 ? load_.scale * load_value(curve, time, state) : 0.0, state, dt, work);
 }
 

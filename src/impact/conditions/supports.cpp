@@ -18,7 +18,7 @@ constexpr Vec3d axis_of[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 Vec3d axis(const model::Model& model, model::Index system, int i) {
   if (system == model::none) return axis_of[i];
-  const Frame3d& a = model.systems[static_cast<std::size_t>(system)].axes;
+  const Frame3d& a = model.systems[system].axes;
   return i == 0 ? a.e1 : i == 1 ? a.e2 : a.e3;
 }
 
@@ -147,14 +147,14 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
   const model::Model& model = system.model;
   for (std::size_t s = 0; s < model.spcs.size(); ++s) {
     const model::SinglePointConstraint& spc = model.spcs[s];
-    const int node = system.node_of[static_cast<std::size_t>(spc.node)];
+    const int node = system.node_of[spc.node];
     // A node that is tied by its translations alone has its own rotations.
     const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;
     const unsigned obeyed = spc.fixed & own;
     if (obeyed != spc.fixed)
       findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
-                       "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(spc.node)]) +
-                           " is held by an SPC, but it moves with " + system.constraint_name(node) +
+                       "node " + std::to_string(model.nodes.id[spc.node]) + " is held by an SPC, but it moves with " +
+                           system.constraint_name(node) +
                            (obeyed == 0 ? "; the SPC does nothing there" : "; the SPC holds its rotations only"),
                        "constrain what it moves with: the nodes of the segment it is tied to, or the rigid body "
                        "(MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC)");
@@ -186,19 +186,19 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
     };
     if (motion.target == model::PrescribedMotion::Target::nodes) {
       for (model::Index n : motion.nodes) {
-        const int node = system.node_of[static_cast<std::size_t>(n)];
+        const int node = system.node_of[n];
         if (system.map.dependent(node)) {
           findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
-                         "node " + std::to_string(model.nodes.id[static_cast<std::size_t>(n)]) + " moves with " +
-                             system.constraint_name(node) + " and cannot be driven on its own",
+                         "node " + std::to_string(model.nodes.id[n]) + " moves with " + system.constraint_name(node) +
+                             " and cannot be driven on its own",
                          "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID, or nodes of the sheet");
           continue;
         }
         prescribe_node(node, -1);
       }
     } else {
-      const int body = system.body_of[static_cast<std::size_t>(motion.rigid_body)];
-      prescribe_node(system.bodies[static_cast<std::size_t>(body)].node, body);
+      const int body = system.body_of[motion.rigid_body];
+      prescribe_node(system.bodies[body].node, body);
     }
   }
   drop_overridden_supports(constrained_dofs_, prescribed_dofs_, system, findings,
@@ -230,7 +230,7 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
 void Supports::constrain_at_start(system::State& state) {
   for (const ConstrainedDof& h : constrained_dofs_) {
     if (h.birth > 0.0) continue;
-    Row& row = h.rotation ? state.w[static_cast<std::size_t>(h.node)] : state.v[static_cast<std::size_t>(h.node)];
+    Row& row = h.rotation ? state.w[h.node] : state.v[h.node];
     add(row, -dot(h.axis, vec(row)) * h.axis);
   }
 }
@@ -240,7 +240,7 @@ double Supports::target(PrescribedDof& prescribed, const system::State& state, d
   if (prescribed.motion->circular) return circular_target(prescribed, state, old_velocity, velocity_interval);
   if (prescribed.constrain_others) return 0.0;
   const model::PrescribedMotion& motion = *prescribed.motion;
-  const Curve& curve = system_.model.curves[static_cast<std::size_t>(motion.curve)];
+  const Curve& curve = system_.model.curves[motion.curve];
   const double t = state.time - motion.birth;
   switch (motion.quantity) {
     case model::PrescribedMotion::Quantity::velocity: return motion.scale * velocity_of_step(curve, system_, state, t);
@@ -257,7 +257,7 @@ double Supports::target(PrescribedDof& prescribed, const system::State& state, d
 double Supports::circular_target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
                                  double velocity_interval) const {
   const model::PrescribedMotion& motion = *prescribed.motion;
-  const Curve& curve = system_.model.curves[at(motion.curve)];
+  const Curve& curve = system_.model.curves[motion.curve];
   const double dt = state.dt, t = state.time - motion.birth;
   if (!(dt > 0.0)) return 0.0;
   const auto node = at(prescribed.node);
@@ -321,19 +321,18 @@ void Supports::prescribe_beside_supports(PrescribedDof& prescribed, double targe
 void Supports::set_component(ConstrainedDof& dof, double target, int body, system::State& state,
                              double velocity_interval, std::span<system::RigidBody> bodies,
                              std::vector<Reaction>& reactions) {
-  const auto node = static_cast<std::size_t>(dof.node);
+  const auto node = at(dof.node);
   Row& row = dof.rotation ? state.w[node] : state.v[node];
   const double free_velocity = dot(dof.axis, vec(row));
   double impulse;
   const Vec3d load = vec(dof.rotation ? state.m[node] : state.f[node]);
   if (body >= 0 && dof.rotation) {
-    system::RigidBody& b = bodies[static_cast<std::size_t>(body)];
+    system::RigidBody& b = bodies[body];
     const Vec3d before = b.angular_momentum;
     b.set_spin(dof.axis, target, state.dt, state);
     impulse = dot(dof.axis, b.angular_momentum - before);
   } else {
-    const double inertia = body >= 0 ? bodies[static_cast<std::size_t>(body)].mass
-                                     : (dof.rotation ? system_.inertia[node] : system_.mass[node]);
+    const double inertia = body >= 0 ? bodies[body].mass : (dof.rotation ? system_.inertia[node] : system_.mass[node]);
     impulse = inertia * (target - free_velocity);
     add(row, (target - free_velocity) * dof.axis);
   }
@@ -361,7 +360,7 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
   dt_previous_ = state.dt_previous;
   power_on_change_ = 0.0;
   const auto component = [&](const ConstrainedDof& h) {
-    return dot(h.axis, vec(h.rotation ? state.w[at(h.node)] : state.v[at(h.node)]));
+    return dot(h.axis, vec(h.rotation ? state.w[h.node] : state.v[h.node]));
   };
   // What is held or driven from the next step on starts from the velocity that it has now: the forces of that step are
   // not in it.
@@ -382,17 +381,17 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
     set_component(h, 0.0, -1, state, velocity_interval, bodies, spc_);
   }
   for (PrescribedDof& d : prescribed_dofs_) {
-    if (!alive(d) || !in_force(system_.model.curves[at(d.motion->curve)], state)) {
+    if (!alive(d) || !in_force(system_.model.curves[d.motion->curve], state)) {
       release(d);
       continue;
     }
     if (d.motion->target == model::PrescribedMotion::Target::rigid_body_local && d.body >= 0) {
       // The body's axes at time 0 were the global ones.
-      const Frame3d& axes = bodies[static_cast<std::size_t>(d.body)].axes;
+      const Frame3d& axes = bodies[d.body].axes;
       d.axis = axes.global(d.at_start);
     }
     if (d.motion->circular) {
-      const model::PlaceOnCircle place = model::place_on_circle(*d.motion, vec(state.x[at(d.node)]));
+      const model::PlaceOnCircle place = model::place_on_circle(*d.motion, vec(state.x[d.node]));
       if (place.radius == 0.0 && !d.motion->radius_fixed) {
         release(d);  // on the axis, where there is no way around it
         continue;
@@ -409,7 +408,7 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
       prescribe_beside_supports(d, wanted, state, velocity_interval);
   }
   for (PrescribedDof& d : prescribed_dofs_)
-    if (d.motion->circular) d.left = vec(state.v[at(d.node)]);
+    if (d.motion->circular) d.left = vec(state.v[d.node]);
 }
 
 void Supports::book_opening_work(double dt) {

@@ -13,7 +13,7 @@ namespace nugget::impact {
 Connectors::Connectors(const system::System& system) : system_(system) {
   for (const weld::Weld& w : system.ties.welds) {
     Entry& entry = records_.emplace_back();
-    if (w.kind == weld::Weld::Kind::connector) entry.location = system.beam_location[at(w.element)];
+    if (w.kind == weld::Weld::Kind::connector) entry.location = system.beam_location[w.element];
   }
 }
 
@@ -21,7 +21,7 @@ void Connectors::update(const system::State& state) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
     auto& [location, record] = records_[i];
     if (location.group < 0 || record.failed) continue;
-    const system::ElementGroup& group = *system_.groups[at(location.group)];
+    const system::ElementGroup& group = *system_.groups[location.group];
     if (!group.alive(at(location.element))) {
       record.failed = true;
       record.failure_time = state.time;

@@ -33,7 +33,7 @@ JointSprings::JointSprings(const system::System& system) {
     Spring s;
     s.rotational = source.rotational;
     for (std::size_t side = 0; side < 2; ++side) {
-      s.body[side] = &system.bodies[at(system.body_of[at(source.body[side])])];
+      s.body[side] = &system.bodies[system.body_of[source.body[side]]];
       s.arm[side] = source.origin[side] - s.body[side]->center0;
     }
     s.axes = source.axes[1];
@@ -43,7 +43,7 @@ JointSprings::JointSprings(const system::System& system) {
     for (std::size_t i = 0; i < 3; ++i) {
       const model::JointStiffness::Freedom& given = source.freedom[i];
       const auto curve = [&](model::Index c) {
-        return c == model::none ? kernel::ForceCurve() : kernel::ForceCurve(system.model.curves[at(c)]);
+        return c == model::none ? kernel::ForceCurve() : kernel::ForceCurve(system.model.curves[c]);
       };
       Freedom& f = s.freedom[i];
       f.load = curve(given.load);
@@ -92,11 +92,11 @@ void JointSprings::apply(Spring& s, system::State& state) {
   std::array<Vec3d, 2> arm, spin, velocity;
   for (std::size_t side = 0; side < 2; ++side) {
     const system::RigidBody& body = *s.body[side];
-    spin[side] = vec(state.w[at(body.node)]);
+    spin[side] = vec(state.w[body.node]);
     arm[side] = body.axes.global(s.arm[side]);
-    velocity[side] = vec(state.v[at(body.node)]);
+    velocity[side] = vec(state.v[body.node]);
   }
-  const auto centre = [&](std::size_t side) { return vec(state.x[at(s.body[side]->node)]); };
+  const auto centre = [&](std::size_t side) { return vec(state.x[s.body[side]->node]); };
   const Vec3d gap = centre(1) + arm[1] - centre(0) - arm[0];
   const Vec3d lever = arm[1] - gap;  // from B's centre to the origin of A
   const Vec3d rate =

@@ -34,7 +34,7 @@ Joints::Joints(const system::System& system) : system_(system), springs_(system)
     const auto place = [&](std::size_t i) { return source.point[i]; };
     // The pairs stand at one place but for the last digits of their coordinates: A's place counts.
     for (std::size_t side = 0; side < 2; ++side) {
-      j.body[side] = &system.bodies[at(system.body_of[at(source.body[side])])];
+      j.body[side] = &system.bodies[system.body_of[source.body[side]]];
       j.arm[side] = place(0) - j.body[side]->center0;
     }
     if (source.kind != Kind::spherical) j.axis = unit(place(2) - place(0));

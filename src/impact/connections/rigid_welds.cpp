@@ -14,8 +14,8 @@ RigidWelds::RigidWelds(system::System& system, Findings& findings) : system_(sys
     if (source.kind == model::RigidWeld::Kind::rivet) continue;
     Weld weld;
     weld.source = &source;
-    weld.body = at(system.body_of[at(source.body)]);
-    for (const model::Index n : source.nodes) weld.nodes.push_back(system.node_of[at(n)]);
+    weld.body = at(system.body_of[source.body]);
+    for (const model::Index n : source.nodes) weld.nodes.push_back(system.node_of[n]);
     weld.loads.resize(weld.nodes.size());
     weld.around.resize(weld.nodes.size());
     if (source.axis) weld.axis = *source.axis;
@@ -32,7 +32,7 @@ void RigidWelds::find_neighbours() {
   for (Weld& weld : welds_) {
     if (weld.source->failure_strain <= 0.0) continue;
     any = true;
-    for (std::size_t i = 0; i < weld.nodes.size(); ++i) wanted[at(weld.nodes[i])] = &weld.around[i];
+    for (std::size_t i = 0; i < weld.nodes.size(); ++i) wanted[weld.nodes[i]] = &weld.around[i];
   }
   if (!any) return;
   for (std::size_t g = 0; g < system_.groups.size(); ++g) {
@@ -41,7 +41,7 @@ void RigidWelds::find_neighbours() {
     for (std::size_t e = 0; e < group.size(); ++e) {
       const auto nodes = group.nodes(e);
       for (int a = 0; a < group.nodes_per_element; ++a)
-        if (auto* list = wanted[at(nodes[at(a)])]) list->push_back({static_cast<int>(g), e});
+        if (auto* list = wanted[nodes[a]]) list->push_back({static_cast<int>(g), e});
     }
   }
 }
@@ -51,11 +51,11 @@ void RigidWelds::refuse_ties_on_failing_welds(Findings& findings) const {
   std::vector<const Weld*> at_node(system_.all_nodes(), nullptr);
   for (const Weld& weld : welds_)
     if (weld.source->can_fail())
-      for (const int n : weld.nodes) at_node[at(n)] = &weld;
+      for (const int n : weld.nodes) at_node[n] = &weld;
   for (std::size_t d = 0; d < system_.nodes; ++d) {
     if (!system_.map.dependent(static_cast<int>(d))) continue;
     for (const auto& term : system_.map.terms(static_cast<int>(d))) {
-      const Weld* weld = at_node[at(term.node)];
+      const Weld* weld = at_node[term.node];
       if (weld == nullptr) continue;
       findings.error(weld->source->place, "",
                      fmt::format("node {} is tied to a sheet at a node of rigid weld {}, which can fail; a tie on such "
@@ -69,7 +69,7 @@ void RigidWelds::refuse_ties_on_failing_welds(Findings& findings) const {
 void RigidWelds::store_loads(const system::State& state) {
   for (Weld& weld : welds_)
     for (std::size_t i = 0; i < weld.nodes.size(); ++i)
-      weld.loads[i] = {vec(state.f[at(weld.nodes[i])]), vec(state.m[at(weld.nodes[i])])};
+      weld.loads[i] = {vec(state.f[weld.nodes[i]]), vec(state.m[weld.nodes[i]])};
 }
 
 weld::RigidWeldLoad RigidWelds::joint_load(const Weld& weld, bool last, const system::State& state) const {
@@ -81,7 +81,7 @@ weld::RigidWeldLoad RigidWelds::joint_load(const Weld& weld, bool last, const sy
 
   const std::size_t i = last ? weld.nodes.size() - 1 : 0, other = weld.nodes.size() - 1 - i;
   const auto k = at(weld.nodes[i]);
-  const Vec3d x = vec(state.x[k]), r = x - vec(state.x[c]), line = vec(state.x[at(weld.nodes[other])]) - x;
+  const Vec3d x = vec(state.x[k]), r = x - vec(state.x[c]), line = vec(state.x[weld.nodes[other]]) - x;
   const Vec3d own = acceleration + cross(alpha, r) + cross(omega, cross(omega, r));
   const Vec3d force = system_.own_mass[k] * own - weld.loads[i].force;
   const Vec3d moment = system_.own_inertia()[k] * alpha - weld.loads[i].moment;
@@ -99,7 +99,7 @@ double RigidWelds::plastic_strain(const Weld& weld, bool last, const system::Sta
   double largest = 0.0;
   const auto find_largest = [&](const std::vector<Neighbour>& around) {
     for (const Neighbour& n : around) {
-      const system::ElementGroup& group = *system_.groups[at(n.group)];
+      const system::ElementGroup& group = *system_.groups[n.group];
       for (int layer = 0; layer < group.layers(); ++layer)
         largest = std::max(largest, group.layer(n.element, layer, state).plastic_strain);
     }
@@ -134,8 +134,7 @@ bool RigidWelds::update(system::State& state) {
 
 /// Releases the first and the last node as asked; all of them where only one would be left, or at the failure time.
 void RigidWelds::release(Weld& weld, bool first, bool last, system::State& state) {
-  const std::size_t n = weld.nodes.size(),
-                    released_count = static_cast<std::size_t>(first) + static_cast<std::size_t>(last);
+  const std::size_t n = weld.nodes.size(), released_count = at(first) + at(last);
   const bool releases_all = n - released_count < 2 || weld.joints[first ? 0 : 1].mode() == weld::FailureMode::time;
   const std::size_t begin = releases_all ? n : first ? 1 : 0, end = !releases_all && last ? n - 1 : n;
   std::vector<int> released,
@@ -188,7 +187,7 @@ const weld::RigidWeldHistory* RigidWelds::history_of_body(model::Index body) con
 
 double RigidWelds::length(std::size_t i, const system::State& state) const {
   const std::vector<model::Index>& nodes = welds_[i].source->nodes;
-  const auto place = [&](model::Index n) { return vec(state.x[at(system_.node_of[at(n)])]); };
+  const auto place = [&](model::Index n) { return vec(state.x[system_.node_of[n]]); };
   return norm(place(nodes.back()) - place(nodes.front()));
 }
 

@@ -32,12 +32,12 @@ Rivets::Rivets(const system::System& system, Findings& findings) : system_(syste
     Rivet rivet{};
     rivet.source = &source;
     for (std::size_t end = 0; end < 2; ++end) {
-      rivet.node[end] = at(system.node_of[at(source.nodes[end])]);
+      rivet.node[end] = at(system.node_of[source.nodes[end]]);
       rivet.mobility[end] = identity;
       const auto refuse = [&](const std::string& why) {
         findings.error(
             source.place, "*CONSTRAINED_RIVET",
-            fmt::format("node {} {}, and a rivet cannot pull it", system.model.nodes.id[at(source.nodes[end])], why),
+            fmt::format("node {} {}, and a rivet cannot pull it", system.model.nodes.id[source.nodes[end]], why),
             "rivet free nodes of sheets");
       };
       if (system.map.dependent(static_cast<int>(rivet.node[end])))
@@ -45,7 +45,7 @@ Rivets::Rivets(const system::System& system, Findings& findings) : system_(syste
       else if (!(system.mass[rivet.node[end]] > 0.0))
         refuse("has no mass");
     }
-    const auto place = [&](std::size_t end) { return system.ties.x[at(source.nodes[end])]; };
+    const auto place = [&](std::size_t end) { return system.ties.x[source.nodes[end]]; };
     rivet.length = norm(place(1) - place(0));
     rivets_.push_back(rivet);
   }
@@ -56,7 +56,7 @@ void Rivets::find_constrained_directions(Findings& findings) {
   const model::Model& model = system_.model;
   const auto refuse = [&](const Rivet& rivet, model::Index node, std::string_view why) {
     findings.error(rivet.source->place, "*CONSTRAINED_RIVET",
-                   fmt::format("node {} {}: not built for a node of a rivet", model.nodes.id[at(node)], why),
+                   fmt::format("node {} {}: not built for a node of a rivet", model.nodes.id[node], why),
                    "rivet other nodes");
   };
   for (Rivet& rivet : rivets_)
@@ -66,7 +66,7 @@ void Rivets::find_constrained_directions(Findings& findings) {
         if (spc.node != node || (spc.fixed & 7u) == 0) continue;
         if (spc.birth > 0.0 || spc.death < model::forever) refuse(rivet, node, "is held for a time");
         const Frame3d axes =
-            spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
+            spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[spc.system].axes;
         const std::array<Vec3d, 3> axis{axes.e1, axes.e2, axes.e3};
         for (unsigned i = 0; i < 3; ++i)
           if (spc.fixed >> i & 1u) remove_direction(rivet.mobility[end], axis[i]);

@@ -46,7 +46,7 @@ double volume(const std::array<Vec3d, 8>& x) {
   constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   double v = 0.0;
   for (const auto& f : faces) {
-    const Vec3d &a = x[at(f[0])], &b = x[at(f[1])], &c = x[at(f[2])], &d = x[at(f[3])];
+    const Vec3d &a = x[f[0]], &b = x[f[1]], &c = x[f[2]], &d = x[f[3]];
     v += dot(0.25 * (a + b + c + d) - x[0], 0.5 * cross(c - a, d - b)) / 3.0;
   }
   return std::abs(v);
@@ -62,7 +62,7 @@ double volume_behind(const model::Model& model, const std::vector<Vec3d>& x, con
     const auto has = [&](model::Index k) { return std::ranges::find(all, k) != all.end(); };
     if (!std::all_of(face.begin(), face.end(), has)) continue;
     std::array<Vec3d, 8> place;
-    for (std::size_t a = 0; a < 8; ++a) place[a] = x[at(n[a])];
+    for (std::size_t a = 0; a < 8; ++a) place[a] = x[n[a]];
     return volume(place);
   }
   return 0.0;
@@ -78,7 +78,7 @@ TieForces::TieForces(const system::System& system) : system_(system) {
     spring.node = s.node;
     spring.anchor = s.anchor;
     spring.rotary = tie.rotations;
-    if (!tie.lever) spring.gap = system.ties.x[at(tie.node)] - tie.point;
+    if (!tie.lever) spring.gap = system.ties.x[tie.node] - tie.point;
     set_stiffness(spring);
     springs_.push_back(spring);
   }
@@ -88,12 +88,12 @@ void TieForces::set_stiffness(Spring& spring) const {
   const model::Model& model = system_.model;
   const weld::Tie& tie = system_.ties.ties[spring.tie];
   const std::vector<Vec3d>& x = system_.ties.x;
-  const auto corner = [&](std::size_t i) { return x[at(tie.segment[i])]; };
+  const auto corner = [&](std::size_t i) { return x[tie.segment[i]]; };
   const Vec3d d1 = corner(2) - corner(0), d2 = corner(3) - corner(1);
   const double area = 0.5 * norm(cross(d1, d2));
   double bulk_modulus = 0.0;
   if (tie.part != model::none) {
-    const model::Material& material = model.materials[at(model.parts[at(tie.part)].material)];
+    const model::Material& material = model.materials[model.parts[tie.part].material];
     bulk_modulus = material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
   }
   const double behind = tie.shell == model::none ? volume_behind(model, x, tie.segment, tie.part) : 0.0;
@@ -102,7 +102,7 @@ void TieForces::set_stiffness(Spring& spring) const {
     diagonal = std::max({norm(d1), norm(d2), norm(corner(1) - corner(0))});
   const double k = behind > 0.0 ? kernel::solid_penalty(bulk_modulus, area, behind)
                                 : kernel::shell_penalty(bulk_modulus, area, diagonal);
-  spring.stiffness = model.contacts[at(tie.contact)].stiffness_scale_a * k;
+  spring.stiffness = model.contacts[tie.contact].stiffness_scale_a * k;
   spring.rotary_stiffness = spring.stiffness * area;
 }
 
@@ -112,18 +112,18 @@ void TieForces::find_bounds() {
   std::vector<int> springs_at(system_.all_nodes(), 0);
   for (const Spring& s : springs_) {
     motion.push_back(relative_motion(system_, s.node, s.anchor));
-    for (const auto& [node, block] : motion.back()) ++springs_at[at(node)];
+    for (const auto& [node, block] : motion.back()) ++springs_at[node];
   }
   const double scale = system_.model.control.step_scale;
   const double stability_limit = std::min(0.5, 3.0 * std::max(1.0 - scale * scale, 0.02));
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     Matrix3 g{}, rotary{};
     for (const auto& [node, block] : motion[i]) {
-      const double share = springs_at[at(node)];
+      const double share = springs_at[node];
       double inverse_mass = 0.0;
       Matrix3 inverse_inertia{};
       if (at(node) < system_.nodes) {
-        const double m = system_.mass[at(node)], j = system_.inertia[at(node)];
+        const double m = system_.mass[node], j = system_.inertia[node];
         if (m > 0.0) inverse_mass = share / m;
         for (std::size_t k = 0; k < 3; ++k)
           if (j > 0.0) inverse_inertia[k][k] = share / j;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "base/index.hpp"
 #include "weld/tie/tie_findings.hpp"
 
 namespace nugget::impact {
@@ -16,7 +15,7 @@ TieReleases::TieReleases(system::System& system, Welds& welds, TieForces& spring
       springs_(springs),
       ended_(system.ties.ties.size(), 0),
       lost_(system.ties.ties.size(), 0) {
-  const auto death = [&](std::size_t t) { return system.model.contacts[at(system.ties.ties[t].contact)].death; };
+  const auto death = [&](std::size_t t) { return system.model.contacts[system.ties.ties[t].contact].death; };
   for (std::size_t t = 0; t < ended_.size(); ++t)
     if (death(t) < model::forever) death_times_.push_back(t);
   std::stable_sort(death_times_.begin(), death_times_.end(),
@@ -28,11 +27,11 @@ bool TieReleases::update(const system::State& state, std::span<const unsigned ch
   if (shells_deleted) release_from_deleted_shells(state, shell_alive);
   while (!death_times_.empty()) {
     const weld::Tie& tie = system_.ties.ties[death_times_.back()];
-    const model::Contact& contact = system_.model.contacts[at(tie.contact)];
+    const model::Contact& contact = system_.model.contacts[tie.contact];
     if (state.time < contact.death) break;
     if (end(death_times_.back()))
       events_.push_back(fmt::format("tie ended  node={} time={:12.5E} cycle={} by DT of {}",
-                                    system_.model.nodes.id[at(tie.node)], state.time, state.cycle,
+                                    system_.model.nodes.id[tie.node], state.time, state.cycle,
                                     weld::name_contact(contact)));
     death_times_.pop_back();
   }
@@ -57,25 +56,25 @@ void TieReleases::release_from_deleted_shells(const system::State& state, std::s
   bool lost = false;
   for (std::size_t t = 0; t < ended_.size(); ++t) {
     const weld::Tie& tie = system_.ties.ties[t];
-    if (tie.shell == model::none || shell_alive[at(tie.shell)] || !end(t)) continue;
+    if (tie.shell == model::none || shell_alive[tie.shell] || !end(t)) continue;
     lost_[t] = 1;
     lost = true;
     events_.push_back(fmt::format("tie ended  node={} time={:12.5E} cycle={} with shell {}",
-                                  system_.model.nodes.id[at(tie.node)], state.time, state.cycle,
-                                  system_.model.shells.id[at(tie.shell)]));
+                                  system_.model.nodes.id[tie.node], state.time, state.cycle,
+                                  system_.model.shells.id[tie.shell]));
   }
   if (lost && system_.model.control.weld_of_deleted_shell == 1) delete_welds_without_sheet(state);
 }
 
 void TieReleases::delete_welds_without_sheet(const system::State& state) {
   std::vector<std::size_t> tie_of(system_.model.nodes.size(), ended_.size());
-  for (std::size_t t = 0; t < ended_.size(); ++t) tie_of[at(system_.ties.ties[t].node)] = t;
+  for (std::size_t t = 0; t < ended_.size(); ++t) tie_of[system_.ties.ties[t].node] = t;
   for (std::size_t i = 0; i < system_.ties.welds.size(); ++i) {
     const weld::Weld& w = system_.ties.welds[i];
     const auto without = [&](model::Index sheet) {
       int ties = 0, lost = 0;
       for (const weld::Projection& p : w.ends) {
-        const std::size_t t = tie_of[at(p.node)];
+        const std::size_t t = tie_of[p.node];
         if (t == ended_.size() || system_.ties.ties[t].part != sheet) continue;
         ++ties;
         lost += lost_[t];

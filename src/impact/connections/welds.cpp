@@ -26,13 +26,13 @@ std::array<double, 8> corner_jacobians(const std::array<Vec3d, 8>& x) {
 
 Welds::Bricks::Bricks(const system::System& system, const weld::Weld& weld) : section(weld, system.ties.x) {
   const std::vector<model::Index>& at_ends = section.nodes();
-  for (model::Index n : at_ends) nodes.push_back(system.node_of[at(n)]);
+  for (model::Index n : at_ends) nodes.push_back(system.node_of[n]);
   for (model::Index e : weld.elements) {
     const system::System::ElementLocation location = system.location_of(weld, e);
-    const system::ElementNodes of_brick = system.groups[at(location.group)]->nodes(at(location.element));
+    const system::ElementNodes of_brick = system.groups[location.group]->nodes(at(location.element));
     std::array<Vec3d, 8> place;
     for (std::size_t a = 0; a < 8; ++a) {
-      place[a] = system.ties.x[at(system.model_node[at(of_brick[a])])];
+      place[a] = system.ties.x[system.model_node[of_brick[a]]];
       const auto n = std::find(nodes.begin(), nodes.end(), of_brick[a]);
       if (n != nodes.end())
         corners.push_back({location, static_cast<int>(a), static_cast<std::size_t>(n - nodes.begin())});
@@ -47,9 +47,9 @@ Welds::Bricks::Bricks(const system::System& system, const weld::Weld& weld) : se
 double Welds::Bricks::least_jacobian(const system::System& system, const system::State& state) const {
   double least = 1.0;
   for (std::size_t b = 0; b < locations.size(); ++b) {
-    const system::ElementNodes node = system.groups[at(locations[b].group)]->nodes(at(locations[b].element));
+    const system::ElementNodes node = system.groups[locations[b].group]->nodes(at(locations[b].element));
     std::array<Vec3d, 8> place;
-    for (std::size_t a = 0; a < 8; ++a) place[a] = vec(state.x[at(node[a])]);
+    for (std::size_t a = 0; a < 8; ++a) place[a] = vec(state.x[node[a]]);
     const std::array<double, 8> now = corner_jacobians(place);
     // Corners of wedges that were flat from the start say nothing.
     for (std::size_t a = 0; a < 8; ++a)
@@ -59,7 +59,7 @@ double Welds::Bricks::least_jacobian(const system::System& system, const system:
 }
 
 void Welds::Bricks::gather(const system::System& system, const system::State& state) {
-  for (std::size_t i = 0; i < nodes.size(); ++i) x[i] = vec(state.x[at(nodes[i])]);
+  for (std::size_t i = 0; i < nodes.size(); ++i) x[i] = vec(state.x[nodes[i]]);
   std::fill(force.begin(), force.end(), Vec3d{});
   for (const Corner& c : corners) force[c.node] += system.nodal_force(c.location, c.corner);
 }
@@ -69,8 +69,8 @@ Welds::Welds(system::System& system, Findings& findings) : system_(system) {
     histories_.emplace_back();
     bricks_.emplace_back();
     if (w.kind == weld::Weld::Kind::rigid || w.kind == weld::Weld::Kind::connector || w.deleted) continue;
-    const model::Material& material = system.model.materials[at(system.model.parts[at(w.part)].material)];
-    const model::WeldLaw& law = system.model.weld_laws[at(material.weld)];
+    const model::Material& material = system.model.materials[system.model.parts[w.part].material];
+    const model::WeldLaw& law = system.model.weld_laws[material.weld];
     histories_.back() = std::make_unique<weld::History>(
         law,
         weld::failure::make_function(system.model, law, weld::failure::geometry_of(system.model, w), w.place, findings),
@@ -104,7 +104,7 @@ void Welds::each_element(std::size_t i, const With& with) const {
   const weld::Weld& w = system_.ties.welds[i];
   for (model::Index e : w.elements) {
     const system::System::ElementLocation location = system_.location_of(w, e);
-    with(*system_.groups[at(location.group)], at(location.element));
+    with(*system_.groups[location.group], at(location.element));
   }
 }
 
@@ -145,8 +145,8 @@ weld::FailureMode Welds::element_failure_mode(std::size_t i, const system::State
   // ASFF = 1: the first brick to fail takes its assembly with it.
   if (active == 0 || (law.damage.whole && active < count)) {
     // What erosion took (ERODE, PSFAIL) has not reached the strain at which its points fail or their damage begins.
-    const model::Part& part = system_.model.parts[at(system_.ties.welds[i].part)];
-    const auto* points = std::get_if<kernel::Spotweld>(&system_.model.materials[at(part.material)].law);
+    const model::Part& part = system_.model.parts[system_.ties.welds[i].part];
+    const auto* points = std::get_if<kernel::Spotweld>(&system_.model.materials[part.material].law);
     bool strained = points == nullptr;
     each_element(i, [&](const system::ElementGroup& group, std::size_t e) {
       for (int k = 0; points != nullptr && k < group.layers(); ++k)
@@ -171,7 +171,7 @@ weld::Resultants Welds::resultants(std::size_t i, const system::State& state) {
   }
   const weld::Weld& w = system_.ties.welds[i];
   const system::System::ElementLocation location = system_.location_of(w, w.element);
-  const std::array<double, 8> r = system_.groups[at(location.group)]->resultants(at(location.element));
+  const std::array<double, 8> r = system_.groups[location.group]->resultants(at(location.element));
   return {r[0], r[1], r[2], r[3], r[4], r[5]};
 }
 
@@ -182,12 +182,12 @@ const weld::BrickSection::Load* Welds::brick_load(std::size_t i) const {
 double Welds::length(std::size_t i, const system::State& state) const {
   if (const Bricks* bricks = bricks_[i].get()) {
     std::vector<Vec3d> x;
-    for (int n : bricks->nodes) x.push_back(vec(state.x[at(n)]));
+    for (int n : bricks->nodes) x.push_back(vec(state.x[n]));
     return bricks->section.shape(x).length;
   }
   const weld::Weld& w = system_.ties.welds[i];
   const system::System::ElementLocation location = system_.location_of(w, w.element);
-  return system_.groups[at(location.group)]->thickness(at(location.element));
+  return system_.groups[location.group]->thickness(at(location.element));
 }
 
 void Welds::remove(std::size_t i) {

@@ -24,12 +24,12 @@ constexpr unsigned tracked = 1, reference = 2;  // bits of contact::Segment::sid
 constexpr int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
 double volume(const std::array<model::Index, 8>& n, const std::vector<Vec3d>& x) {
-  if (n[3] == n[4]) return std::abs(kernel::tetrahedron_volume({x[at(n[0])], x[at(n[1])], x[at(n[2])], x[at(n[3])]}));
+  if (n[3] == n[4]) return std::abs(kernel::tetrahedron_volume({x[n[0]], x[n[1]], x[n[2]], x[n[3]]}));
   Vec3d middle{};
-  for (model::Index k : n) middle += 0.125 * x[at(k)];
+  for (model::Index k : n) middle += 0.125 * x[k];
   double v = 0.0;
   for (const auto& f : faces) {
-    const Vec3d a = x[at(n[at(f[0])])], b = x[at(n[at(f[1])])], c = x[at(n[at(f[2])])], d = x[at(n[at(f[3])])];
+    const Vec3d a = x[n[f[0]]], b = x[n[f[1]]], c = x[n[f[2]]], d = x[n[f[3]]];
     v += dot(0.25 * (a + b + c + d) - middle, 0.5 * cross(c - a, d - b)) / 3.0;
   }
   return std::abs(v);
@@ -65,7 +65,7 @@ std::vector<char> shells_near_welds(const system::System& system) {
   std::vector<Box> centres(model.shells.size());
   for (std::size_t e = 0; e < model.shells.size(); ++e) {
     Vec3d centre{};
-    for (model::Index n : model.shells.node[e]) centre += 0.25 * system.ties.x[at(n)];
+    for (model::Index n : model.shells.node[e]) centre += 0.25 * system.ties.x[n];
     centres[e].add(centre);
   }
   const BoxTree tree(centres);
@@ -73,11 +73,11 @@ std::vector<char> shells_near_welds(const system::System& system) {
     const double radius = 0.5 * w.diameter * model.control.weld_thinning_radius;
     for (const weld::Projection& p : w.ends) {
       if (!p.tied || p.projection_case == 0 || p.tie.shell == model::none) continue;
-      near[at(p.tie.shell)] = 1;
+      near[p.tie.shell] = 1;
       if (radius <= 0.0) continue;
       const Vec3d& x = p.tie.point;
       tree.overlapping(Box{x, x}.grown(radius), [&](int e) {
-        if (model.shells.part[at(e)] == p.tie.part && norm(centres[at(e)].low - x) <= radius) near[at(e)] = 1;
+        if (model.shells.part[e] == p.tie.part && norm(centres[e].low - x) <= radius) near[e] = 1;
       });
     }
   }
@@ -93,14 +93,14 @@ class Surfaces {
   void add(const model::Surface& surface, unsigned side) {
     surface_ = &surface;
     std::vector<bool> in(model_.parts.size(), surface.everything);
-    for (model::Index p : surface.parts) in[at(p)] = true;
+    for (model::Index p : surface.parts) in[p] = true;
     for (std::size_t p = 0; p < in.size(); ++p)
       if (weld::of_weld_material(model_, static_cast<model::Index>(p))) in[p] = false;
     std::map<Key, bool> wanted;
     for (const model::Segment& s : surface.segments) wanted.emplace(key_of(s), false);
     for (std::size_t e = 0; e < model_.shells.size(); ++e) {
       const auto found = wanted.find(key_of(model_.shells.node[e]));
-      if ((in[at(model_.shells.part[e])] || found != wanted.end()) && in_box(model_.shells.node[e])) add_shell(e, side);
+      if ((in[model_.shells.part[e]] || found != wanted.end()) && in_box(model_.shells.node[e])) add_shell(e, side);
       if (found != wanted.end()) found->second = true;
     }
     add_faces(in, wanted, side);
@@ -111,18 +111,18 @@ class Surfaces {
  private:
   bool in_box(const Key& nodes) const {
     return std::all_of(nodes.begin(), nodes.end(),
-                       [this](model::Index n) { return surface_->holds(system_.ties.x[at(n)]); });
+                       [this](model::Index n) { return surface_->holds(system_.ties.x[n]); });
   }
 
   /// 0 of a rigid part that is held.
   double density(const model::Part& part) const {
     const bool held = part.rigid_body != model::none && is_fully_prescribed(model_, part.rigid_body);
-    return held ? 0.0 : model_.materials[at(part.material)].density;
+    return held ? 0.0 : model_.materials[part.material].density;
   }
 
   double area(const Key& nodes) const {
     const auto& x = system_.ties.x;
-    return 0.5 * norm(cross(x[at(nodes[2])] - x[at(nodes[0])], x[at(nodes[3])] - x[at(nodes[1])]));
+    return 0.5 * norm(cross(x[nodes[2]] - x[nodes[0]], x[nodes[3]] - x[nodes[1]]));
   }
 
   double stiffness_scale(unsigned side) const {
@@ -136,15 +136,15 @@ class Surfaces {
   }
 
   void add_shell(std::size_t e, unsigned side) {
-    const model::Part& part = model_.parts[at(model_.shells.part[e])];
+    const model::Part& part = model_.parts[model_.shells.part[e]];
     contact::Segment s;
-    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(model_.shells.node[e][a])];
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[model_.shells.node[e][a]];
     s.thickness = contact_thickness(card_, part, model_.shells.thickness[e], side == tracked);
     if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
     s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
     s.mass = density(part) * area(model_.shells.node[e]) * model_.shells.thickness[e];
-    s.kind = rough_.of_part[at(model_.shells.part[e])];
+    s.kind = rough_.of_part[model_.shells.part[e]];
     s.element = static_cast<int>(e);
     add_segment(key_of(model_.shells.node[e]), s, side);
   }
@@ -160,13 +160,13 @@ class Surfaces {
     std::map<Key, std::vector<Face>> found;
     for (std::size_t e = 0; e < model_.solids.size(); ++e) {
       // The sheets touch, not the adhesive between them.
-      if (model::bond_of(model_, model_.parts[at(model_.solids.part[e])])) continue;
+      if (model::bond_of(model_, model_.parts[model_.solids.part[e]])) continue;
       for (const model::Segment& node : model::faces_of(model_.solids, e)) {
         const Key key = key_of(node);
         const auto set = wanted.find(key);
         const bool listed = set != wanted.end() && !set->second;
         if (!in_box(node)) continue;
-        if (in[at(model_.solids.part[e])] || listed) found[key].push_back({node, e, listed});
+        if (in[model_.solids.part[e]] || listed) found[key].push_back({node, e, listed});
       }
     }
     for (const auto& [key, of] : found) {
@@ -179,11 +179,11 @@ class Surfaces {
 
   contact::Segment face(const Key& node, std::size_t solid, unsigned side) const {
     contact::Segment s;
-    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[at(node[a])];
-    const model::Part& part = model_.parts[at(model_.solids.part[solid])];
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[node[a]];
+    const model::Part& part = model_.parts[model_.solids.part[solid]];
     s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
-    s.kind = rough_.of_part[at(model_.solids.part[solid])];
+    s.kind = rough_.of_part[model_.solids.part[solid]];
     // Each of the four triangles of a six-node face has its share of the solid behind it.
     s.volume = volume(model_.solids.node[solid], system_.ties.x) * (model_.solids.quadratic(solid) ? 0.25 : 1.0);
     s.mass = 0.5 * density(part) * s.volume;
@@ -226,8 +226,8 @@ std::vector<int> kind_of_nodes(const system::System& system, const FrictionKinds
     for (std::size_t n = 0; n < kinds.size(); ++n) taken[n] = !kinds[n].empty();
     for (std::size_t e = 0; e < elements.size(); ++e)
       for (std::size_t a = 0; a < corners; ++a)
-        if (const std::size_t n = at(system.node_of[at(elements.node[e][a])]); !taken[n])
-          kinds[n].push_back(rough.of_part[at(elements.part[e])]);
+        if (const std::size_t n = at(system.node_of[elements.node[e][a]]); !taken[n])
+          kinds[n].push_back(rough.of_part[elements.part[e]]);
   };
   add_elements(model.shells, 4);
   add_elements(model.solids, 8);
@@ -247,19 +247,19 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
   std::vector<double> sum(model.nodes.size(), 0.0);
   std::vector<int> count(model.nodes.size(), 0);
   for (std::size_t e = 0; e < model.shells.size(); ++e) {
-    const model::Part& part = model.parts[at(model.shells.part[e])];
+    const model::Part& part = model.parts[model.shells.part[e]];
     const double own = contact_thickness(card, part, model.shells.thickness[e], true);
     for (int a = 0; a < (model.shells.triangle(e) ? 3 : 4); ++a) {
-      sum[at(model.shells.node[e][at(a)])] += thinned[e] ? own * model.control.weld_thinning : own;
-      ++count[at(model.shells.node[e][at(a)])];
+      sum[model.shells.node[e][a]] += thinned[e] ? own * model.control.weld_thinning : own;
+      ++count[model.shells.node[e][a]];
     }
   }
   std::vector<contact::TrackedNode> nodes;
   for (model::Index n : card.a.nodes) {
-    if (!card.a.holds(system.ties.x[at(n)])) continue;
-    const double thickness = count[at(n)] > 0 ? sum[at(n)] / count[at(n)] : contact_thickness(card, {}, 0.0, true);
-    const int node = system.node_of[at(n)];
-    nodes.push_back({node, thickness, reference, false, kind[at(node)]});
+    if (!card.a.holds(system.ties.x[n])) continue;
+    const double thickness = count[n] > 0 ? sum[n] / count[n] : contact_thickness(card, {}, 0.0, true);
+    const int node = system.node_of[n];
+    nodes.push_back({node, thickness, reference, false, kind[node]});
   }
   return nodes;
 }
@@ -269,11 +269,11 @@ std::vector<contact::Segment> faces_at_listed_nodes(const system::System& system
                                                     const FrictionKinds& rough) {
   const model::Model& model = system.model;
   std::vector<char> listed(model.nodes.size(), 0), in(model.parts.size(), 0);
-  for (model::Index n : card.a.nodes) listed[at(n)] = 1;
-  const auto is_listed = [&](model::Index n) { return listed[at(n)] != 0; };
+  for (model::Index n : card.a.nodes) listed[n] = 1;
+  const auto is_listed = [&](model::Index n) { return listed[n] != 0; };
   const auto mark_nodes_of = [&](const auto& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e)
-      if (std::any_of(elements.node[e].begin(), elements.node[e].end(), is_listed)) in[at(elements.part[e])] = 1;
+      if (std::any_of(elements.node[e].begin(), elements.node[e].end(), is_listed)) in[elements.part[e]] = 1;
   };
   mark_nodes_of(model.shells);
   mark_nodes_of(model.solids);
@@ -284,9 +284,9 @@ std::vector<contact::Segment> faces_at_listed_nodes(const system::System& system
   surfaces.add(around, tracked);
   std::vector<contact::Segment> shown = surfaces.take();
   std::vector<char> of_system(system.all_nodes(), 0);
-  for (model::Index n : card.a.nodes) of_system[at(system.node_of[at(n)])] = 1;
+  for (model::Index n : card.a.nodes) of_system[system.node_of[n]] = 1;
   std::erase_if(shown, [&](const contact::Segment& s) {
-    return std::none_of(s.node.begin(), s.node.end(), [&](int n) { return of_system[at(n)] != 0; });
+    return std::none_of(s.node.begin(), s.node.end(), [&](int n) { return of_system[n] != 0; });
   });
   return shown;
 }
@@ -306,9 +306,9 @@ void keep_nodes_of_deleted_elements(const system::System& system, std::vector<co
   const model::Model& model = system.model;
   std::vector<char> of_shell(system.all_nodes(), 0);
   for (const auto& shell : model.shells.node)
-    for (model::Index n : shell) of_shell[at(system.node_of[at(n)])] = 1;
+    for (model::Index n : shell) of_shell[system.node_of[n]] = 1;
   const int keep = model.control.keep_nodes_of_deleted;
-  for (contact::TrackedNode& n : nodes) n.stays_active = keep == 2 || (keep == 1 && !of_shell[at(n.node)]);
+  for (contact::TrackedNode& n : nodes) n.stays_active = keep == 2 || (keep == 1 && !of_shell[n.node]);
 }
 
 /// Both sides' nodes in one list, by node; one on both sides is against both.
@@ -331,28 +331,28 @@ std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, cons
   const model::Model& model = system.model;
   std::vector<const model::InteriorPart*> in(model.parts.size(), nullptr);
   for (const model::InteriorPart& p : contact.parts)
-    if (model.parts[at(p.part)].rigid_body == model::none && !weld::of_weld_material(model, p.part) &&
-        !model::bond_of(model, model.parts[at(p.part)]))
-      in[at(p.part)] = &p;
+    if (model.parts[p.part].rigid_body == model::none && !weld::of_weld_material(model, p.part) &&
+        !model::bond_of(model, model.parts[p.part]))
+      in[p.part] = &p;
   std::vector<contact::SqueezedBrick> bricks;
   for (std::size_t e = 0; e < model.solids.size(); ++e) {
-    const model::Part& part = model.parts[at(model.solids.part[e])];
-    const model::InteriorPart* attributes = in[at(model.solids.part[e])];
+    const model::Part& part = model.parts[model.solids.part[e]];
+    const model::InteriorPart* attributes = in[model.solids.part[e]];
     if (!attributes) continue;
     contact::SqueezedBrick brick;
-    for (std::size_t a = 0; a < 8; ++a) brick.node[a] = system.node_of[at(model.solids.node[e][a])];
+    for (std::size_t a = 0; a < 8; ++a) brick.node[a] = system.node_of[model.solids.node[e][a]];
     brick.element = ElementAlive::place(model, model::ElementKind::solid, static_cast<model::Index>(e));
     brick.activation = attributes->activation;
     brick.modulus = attributes->modulus > 0.0
                         ? attributes->modulus
-                        : model.control.penalty_scale * attributes->scale * model.materials[at(part.material)].young();
+                        : model.control.penalty_scale * attributes->scale * model.materials[part.material].young();
     bricks.push_back(brick);
   }
   return bricks;
 }
 
 bool is_fully_prescribed(const model::Model& model, model::Index rigid_body) {
-  const model::RigidBody& body = model.rigid_bodies[at(rigid_body)];
+  const model::RigidBody& body = model.rigid_bodies[rigid_body];
   std::array<Directions, 2> held;  // of translations, of rotations
   const Frame3d& axes = body.fixed_axes;
   const std::array<Vec3d, 3> own{axes.e1, axes.e2, axes.e3};
@@ -360,7 +360,7 @@ bool is_fully_prescribed(const model::Model& model, model::Index rigid_body) {
     if (body.fixed >> i & 1u) held[i / 3].add(own[i % 3]);
   for (const model::PrescribedMotion& motion : model.motions) {
     const bool for_good =
-        motion.birth <= 0.0 && motion.death >= model.control.end_time && model.curves[at(motion.curve)].in_run;
+        motion.birth <= 0.0 && motion.death >= model.control.end_time && model.curves[motion.curve].in_run;
     if (motion.rigid_body != rigid_body || !for_good) continue;
     Directions& driven = held[motion.rotation ? 1 : 0];
     driven.add(motion.direction);
@@ -378,7 +378,7 @@ double contact_thickness(const model::Contact& contact, const model::Part& part,
 }
 
 double bulk_modulus(const model::Model& model, const model::Part& part) {
-  const model::Material& material = model.materials[at(part.material)];
+  const model::Material& material = model.materials[part.material];
   return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
 }
 

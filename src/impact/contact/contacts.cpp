@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "base/index.hpp"
 #include "impact/contact/contact_setup.hpp"
 #include "impact/contact/edge_setup.hpp"
 #include "impact/contact/initial_penetrations.hpp"

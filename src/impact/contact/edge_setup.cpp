@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "impact/contact/contact_setup.hpp"
 #include "impact/contact/element_alive.hpp"
 #include "impact/contact/friction_kinds.hpp"
@@ -22,9 +21,9 @@ double bar_diameter(const model::SectionBeam& section) {
 }
 
 bool is_a_bar(const model::Model& model, std::size_t beam, bool with_welds) {
-  const model::Part& part = model.parts[at(model.beams.part[beam])];
+  const model::Part& part = model.parts[model.beams.part[beam]];
   if (weld::of_weld_material(model, model.beams.part[beam])) return with_welds;
-  const int elform = model.beam_sections[at(part.section)].elform;
+  const int elform = model.beam_sections[part.section].elform;
   return elform != 6 && elform != 9;
 }
 
@@ -33,24 +32,24 @@ bool is_a_bar(const model::Model& model, std::size_t beam, bool with_welds) {
 std::vector<contact::Edge> bars(const system::System& system, const model::Contact& card, bool with_welds) {
   const model::Model& model = system.model;
   std::vector<char> in(model.parts.size(), card.a.everything ? 1 : 0);
-  for (model::Index p : card.a.parts) in[at(p)] = 1;
+  for (model::Index p : card.a.parts) in[p] = 1;
   const FrictionKinds rough(model, card);
   std::vector<contact::Edge> edges;
   for (std::size_t b = 0; b < model.beams.size(); ++b) {
-    const model::Part& part = model.parts[at(model.beams.part[b])];
-    if (!in[at(model.beams.part[b])] || !is_a_bar(model, b, with_welds)) continue;
+    const model::Part& part = model.parts[model.beams.part[b]];
+    if (!in[model.beams.part[b]] || !is_a_bar(model, b, with_welds)) continue;
     contact::Edge edge;
-    for (std::size_t end = 0; end < 2; ++end) edge.node[end] = system.node_of[at(model.beams.node[b][end])];
-    const double own = bar_diameter(model.beam_sections[at(part.section)]);
+    for (std::size_t end = 0; end < 2; ++end) edge.node[end] = system.node_of[model.beams.node[b][end]];
+    const double own = bar_diameter(model.beam_sections[part.section]);
     edge.thickness = contact_thickness(card, part, own, true);
-    const double length = norm(system.ties.x[at(model.beams.node[b][1])] - system.ties.x[at(model.beams.node[b][0])]);
+    const double length = norm(system.ties.x[model.beams.node[b][1]] - system.ties.x[model.beams.node[b][0]]);
     // As a shell as wide as the bar is thick.
     edge.stiffness = card.stiffness_scale_a *
                      kernel::shell_penalty(bulk_modulus(model, part), own * length, std::hypot(own, length));
-    edge.mass = model.materials[at(part.material)].density * 0.25 * std::numbers::pi * own * own * length;
+    edge.mass = model.materials[part.material].density * 0.25 * std::numbers::pi * own * own * length;
     edge.scale = card.stiffness_scale_a * part.stiffness_scale;
     edge.elements = {ElementAlive::place(model, model::ElementKind::beam, static_cast<model::Index>(b))};
-    edge.kind = rough.of_part[at(model.beams.part[b])];
+    edge.kind = rough.of_part[model.beams.part[b]];
     if (card.parts_apart) edge.part = model.beams.part[b];
     edges.push_back(std::move(edge));
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/contact/element_alive.hpp"
 
-#include "base/index.hpp"
-
 namespace nugget::impact {
 
 ElementAlive::ElementAlive(const model::Model& model)
@@ -28,7 +26,7 @@ ElementAlive::Deletions ElementAlive::update(const system::System& system) {
   for (const auto& group : system.groups) {
     if (group->kind == model::ElementKind::discrete) continue;  // springs are on no surface
     for (std::size_t e = 0; e < group->size(); ++e)
-      if (!group->alive(e)) alive_[at(place(system.model, group->kind, group->element[e]))] = 0;
+      if (!group->alive(e)) alive_[place(system.model, group->kind, group->element[e])] = 0;
   }
   return news;
 }

@@ -62,17 +62,17 @@ FrictionKinds::FrictionKinds(const model::Model& model, const model::Contact& ca
     return;
   }
   // Parts on the same sides of the same pairs have the same friction.
-  const model::PartFriction& given = model.part_friction[at(card.friction_table)];
+  const model::PartFriction& given = model.part_friction[card.friction_table];
   std::vector<std::vector<std::size_t>> sides(model.parts.size());
   for (std::size_t i = 0; i < given.pairs.size(); ++i) {
-    for (const model::Index p : given.pairs[i].one) sides[at(p)].push_back(2 * i);
-    for (const model::Index p : given.pairs[i].other) sides[at(p)].push_back(2 * i + 1);
+    for (const model::Index p : given.pairs[i].one) sides[p].push_back(2 * i);
+    for (const model::Index p : given.pairs[i].other) sides[p].push_back(2 * i + 1);
   }
   const std::size_t count = sort_into_kinds(sides, of_part).size();
   std::vector<Friction> of_pairs(count * count, scaled(given.otherwise, card.friction));
   const auto kinds_of = [&](const std::vector<model::Index>& parts) {
     std::vector<std::size_t> kinds;
-    for (const model::Index p : parts) kinds.push_back(static_cast<std::size_t>(of_part[at(p)]));
+    for (const model::Index p : parts) kinds.push_back(at(of_part[p]));
     std::sort(kinds.begin(), kinds.end());
     kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
     return kinds;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
-
 namespace nugget::impact {
 namespace {
 
@@ -15,12 +13,12 @@ constexpr std::size_t proposals = 5;  // with IGNORE = 2: coordinates of the dee
 
 std::string element_name(const model::Model& model, const contact::Segment& segment) {
   const auto shells = static_cast<int>(model.shells.size());
-  if (segment.element < shells) return fmt::format("shell {}", model.shells.id[at(segment.element)]);
-  return fmt::format("solid {}", model.solids.id[at(segment.element - shells)]);
+  if (segment.element < shells) return fmt::format("shell {}", model.shells.id[segment.element]);
+  return fmt::format("solid {}", model.solids.id[segment.element - shells]);
 }
 
 std::string proposal(const system::System& system, const contact::Penetration& p, std::span<const Row> x) {
-  const Vec3d out = vec(x[at(p.node)]) + p.depth * p.direction;
+  const Vec3d out = vec(x[p.node]) + p.depth * p.direction;
   return fmt::format("node {} to ({:.6g}, {:.6g}, {:.6g})", system.node_id(p.node), out.x, out.y, out.z);
 }
 
@@ -32,7 +30,7 @@ void treat_initial_penetrations(const system::System& system, const model::Conta
       card.ignore == 0 ? contact::remove_penetrations(setup, x) : contact::find_penetrations(setup, x);
   // What round-off makes of sheets or bricks that just touch is none.
   std::erase_if(found, [&setup](const contact::Penetration& p) {
-    const contact::Segment& s = setup.segments[at(p.segment)];
+    const contact::Segment& s = setup.segments[p.segment];
     return p.depth <= 1e-6 * (s.volume > 0.0 ? std::cbrt(s.volume) : s.thickness);
   });
   if (found.empty()) return;
@@ -45,7 +43,7 @@ void treat_initial_penetrations(const system::System& system, const model::Conta
   const std::string what = fmt::format(
       "{} nodes stand in the thickness of a sheet or in a brick at the start; the deepest is node {}, "
       "{:.4g} deep in {}",
-      count, system.node_id(worst.node), worst.depth, element_name(system.model, setup.segments[at(worst.segment)]));
+      count, system.node_id(worst.node), worst.depth, element_name(system.model, setup.segments[worst.segment]));
   const std::string keyword = '*' + card.keyword;
   if (card.ignore == 0)
     return findings.warning(card.place, keyword, what + "; they were moved out (IGNORE = 0)",

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "base/index.hpp"
-
 namespace nugget::impact {
 namespace {
 
@@ -31,9 +29,9 @@ Walls::Walls(const system::System& system, Findings& findings) {
   const model::Model& model = system.model;
   for (const model::RigidWall& wall : model.walls) {
     std::vector<int> nodes;
-    for (model::Index n : wall.nodes) nodes.push_back(system.node_of[at(n)]);
+    for (model::Index n : wall.nodes) nodes.push_back(system.node_of[n]);
     report_constrained_nodes(wall, nodes, system, findings);
-    const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[at(wall.motion_curve)];
+    const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[wall.motion_curve];
     std::optional<contact::WallPenalty> bodies;
     if (const double scale = model.control.wall_penalty; scale > 0.0) bodies.emplace(system, wall, nodes, scale);
     if (bodies && !bodies->empty() && wall.friction >= 2.0)
@@ -55,7 +53,7 @@ void Walls::constrain(const system::System& system, system::State& state, std::s
     // The step at the end of the run is not taken, but the wall's force then is that of half of it. A motion whose
     // curve ends there continues as in the step before.
     if (card.motion_curve != model::none && model.control.end_time > 0.0 && time >= model.control.end_time &&
-        std::abs(model.curves[at(card.motion_curve)].x.back() + card.birth - time) <= 1e-6 * state.dt)
+        std::abs(model.curves[card.motion_curve].x.back() + card.birth - time) <= 1e-6 * state.dt)
       time -= state.dt;
     walls_[w].constrain(time, state.dt, state.dt_previous, state.x, state.v, state.f, system.mass, dependent);
     power_on_change += walls_[w].power_on_change();

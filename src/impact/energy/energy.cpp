@@ -26,7 +26,7 @@ Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
 double turning(const system::RigidBody& body, const system::State& state, const Vec3d& w, const Vec3d& momentum,
                double share) {
   return 0.25 * (dot(w, between(momentum, body.angular_momentum, share)) +
-                 dot(momentum, between(w, vec(state.w[at(body.node)]), share)));
+                 dot(momentum, between(w, vec(state.w[body.node]), share)));
 }
 
 /// Kinetic energy and momentum of mass and rotary inertia put at one node, by unit of each.
@@ -49,9 +49,9 @@ struct Carrier {
   Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w)
       : system(s), state(now), v_before(v), w_before(w), share(share_of_interval(now)), weightless(s.all_nodes(), 0) {
     for (const system::RigidBody& body : s.bodies) {
-      const model::RigidBody& source = s.model.rigid_bodies[at(body.source)];
+      const model::RigidBody& source = s.model.rigid_bodies[body.source];
       if (!source.given) continue;
-      for (const model::Index n : source.nodes) weightless[at(s.node_of[at(n)])] = 1;
+      for (const model::Index n : source.nodes) weightless[s.node_of[n]] = 1;
     }
     carried.resize(s.all_nodes());
     parallel_for(carried.size(), sums_of, [this](std::size_t begin, std::size_t end) {
@@ -73,11 +73,11 @@ struct Carrier {
     for (const auto& group : system.groups)
       for (std::size_t e = 0; e < group->size(); ++e)
         if (group->alive(e))
-          for (const int node : group->nodes(e)) has_no_elements[at(node)] = 0;
+          for (const int node : group->nodes(e)) has_no_elements[node] = 0;
     for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
-      for (int a = 0; a < mass_only.corners; ++a) has_no_elements[at(mass_only.node[at(a)])] = 0;
-    for (const model::PointMass& m : system.model.masses) has_no_elements[at(system.node_of[at(m.node)])] = 0;
-    for (const model::PointInertia& p : system.model.inertias) has_no_elements[at(system.node_of[at(p.node)])] = 0;
+      for (int a = 0; a < mass_only.corners; ++a) has_no_elements[mass_only.node[a]] = 0;
+    for (const model::PointMass& m : system.model.masses) has_no_elements[system.node_of[m.node]] = 0;
+    for (const model::PointInertia& p : system.model.inertias) has_no_elements[system.node_of[p.node]] = 0;
     for (std::size_t k = 0; k < has_no_elements.size(); ++k)
       if (system.map.dependent(static_cast<int>(k))) has_no_elements[k] = 0;
   }
@@ -108,8 +108,8 @@ struct Carrier {
   }
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {
-    const Carried& by = carried[at(node)];
-    (has_no_elements.empty() || !has_no_elements[at(node)] ? part.kinetic : part.eroded_kinetic) +=
+    const Carried& by = carried[node];
+    (has_no_elements.empty() || !has_no_elements[node] ? part.kinetic : part.eroded_kinetic) +=
         m * by.by_mass + inertia * by.by_inertia;
     part.momentum += m * by.momentum;
     part.mass += m * by.mass;
@@ -128,18 +128,17 @@ struct Carrier {
       }
       const auto nodes = group.nodes(e);
       const double scale = group.mass_scale(e), inertia = scale * group.nodal_inertia(e);
-      for (int a = 0; a < group.nodes_per_element; ++a)
-        carry(part, nodes[at(a)], scale * group.nodal_mass(e, a), inertia);
+      for (int a = 0; a < group.nodes_per_element; ++a) carry(part, nodes[a], scale * group.nodal_mass(e, a), inertia);
     }
     return part;
   }
 
   /// Of a node the mean of the tensor counts, of a body's node all of it.
   void carry(PartEnergy& part, const model::PointInertia& point) const {
-    const int node = system.node_of[at(point.node)];
+    const int node = system.node_of[point.node];
     const double mean = (point.inertia[0] + point.inertia[3] + point.inertia[5]) / 3.0;
     carry(part, node, point.mass, mean);
-    if (weightless[at(node)] || !system.map.dependent(node)) return;
+    if (weightless[node] || !system.map.dependent(node)) return;
     const auto body = at(system.map.terms(node).front().node);
     if (body < system.nodes) return;
     system::Inertia tensor = point.inertia;
@@ -188,7 +187,7 @@ double kinetic_energy(const system::System& system, const system::State& state, 
   });
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const system::RigidBody& body = system.bodies[b];
-    const auto k = static_cast<std::size_t>(body.node);
+    const auto k = at(body.node);
     const Vec3d v = vec(v_before[k]);
     sum += 0.5 * body.mass * dot(v, between(v, vec(state.v[k]), share)) +
            turning(body, state, vec(w_before[k]), momentum_before[b], share);
@@ -205,12 +204,12 @@ void element_energies(const system::System& system, const system::State& state, 
   const Carrier carrier(system, state, v_before, w_before);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const system::RigidBody& body = system.bodies[b];
-    const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
+    const model::RigidBody& source = system.model.rigid_bodies[body.source];
     if (!source.given) continue;
-    const Vec3d v = vec(v_before[at(body.node)]), after = vec(state.v[at(body.node)]);
+    const Vec3d v = vec(v_before[body.node]), after = vec(state.v[body.node]);
     const double kinetic = 0.5 * body.mass * dot(v, between(v, after, carrier.share)) +
-                           turning(body, state, vec(w_before[at(body.node)]), momentum_before[b], carrier.share);
-    PartEnergy& part = source.parts.empty() ? energy.lumped : parts[at(source.parts.front())];
+                           turning(body, state, vec(w_before[body.node]), momentum_before[b], carrier.share);
+    PartEnergy& part = source.parts.empty() ? energy.lumped : parts[source.parts.front()];
     part.kinetic += kinetic;
     part.mass += body.mass;
     part.momentum += body.mass * between(v, after, 0.5 * carrier.share);
@@ -223,7 +222,7 @@ void element_energies(const system::System& system, const system::State& state, 
     for (GroupSum& s : std::span(sums).subspan(begin, end - begin)) s.found = carrier.sum(*s.group, s.begin, s.end);
   });
   for (const GroupSum& s : sums) {
-    parts[at(s.group->part)] += s.found;
+    parts[s.group->part] += s.found;
     energy.internal += s.found.internal;
     energy.hourglass += s.found.hourglass;
     energy.eroded += s.found.eroded;
@@ -231,10 +230,9 @@ void element_energies(const system::System& system, const system::State& state, 
   }
   for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
     for (int a = 0; a < mass_only.corners; ++a)
-      carrier.carry(parts[static_cast<std::size_t>(mass_only.part)], mass_only.node[static_cast<std::size_t>(a)],
-                    mass_only.nodal_mass(a), mass_only.nodal_inertia);
+      carrier.carry(parts[mass_only.part], mass_only.node[a], mass_only.nodal_mass(a), mass_only.nodal_inertia);
   PartEnergy points;
-  for (const model::PointMass& m : system.model.masses) carrier.carry(points, system.node_of[at(m.node)], m.mass, 0.0);
+  for (const model::PointMass& m : system.model.masses) carrier.carry(points, system.node_of[m.node], m.mass, 0.0);
   for (const model::PointInertia& p : system.model.inertias) carrier.carry(points, p);
   energy.lumped += points;
 }

@@ -16,14 +16,14 @@ CrossSections::CrossSections(const system::System& system) : system_(system) {
   for (const model::CrossSection& card : system.model.requests.cross_sections) {
     Section section{&card, {}};
     std::vector<char> marked(system.all_nodes(), 0);
-    for (const model::Index n : card.nodes) marked[at(system.node_of[at(n)])] = 1;
+    for (const model::Index n : card.nodes) marked[system.node_of[n]] = 1;
     for (const model::CrossSection::Facet& facet : card.facets) {
       const system::System::ElementLocation s = location(facet);
       if (s.group < 0) continue;
-      const system::ElementGroup& group = *system.groups[at(s.group)];
+      const system::ElementGroup& group = *system.groups[s.group];
       const auto nodes = group.nodes(at(s.element));
       for (int a = 0; a < group.nodes_per_element; ++a)
-        if (marked[at(nodes[at(a)])]) section.corners.push_back({s, a, at(nodes[at(a)])});
+        if (marked[nodes[a]]) section.corners.push_back({s, a, at(nodes[a])});
     }
     sections_.push_back(std::move(section));
   }
@@ -31,16 +31,15 @@ CrossSections::CrossSections(const system::System& system) : system_(system) {
 
 system::System::ElementLocation CrossSections::location(const model::CrossSection::Facet& facet) const {
   switch (facet.kind) {
-    case ElementKind::shell: return system_.shell_location[at(facet.element)];
-    case ElementKind::solid: return system_.solid_location[at(facet.element)];
-    default: return system_.beam_location[at(facet.element)];
+    case ElementKind::shell: return system_.shell_location[facet.element];
+    case ElementKind::solid: return system_.solid_location[facet.element];
+    default: return system_.beam_location[facet.element];
   }
 }
 
 CrossSections::Area CrossSections::area(const Section& section, const Snapshot& now) const {
   const auto place = [&](const model::CrossSection::Corner& c) {
-    const Vec3d a = vec(now.state.x[at(system_.node_of[at(c.from)])]),
-                b = vec(now.state.x[at(system_.node_of[at(c.to)])]);
+    const Vec3d a = vec(now.state.x[system_.node_of[c.from]]), b = vec(now.state.x[system_.node_of[c.to]]);
     return a + c.share * (b - a);
   };
   Area sum;
@@ -51,7 +50,7 @@ CrossSections::Area CrossSections::area(const Section& section, const Snapshot& 
   for (const model::CrossSection::Facet& facet : section.card->facets) {
     const system::System::ElementLocation s = location(facet);
     if (facet.corners.empty() || s.group < 0) continue;
-    const system::ElementGroup& group = *system_.groups[at(s.group)];
+    const system::ElementGroup& group = *system_.groups[s.group];
     if (!group.alive(at(s.element))) continue;
     const Vec3d first = place(facet.corners[0]);
     if (facet.kind == ElementKind::beam) {
@@ -71,7 +70,7 @@ CrossSections::Area CrossSections::area(const Section& section, const Snapshot& 
   } else {
     const auto& nodes = section.card->nodes;
     for (const model::Index n : nodes)
-      sum.centroid += (1.0 / static_cast<double>(nodes.size())) * vec(now.state.x[at(system_.node_of[at(n)])]);
+      sum.centroid += (1.0 / static_cast<double>(nodes.size())) * vec(now.state.x[system_.node_of[n]]);
   }
   return sum;
 }
@@ -79,10 +78,10 @@ CrossSections::Area CrossSections::area(const Section& section, const Snapshot& 
 Frame3d CrossSections::axes(const model::CrossSection& card, const Snapshot& now) const {
   if (card.system != model::none) return axes_now(system_, now.state, card.system);
   if (card.accelerometer != model::none)
-    return accelerometer_axes(system_, now.state, system_.model.accelerometers[at(card.accelerometer)]);
+    return accelerometer_axes(system_, now.state, system_.model.accelerometers[card.accelerometer]);
   if (card.rigid_body == model::none) return card.axes;
   // The body's own axes were the global ones at time 0.
-  const Frame3d& turned = system_.bodies[at(system_.body_of[at(card.rigid_body)])].axes;
+  const Frame3d& turned = system_.bodies[system_.body_of[card.rigid_body]].axes;
   return {turned.global(card.axes.e1), turned.global(card.axes.e2), turned.global(card.axes.e3)};
 }
 
@@ -103,13 +102,13 @@ output::SecforcState CrossSections::state(const Snapshot& now) const {
         card.id, frame.local(force), frame.local(moment), where.centroid, where.size, output::SectionAxes::global, 0};
     if (card.system != model::none) {
       row.axes = output::SectionAxes::system;
-      row.axes_id = system_.model.systems[at(card.system)].id;
+      row.axes_id = system_.model.systems[card.system].id;
     } else if (card.accelerometer != model::none) {
       row.axes = output::SectionAxes::accelerometer;
-      row.axes_id = system_.model.accelerometers[at(card.accelerometer)].id;
+      row.axes_id = system_.model.accelerometers[card.accelerometer].id;
     } else if (card.rigid_body != model::none) {
       row.axes = output::SectionAxes::rigid_body;
-      row.axes_id = system_.model.rigid_bodies[at(card.rigid_body)].id;
+      row.axes_id = system_.model.rigid_bodies[card.rigid_body].id;
     }
     state.rows.push_back(row);
   }

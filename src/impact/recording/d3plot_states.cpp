@@ -11,7 +11,7 @@ namespace {
 
 /// The group that holds an element, or null where the element has no kernel.
 const system::ElementGroup* group_of(const Snapshot& now, const system::System::ElementLocation& location) {
-  return location.group < 0 ? nullptr : now.system.groups[at(location.group)].get();
+  return location.group < 0 ? nullptr : now.system.groups[location.group].get();
 }
 
 void fill_shells(const Snapshot& now, output::D3plotState& s) {
@@ -26,7 +26,7 @@ void fill_shells(const Snapshot& now, output::D3plotState& s) {
       const std::size_t i = at(location.element);
       output::ShellRecord& shell = s.shells[e];
       shell.thickness = group->thickness(i);
-      const double density = model.materials[at(model.parts[at(group->part)].material)].density;
+      const double density = model.materials[model.parts[group->part].material].density;
       shell.internal_energy = group->mass(i) > 0.0 ? group->internal_energy(i) * density / group->mass(i) : 0.0;
       s.shell_alive[e] = group->alive(i);
       if (!model.requests.strains) continue;
@@ -61,7 +61,7 @@ void fill_beams(const Snapshot& now, output::D3plotState& s) {
     const system::ElementGroup* group = group_of(now, location);
     if (group == nullptr) {
       // A weld was taken out before the run; beams of rigid parts have no group either, but are there.
-      const model::Law& law = model.materials[at(model.parts[at(model.beams.part[e])].material)].law;
+      const model::Law& law = model.materials[model.parts[model.beams.part[e]].material].law;
       if (std::holds_alternative<kernel::Spotweld>(law) || std::holds_alternative<kernel::DiscreteBeam>(law))
         s.beam_alive[e] = 0;
       continue;

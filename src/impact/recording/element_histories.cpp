@@ -14,9 +14,9 @@ namespace {
 std::pair<const system::ElementGroup*, std::size_t> find(const Snapshot& now,
                                                          const std::vector<system::System::ElementLocation>& locations,
                                                          model::Index element) {
-  const system::System::ElementLocation location = locations[at(element)];
+  const system::System::ElementLocation location = locations[element];
   if (location.group < 0) return {nullptr, 0};
-  return {now.system.groups[at(location.group)].get(), at(location.element)};
+  return {now.system.groups[location.group].get(), at(location.element)};
 }
 
 output::EloutPoint point(const system::ElementGroup& group, std::size_t e, int layer, const Snapshot& now) {
@@ -28,7 +28,7 @@ output::EloutPoint point(const system::ElementGroup& group, std::size_t e, int l
 output::EloutSolid solid(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
   const model::Model& model = now.system.model;
   const auto turned = [&](const output::Tensor& t) { return output::by_cmpflg(model, group, e, 0, now.state, t); };
-  output::EloutSolid row{model.solids.id[at(index)], model.parts[at(group.part)].id, point(group, e, 0, now),
+  output::EloutSolid row{model.solids.id[index], model.parts[group.part].id, point(group, e, 0, now),
                          turned(now.components.strains.solid(at(index)))};
   row.point.stress = turned(row.point.stress);
   return row;
@@ -47,8 +47,8 @@ std::optional<Frame3d> axes_of_layer(const Snapshot& now, const system::ElementG
 output::EloutShell shell(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
   const model::Model& model = now.system.model;
   output::EloutShell row;
-  row.id = model.shells.id[at(index)];
-  row.part = model.parts[at(group.part)].id;
+  row.id = model.shells.id[index];
+  row.part = model.parts[group.part].id;
   const auto turn = [&](output::Tensor& tensor, int layer) {
     if (const auto axes = axes_of_layer(now, group, e, layer)) tensor = output::along(*axes, tensor);
   };
@@ -84,11 +84,11 @@ int material_type(const model::Material& material) {
 
 output::EloutBeam beam(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
   const model::Model& model = now.system.model;
-  const model::Part& part = model.parts[at(group.part)];
+  const model::Part& part = model.parts[group.part];
   output::EloutBeam row;
-  row.id = model.beams.id[at(index)];
+  row.id = model.beams.id[index];
   row.part = part.id;
-  row.material_type = material_type(model.materials[at(part.material)]);
+  row.material_type = material_type(model.materials[part.material]);
   if (group.alive(e)) {
     const std::array<double, 8> r = group.resultants(e);
     row.axial = r[0];

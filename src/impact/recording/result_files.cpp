@@ -45,7 +45,7 @@ double next_on_curve(const model::Request& request, const Curve& curve, double l
 /// The first mark: the start, but with IOOPT 3 the curve's first abscissa that is not before it.
 double first_mark(const model::Request& request, const std::vector<Curve>& curves) {
   if (request.curve == model::none || request.rule != model::Request::Rule::at_points) return 0.0;
-  const std::vector<double>& x = curves[static_cast<std::size_t>(request.curve)].x;
+  const std::vector<double>& x = curves[request.curve].x;
   const auto first = std::lower_bound(x.begin(), x.end(), 0.0);
   return first == x.end() ? std::numeric_limits<double>::infinity() : *first;
 }
@@ -118,8 +118,7 @@ void ResultFiles::write(const Snapshot& now, bool last) {
     if (!last && !due(c, now.state)) continue;
     c.write(now);
     if (c.request.curve != model::none) {
-      c.next =
-          next_on_curve(c.request, model_.curves[static_cast<std::size_t>(c.request.curve)], c.next, now.state.time);
+      c.next = next_on_curve(c.request, model_.curves[c.request.curve], c.next, now.state.time);
       continue;
     }
     const double interval = c.request.interval;

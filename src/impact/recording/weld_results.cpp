@@ -35,7 +35,7 @@ output::WeldLoad last_load(const weld::History& history, double length) {
   const weld::Resultants& r = history.last_load().resultants;
   std::string terms;
   for (int i = 0; i < history.last_value().terms; ++i) {
-    const auto& [mode, value] = history.last_value().term[at(i)];
+    const auto& [mode, value] = history.last_value().term[i];
     add_term(terms, mode, value);
   }
   const auto at_end = [&](double half) {
@@ -90,12 +90,12 @@ void add_rigid_weld(const weld::RigidWeldHistory& history, output::WeldReport& r
 double damage_of(const system::System& system, const weld::Weld& w, const weld::History& history) {
   if (history.failed()) return 1.0;
   if (history.damage().law().growth != weld::DamageLaw::Growth::immediate) return history.damage().damage();
-  const auto& law = std::get<kernel::Spotweld>(system.model.materials[at(system.model.parts[at(w.part)].material)].law);
+  const auto& law = std::get<kernel::Spotweld>(system.model.materials[system.model.parts[w.part].material].law);
   if (law.damage.growth == kernel::PointDamage::Growth::none) return std::numeric_limits<double>::quiet_NaN();
   double sum = 0.0;
   for (const model::Index element : w.elements) {
     const system::System::ElementLocation location = system.location_of(w, element);
-    const system::ElementGroup& group = *system.groups[at(location.group)];
+    const system::ElementGroup& group = *system.groups[location.group];
     const double left = group.alive(at(location.element)) ? group.integrity(at(location.element)) : 0.0;
     const double beta = law.damage.beta;
     sum += left <= 0.0 ? 1.0 : beta == 0.0 ? 1.0 - left : std::min(-std::log(left) / beta, 1.0);
@@ -122,8 +122,8 @@ void add_connector(const system::System& system, const weld::Weld& weld, const C
   report.peak = {record.peaks[0], record.peaks[1], record.peaks[2], record.peaks[3]};
   report.last = axial_load(not_available);
   report.peak_failure = report.peak_failure_time = not_available;
-  const system::System::ElementLocation location = system.beam_location[at(weld.element)];
-  report.energy = system.groups[at(location.group)]->internal_energy(at(location.element));
+  const system::System::ElementLocation location = system.beam_location[weld.element];
+  report.energy = system.groups[location.group]->internal_energy(at(location.element));
 }
 
 /// A weld of a beam or of bricks.
@@ -131,7 +131,7 @@ void add_deformable_weld(const system::System& system, const weld::Weld& weld, c
                          output::WeldReport& report) {
   for (const model::Index element : weld.elements) {
     const system::System::ElementLocation location = system.location_of(weld, element);
-    const system::ElementGroup& group = *system.groups[at(location.group)];
+    const system::ElementGroup& group = *system.groups[location.group];
     const auto e = at(location.element);
     report.added_mass += group.mass(e) * (group.mass_scale(e) - 1.0);
     report.energy += group.internal_energy(e) + group.hourglass_energy(e);
@@ -172,9 +172,9 @@ output::SwforcState swforc_state(const Snapshot& now) {
   for (std::size_t i = 0; i < welds.size(); ++i) {
     const weld::History* history = now.components.welds.history(i);
     if (history == nullptr) continue;
-    const model::Part& part = model.parts[at(welds[i].part)];
-    const bool wanted = welds[i].of_bricks() ? model.solid_sections[at(part.section)].in_swforc
-                                             : model.beam_sections[at(part.section)].in_swforc;
+    const model::Part& part = model.parts[welds[i].part];
+    const bool wanted = welds[i].of_bricks() ? model.solid_sections[part.section].in_swforc
+                                             : model.beam_sections[part.section].in_swforc;
     if (!wanted) continue;
     const weld::Resultants& r = history->resultants();
     s.rows.push_back({welds[i].id,
@@ -187,7 +187,7 @@ output::SwforcState swforc_state(const Snapshot& now) {
                       history->failed() ? 1.0 : history->failure_value(),
                       history->failure_time(),
                       {}});
-    if (model.weld_laws[at(model.materials[at(part.material)].weld)].option == -2)
+    if (model.weld_laws[model.materials[part.material].weld].option == -2)
       s.rows.back().peak = {history->peak_failure_value(), history->peak_failure_time()};
   }
   for (std::size_t i = 0; i < now.components.rigid_welds.size(); ++i) {
@@ -231,7 +231,7 @@ output::DcfailState dcfail_state(const Snapshot& now) {
     if (!law.connection || law.properties == model::none) continue;
     output::DcfailRow row;
     row.id = welds[i].id;
-    row.connection = model.connections[at(law.properties)].id;
+    row.connection = model.connections[law.properties].id;
     const weld::failure::Value& value = history->last_value();
     row.failure = value.value;
     row.normal = value.term[0].value;

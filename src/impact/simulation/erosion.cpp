@@ -68,7 +68,7 @@ int Erosion::distortion_rule(const system::ElementGroup& group) const {
   const model::Model& model = system_.model;
   const auto& parts = model.control.parts_of_distorted;
   if (!parts.empty() && std::find(parts.begin(), parts.end(), group.part) == parts.end()) return 0;
-  const int elform = model.shell_sections[at(model.parts[at(group.part)].section)].elform;
+  const int elform = model.shell_sections[model.parts[group.part].section].elform;
   return elform == 16 ? model.control.distorted_full_shells : model.control.distorted_shells;
 }
 
@@ -92,7 +92,7 @@ void Erosion::remove(system::ElementGroup& group, std::size_t e, double time, st
                                 shell   ? "shell"
                                 : solid ? "solid"
                                         : "beam",
-                                ids[element], model.parts[at(group.part)].id, why));
+                                ids[element], model.parts[group.part].id, why));
   group.remove(e);
 }
 
@@ -127,12 +127,12 @@ void Erosion::check_distortion(system::ElementGroup& group, int rule, const syst
     if (!group.alive(e)) continue;
     const auto nodes = group.nodes(e);
     std::array<Vec3d, 4> x;
-    for (std::size_t a = 0; a < 4; ++a) x[a] = vec(state.x[at(nodes[a])]);
+    for (std::size_t a = 0; a < 4; ++a) x[a] = vec(state.x[nodes[a]]);
     if (!inside_out(x)) continue;
     if (rule == 2) {
       stop_ = fmt::format(
           "shell {} of part {} is distorted: a corner of it has turned inside out at time {:.6g} (NFAIL1, NFAIL4 = 2)",
-          system_.model.shells.id[at(group.element[e])], system_.model.parts[at(group.part)].id, state.time);
+          system_.model.shells.id[group.element[e]], system_.model.parts[group.part].id, state.time);
       return;
     }
     remove(group, e, state.time, "a corner of it has turned inside out");

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/index.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/law/elastic_kernel.hpp"
 #include "model/bond.hpp"
@@ -30,7 +29,7 @@ std::span<const int, 8> corners_of(const system::ElementNodes& node) {
 /// By system node: its mass, or 0 where it cannot move by itself.
 std::vector<double> free_masses(const system::System& system) {
   std::vector<double> mass(system.mass.begin(), system.mass.begin() + static_cast<std::ptrdiff_t>(system.nodes));
-  const auto hold = [&](model::Index node) { mass[at(system.node_of[at(node)])] = 0.0; };
+  const auto hold = [&](model::Index node) { mass[system.node_of[node]] = 0.0; };
   for (const model::SinglePointConstraint& spc : system.model.spcs)
     if ((spc.fixed & 0b111u) != 0) hold(spc.node);
   for (const model::PrescribedMotion& motion : system.model.motions)
@@ -44,24 +43,24 @@ std::vector<Brick> bricks_of_rows(const system::System& system, const std::vecto
   const auto each_brick = [&](const auto& with) {
     for (const auto& group : system.groups)
       if (group->kind == model::ElementKind::solid && group->nodes_per_element == 8 &&
-          !model::bond_of(system.model, system.model.parts[at(group->part)]))
+          !model::bond_of(system.model, system.model.parts[group->part]))
         for (std::size_t e = 0; e < group->size(); ++e) with(*group, e, group->nodes(e));
   };
   std::vector<int> users(system.all_nodes(), 0);
   each_brick([&](const system::ElementGroup&, std::size_t, const system::ElementNodes& node) {
-    for (const int n : corners_of(node)) ++users[at(n)];
+    for (const int n : corners_of(node)) ++users[n];
   });
   std::vector<Brick> rows;
   each_brick([&](const system::ElementGroup& group, std::size_t e, const system::ElementNodes& node) {
-    if (std::ranges::any_of(corners_of(node), [&](int n) { return users[at(n)] > 2; })) return;
-    if (std::ranges::none_of(corners_of(node), [&](int n) { return mass[at(n)] > 0.0; })) return;
-    const model::Material& material = system.model.materials[at(system.model.parts[at(group.part)].material)];
-    const model::Index card = system.model.parts[at(group.part)].hourglass;
+    if (std::ranges::any_of(corners_of(node), [&](int n) { return users[n] > 2; })) return;
+    if (std::ranges::none_of(corners_of(node), [&](int n) { return mass[n] > 0.0; })) return;
+    const model::Material& material = system.model.materials[system.model.parts[group.part].material];
+    const model::Index card = system.model.parts[group.part].hourglass;
     const model::Hourglass& control =
-        card == model::none ? system.model.control.hourglass : system.model.hourglass[at(card)];
+        card == model::none ? system.model.control.hourglass : system.model.hourglass[card];
     Brick brick{group.part,       group.element[e],   node, {}, material.young(), material.poisson(),
                 material.density, control.bulk_linear};
-    for (std::size_t a = 0; a < 8; ++a) brick.x[a] = system.ties.x[at(system.model_node[at(node[a])])];
+    for (std::size_t a = 0; a < 8; ++a) brick.x[a] = system.ties.x[system.model_node[node[a]]];
     rows.push_back(brick);
   });
   return rows;
@@ -87,7 +86,7 @@ std::array<Vec3d, 8> forces(const Brick& brick, const std::array<Vec3d, 8>& u, d
 
 std::array<Vec3d, 8> at_corners(const Brick& brick, const std::vector<Vec3d>& u, double scale = 1.0) {
   std::array<Vec3d, 8> d;
-  for (std::size_t a = 0; a < 8; ++a) d[a] = scale * u[at(brick.node[a])];
+  for (std::size_t a = 0; a < 8; ++a) d[a] = scale * u[brick.node[a]];
   return d;
 }
 double power(const std::array<Vec3d, 8>& f, const std::array<Vec3d, 8>& u) {
@@ -116,7 +115,7 @@ std::optional<FreeBricks> free_brick_step(const system::System& system) {
   std::vector<Vec3d> u(mass.size()), f(mass.size());
   for (const Brick& b : rows)  // without a symmetry that the fastest vibration could lack
     for (const int n : b.node)
-      if (const double k = n + 1.0; mass[at(n)] > 0.0) u[at(n)] = {std::sin(k), std::sin(1.7 * k), std::sin(2.3 * k)};
+      if (const double k = n + 1.0; mass[n] > 0.0) u[n] = {std::sin(k), std::sin(1.7 * k), std::sin(2.3 * k)};
 
   FreeBricks result;
   double omega2 = 0.0, heavy = 0.0;
@@ -127,7 +126,7 @@ std::optional<FreeBricks> free_brick_step(const system::System& system) {
     for (const Brick& b : rows) {
       const std::array<Vec3d, 8> d = at_corners(b, u), force = forces(b, d, 0.0);
       const double own = power(force, d) / step;
-      for (std::size_t a = 0; a < 8; ++a) f[at(b.node[a])] += (1.0 / step) * force[a];
+      for (std::size_t a = 0; a < 8; ++a) f[b.node[a]] += (1.0 / step) * force[a];
       stiff += own;
       if (own > most) {
         most = own;

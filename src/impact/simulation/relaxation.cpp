@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
+
 namespace nugget::impact {
 namespace {
 
@@ -13,7 +15,7 @@ double kinetic_energy(const system::System& system, const system::State& state) 
     twice += system.mass[k] * dot(vec(state.v[k]), vec(state.v[k])) +
              system.inertia[k] * dot(vec(state.w[k]), vec(state.w[k]));
   for (const system::RigidBody& body : system.bodies) {
-    const auto k = static_cast<std::size_t>(body.node);
+    const auto k = at(body.node);
     twice += body.mass * dot(vec(state.v[k]), vec(state.v[k])) + dot(body.angular_momentum, vec(state.w[k]));
   }
   return 0.5 * twice;

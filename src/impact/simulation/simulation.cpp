@@ -29,14 +29,14 @@ volatile std::sig_atomic_t interrupted = 0;
 /// of a body that nothing can move, none, which counts as held.
 void set_rigid_contact_mass(const system::System& system, std::vector<double>& contact_mass) {
   for (const system::RigidBody& body : system.bodies) {
-    const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
+    const model::RigidBody& source = system.model.rigid_bodies[body.source];
     const bool held = is_fully_prescribed(system.model, body.source);
     if (source.origin != model::RigidBody::Origin::part || !(held || source.given)) continue;
     double mesh = 0.0;
-    for (const model::Index n : source.nodes) mesh += system.own_mass[at(system.node_of[at(n)])];
+    for (const model::Index n : source.nodes) mesh += system.own_mass[system.node_of[n]];
     const double share = held || !(mesh > 0.0) ? 0.0 : body.mass / mesh;
     for (const model::Index n : source.nodes) {
-      const std::size_t k = at(system.node_of[at(n)]);
+      const std::size_t k = at(system.node_of[n]);
       contact_mass[k] = share * system.own_mass[k];
     }
   }
@@ -60,7 +60,7 @@ std::vector<std::string> Simulation::events() const {
   std::vector<std::string> lines = components_.contacts.glue_summary(system_);
   std::map<model::Index, std::array<std::size_t, 2>> of_part;  // deleted, and all elements
   for (const auto& group : system_.groups) {
-    const model::Part& part = system_.model.parts[at(group->part)];
+    const model::Part& part = system_.model.parts[group->part];
     if (weld::of_weld_material(system_.model, group->part)) continue;
     std::size_t failed = 0;
     if (!model::bond_of(system_.model, part)) {
@@ -82,7 +82,7 @@ std::vector<std::string> Simulation::events() const {
   for (const auto& [part, count] : of_part)
     if (count[0] > 0)
       lines.push_back(
-          fmt::format("part {}: {} of {} elements deleted", system_.model.parts[at(part)].id, count[0], count[1]));
+          fmt::format("part {}: {} of {} elements deleted", system_.model.parts[part].id, count[0], count[1]));
   return lines;
 }
 
@@ -348,7 +348,7 @@ void Simulation::choose_step(double end_time) {
   }
   if (state_.relaxing && control.relaxation.step_scale > 0.0) dt *= control.relaxation.step_scale / control.step_scale;
   if (control.step_curve != model::none)
-    dt = std::min(dt, system_.model.curves[at(control.step_curve)].clamped(state_.time));
+    dt = std::min(dt, system_.model.curves[control.step_curve].clamped(state_.time));
   const double of_joints = control.step_scale * components_.joints.stable_step();
   const bool by_joints = of_joints < dt;
   if (by_joints) dt = of_joints;
@@ -375,9 +375,9 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
                         state_.cycle)};
   for (const auto& group : system_.groups) {
     if (group->inverted < 0) continue;
-    const model::Index e = group->element[at(group->inverted)];
+    const model::Index e = group->element[group->inverted];
     return error(fmt::format("negative volume in solid {} of part {} at time {:.6g}, cycle {}",
-                             system_.model.solids.id[at(e)], system_.model.parts[at(group->part)].id, state_.time,
+                             system_.model.solids.id[e], system_.model.parts[group->part].id, state_.time,
                              state_.cycle));
   }
   if (state_.time < end_time && state_.time + state_.dt == state_.time)
@@ -450,7 +450,7 @@ void Simulation::move() {
   for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
   const auto turn = [&](std::size_t i, std::size_t k) { history_rotation_[i] += state_.dt * vec(state_.w[k]); };
   const std::vector<model::NamedEntity>& asked = system_.model.requests.history_nodes;
-  for (std::size_t i = 0; i < asked.size(); ++i) turn(i, at(system_.node_of[at(asked[i].index)]));
+  for (std::size_t i = 0; i < asked.size(); ++i) turn(i, at(system_.node_of[asked[i].index]));
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) turn(asked.size() + b, at(system_.bodies[b].node));
   state_.time += state_.dt;
   ++state_.cycle;

@@ -64,7 +64,7 @@ Strains::Strains(const system::System& system, bool wanted) : system_(system) {
   for (std::size_t e = 0; e < zeta_.size(); ++e) {
     const system::System::ElementLocation location = system.shell_location[e];
     if (location.group < 0) continue;
-    const std::vector<double> places = layer_places(model, *system.groups[at(location.group)]);
+    const std::vector<double> places = layer_places(model, *system.groups[location.group]);
     zeta_[e] = {places.front(), places.back()};
   }
 }
@@ -72,18 +72,18 @@ Strains::Strains(const system::System& system, bool wanted) : system_(system) {
 void Strains::start(const system::State& state) {
   if (shells_.empty()) return;
   for (const model::InitialStrain& initial : system_.model.initial_state.shell_strains) {
-    const system::System::ElementLocation location = system_.shell_location[at(initial.shell)];
+    const system::System::ElementLocation location = system_.shell_location[initial.shell];
     if (location.group < 0) continue;
-    const system::ElementGroup& group = *system_.groups[at(location.group)];
+    const system::ElementGroup& group = *system_.groups[location.group];
     const auto nodes = group.nodes(at(location.element));
     std::array<Vec3d, 4> x{};
-    for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) x[a] = vec(state.x[at(nodes[a])]);
+    for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) x[a] = vec(state.x[nodes[a]]);
     const Frame3d frame = frame_of(x, group.nodes_per_element);
     const auto local = [&](const Tensor& t) -> InPlane {
       const auto [xx, yy, xy, xz, yz] = system::local_stress(frame, t);
       return {xx, yy, xy, yz, xz};
     };
-    shells_[at(initial.shell)] = {local(initial.lower), local(initial.upper)};
+    shells_[initial.shell] = {local(initial.lower), local(initial.upper)};
   }
 }
 
@@ -99,7 +99,7 @@ void Strains::update(const system::State& state) {
 void Strains::advance_shell(std::size_t e, const system::State& state) {
   const system::System::ElementLocation location = system_.shell_location[e];
   if (location.group < 0) return;
-  const system::ElementGroup& group = *system_.groups[at(location.group)];
+  const system::ElementGroup& group = *system_.groups[location.group];
   if (!group.alive(at(location.element))) return;
   const int corners = group.nodes_per_element;
   const auto nodes = group.nodes(at(location.element));
@@ -132,7 +132,7 @@ void Strains::advance_shell(std::size_t e, const system::State& state) {
   std::array<double, 3> bent{scale * w_x.y, -scale * w_y.x, scale * (w_y.y - w_x.x)};
   std::array<double, 2> shear{scale * v_y.z - state.dt * spin.x, scale * v_x.z + state.dt * spin.y};
   const model::Model& model = system_.model;
-  const model::SectionShell& section = model.shell_sections[at(model.parts[at(group.part)].section)];
+  const model::SectionShell& section = model.shell_sections[model.parts[group.part].section];
   if (corners == 3 && system::triangle_formulation(section, model.control) == 17) {
     const auto more = kernel::kirchhoff_mean_bending({x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]});
     for (std::size_t c = 0; c < 3; ++c) bent[c] += state.dt * more[c];
@@ -153,9 +153,9 @@ void Strains::advance_shell(std::size_t e, const system::State& state) {
 void Strains::advance_solid(std::size_t e, const system::State& state) {
   const system::System::ElementLocation location = system_.solid_location[e];
   if (location.group < 0) return;
-  const system::ElementGroup& group = *system_.groups[at(location.group)];
+  const system::ElementGroup& group = *system_.groups[location.group];
   if (!group.alive(at(location.element))) return;
-  if (model::bond_of(system_.model, system_.model.parts[at(group.part)])) return;  // separations, not strains
+  if (model::bond_of(system_.model, system_.model.parts[group.part])) return;  // separations, not strains
   const auto nodes = group.nodes(at(location.element));
   std::array<Vec3d, 10> x, v;
   const std::size_t last = at(group.nodes_per_element) - 1;  // a tetrahedron repeats its fourth node
@@ -181,16 +181,16 @@ void Strains::advance_solid(std::size_t e, const system::State& state) {
 
 Strains::Tensor Strains::global(const InPlane& strain, std::size_t e, int layer, const system::State& now) const {
   const system::System::ElementLocation location = system_.shell_location[e];
-  const system::ElementGroup& group = *system_.groups[at(location.group)];
+  const system::ElementGroup& group = *system_.groups[location.group];
   const auto nodes = group.nodes(at(location.element));
   std::array<Vec3d, 4> x{};
-  for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) x[a] = vec(now.x[at(nodes[a])]);
-  const model::Material& material = system_.model.materials[at(system_.model.parts[at(group.part)].material)];
+  for (std::size_t a = 0; a < at(group.nodes_per_element); ++a) x[a] = vec(now.x[nodes[a]]);
+  const model::Material& material = system_.model.materials[system_.model.parts[group.part].material];
   const auto stress = group.layer(at(location.element), layer, now).stress;
   const double in_plane = stress[0] + stress[1] + stress[2];
   const auto* layers = std::get_if<kernel::Laminate>(&material.law);
-  const double E = layers ? (*layers->layers)[at(layer)].law.E : material.young(),
-               nu = layers ? (*layers->layers)[at(layer)].law.nu : material.poisson();
+  const double E = layers ? (*layers->layers)[layer].law.E : material.young(),
+               nu = layers ? (*layers->layers)[layer].law.nu : material.poisson();
   const double zz = -(strain[0] + strain[1]) + (E > 0.0 ? (1.0 - 2.0 * nu) / E * in_plane : 0.0);
   const auto [g0, g1, g2, g3, g4, g5] = model::to_global({strain[0], strain[2], strain[4], strain[1], strain[3], zz},
                                                          frame_of(x, group.nodes_per_element));
@@ -200,7 +200,7 @@ Strains::Tensor Strains::global(const InPlane& strain, std::size_t e, int layer,
 Strains::Faces Strains::shell(std::size_t e, const system::State& now) const {
   const system::System::ElementLocation location = system_.shell_location[e];
   if (shells_.empty() || location.group < 0) return {};
-  const int layers = system_.groups[at(location.group)]->layers();
+  const int layers = system_.groups[location.group]->layers();
   return {global(shells_[e].lower, e, 0, now), global(shells_[e].upper, e, layers - 1, now)};
 }
 

@@ -46,7 +46,7 @@ class FrictionTable {
   bool any() const {
     return std::any_of(of_pairs_.begin(), of_pairs_.end(), [](const Friction& f) { return f.any(); });
   }
-  const Friction& between(int a, int b) const { return of_pairs_[static_cast<std::size_t>(a * kinds_ + b)]; }
+  const Friction& between(int a, int b) const { return of_pairs_[a * kinds_ + b]; }
 
  private:
   int kinds_ = 1;

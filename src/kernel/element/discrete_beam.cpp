@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/index.hpp"
+
 namespace nugget::kernel {
 namespace {
 
@@ -56,7 +58,7 @@ void start_discrete_beam(const DiscreteBeamProperties& beam, const DiscreteBeam&
   put(L::axis_r, t.r.x), put(L::axis_r + 1, t.r.y), put(L::axis_r + 2, t.r.z);
   put(L::axis_s, t.s.x), put(L::axis_s + 1, t.s.y), put(L::axis_s + 2, t.s.z);
   for (int i = 0; i < 6; ++i) {
-    const DiscreteSpring& spring = law.dof[static_cast<std::size_t>(i)];
+    const DiscreteSpring& spring = law.dof[i];
     put(L::displacement + i, spring.start);
     // What unloads from there has been loaded up to there.
     if (spring.kind == DiscreteSpring::Kind::hysteresis) put(L::spring + i, spring.load(spring.start));
@@ -164,7 +166,7 @@ NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const 
     }
     std::array<double, 6> f{}, u{}, sprung{};
     for (int i = 0; i < 6; ++i) {
-      const auto k = static_cast<std::size_t>(i);
+      const auto k = at(i);
       const DiscreteSpring& spring = law.dof[k];
       const auto at = [&](int first) -> double& { return state[(first + i) * lanes<R> + l]; };
       DiscreteSpring::State now{at(L::displacement), at(L::spring), at(L::plastic)};

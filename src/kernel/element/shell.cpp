@@ -34,8 +34,8 @@ LayerRule gauss_layers(int count) {
     for (int i = 0; i < 20; ++i) x -= legendre(count, x).value / legendre(count, x).slope;
     if (2 * k + 1 == count) x = 0.0;
     const double slope = legendre(count, x).slope;
-    rule.zeta[static_cast<std::size_t>(k)] = x;
-    rule.weight[static_cast<std::size_t>(k)] = 1.0 / ((1.0 - x * x) * slope * slope);
+    rule.zeta[k] = x;
+    rule.weight[k] = 1.0 / ((1.0 - x * x) * slope * slope);
   }
   return rule;
 }
@@ -57,8 +57,8 @@ LayerRule lobatto_layers(int count) {
     if (2 * k == degree) x = 0.0;
     if (!inside) x = k == 0 ? -1.0 : 1.0;
     const double value = legendre(degree, x).value;
-    rule.zeta[static_cast<std::size_t>(k)] = x;
-    rule.weight[static_cast<std::size_t>(k)] = 1.0 / (degree * (degree + 1.0) * value * value);
+    rule.zeta[k] = x;
+    rule.weight[k] = 1.0 / (degree * (degree + 1.0) * value * value);
   }
   return rule;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "base/index.hpp"
 #include "kernel/element/shell.hpp"
 #include "kernel/law/laminate_kernel.hpp"
 
@@ -44,7 +45,7 @@ template <class R, class Law>
   Column<R> c;
   ShellResultants<R>& n = c.n;
   for (int k = 0; k < shell.layers.count; ++k) {
-    const auto point = static_cast<std::size_t>(k);
+    const auto point = at(k);
     const double zeta = 0.5 * (shell.layers.zeta[point] - shell.offset), weight = shell.layers.weight[point];
     const R z = zeta * t;
     double* stress = first + k * stride;

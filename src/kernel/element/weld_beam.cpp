@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "kernel/element/gyration.hpp"
 #include "kernel/law/own_kernels.hpp"
 
@@ -18,7 +19,7 @@ struct Moments {
 };
 Moments moments(const FibreRule& rule) {
   Moments m;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(rule.count); ++k) {
+  for (std::size_t k = 0; k < at(rule.count); ++k) {
     m.area += rule.area[k];
     m.ss += rule.area[k] * rule.s[k] * rule.s[k];
     m.tt += rule.area[k] * rule.t[k] * rule.t[k];
@@ -33,7 +34,7 @@ FibreRule disc_fibres(double outer_diameter, double inner_diameter, int quadratu
   const double area = std::numbers::pi * (outer - inner);
   FibreRule rule;
   const auto add = [&](double radius, double angle, double weight) {
-    const auto k = static_cast<std::size_t>(rule.count++);
+    const auto k = at(rule.count++);
     rule.s[k] = radius * std::cos(angle);
     rule.t[k] = radius * std::sin(angle);
     rule.area[k] = weight;
@@ -47,7 +48,7 @@ FibreRule disc_fibres(double outer_diameter, double inner_diameter, int quadratu
                                        : 16;
   const LayerRule gauss = gauss_layers(rings);
   for (int i = 0; i < rings; ++i) {
-    const auto ring = static_cast<std::size_t>(i);
+    const auto ring = at(i);
     const double square = 0.5 * (outer + inner) + 0.5 * (outer - inner) * gauss.zeta[ring];
     for (int j = 0; j < angles; ++j)
       add(std::sqrt(square), std::numbers::pi * (2.0 * j + 1.0) / angles, area * gauss.weight[ring] / angles);
@@ -76,7 +77,7 @@ FibreRule rectangle_fibres(double side_s, double side_t, int quadrature) {
   FibreRule rule;
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = 0; j < count; ++j) {
-      const auto k = static_cast<std::size_t>(rule.count++);
+      const auto k = at(rule.count++);
       rule.s[k] = 0.5 * side_s * place[i];
       rule.t[k] = 0.5 * side_t * place[j];
       rule.area[k] = 0.25 * side_s * side_t * weight[i] * weight[j];
@@ -150,7 +151,7 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
   auto intact = R(1.0) < R(0.0);
   const R none = R(0.0);
   for (int k = 0; k < layout.fibres; ++k) {
-    const auto point = static_cast<std::size_t>(k);
+    const auto point = at(k);
     const double ps = beam.fibres.s[point], pt = beam.fibres.t[point], area = beam.fibres.area[point];
     double* stress = state + layout.fibre(k) * lanes<R>;
     double* history = state + layout.history_of(k) * lanes<R>;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "kernel/law/relaxation.hpp"
 #include "kernel/law/tensor_algebra.hpp"
 
@@ -63,7 +64,7 @@ PointUpdate LowDensityFoamPoint::update(const Tensor&, const Tensor& d, double d
   Tensor e = load(h);
   stretch(e, d, dt);
   store(h, e);
-  const std::span<double> own = h.subspan(static_cast<std::size_t>(tensors() * Tensor::size));
+  const std::span<double> own = h.subspan(at(tensors() * Tensor::size));
   double& most_energy = own[0];
   double& failed = own[1];
   const Principal axes = principal_axes(e);
@@ -96,7 +97,7 @@ PointUpdate LowDensityFoamPoint::update(const Tensor&, const Tensor& d, double d
 }
 
 PointUpdate CrushableFoamPoint::update(const Tensor& s, const Tensor& d, double dt, std::span<double> h) const {
-  double& log_volume = h[static_cast<std::size_t>(tensors() * Tensor::size)];
+  double& log_volume = h[tensors() * Tensor::size];
   const double half = 0.5 * dt * trace(d);
   log_volume += std::log((1.0 + half) / (1.0 - half));
   const double crushed = 1.0 - std::exp(log_volume), yield = law_.yield.extrapolated(std::max(crushed, 0.0));

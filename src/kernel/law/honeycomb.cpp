@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "kernel/law/honeycomb.hpp"
 #include "kernel/law/orthotropic.hpp"
 
@@ -41,7 +42,7 @@ std::array<R, 6> LawKernel<Honeycomb>::limits(const R& crushed, const std::array
   const bool by_volume = law_.over == Honeycomb::Over::volume;
   std::array<R, 6> most;
   for (std::size_t i = 0; i < 6; ++i) {
-    const auto same = static_cast<std::size_t>(same_[i]);
+    const auto same = at(same_[i]);
     if (by_volume && same < i) {
       most[i] = most[same];
       continue;
@@ -88,8 +89,8 @@ void LawKernel<Honeycomb>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, 
   const R grown = grow(volume_field, change[0] + change[1] + change[2]), beta = compaction(grown);
   std::array<R, 6> strain;
   for (int i = 0; i < 6; ++i) {
-    R& now = strain[static_cast<std::size_t>(i)];
-    const R& by = change[static_cast<std::size_t>(i)];
+    R& now = strain[i];
+    const R& by = change[i];
     if (i < 3 && law_.over == Honeycomb::Over::engineering_strain) {
       now = grow(strain_field + i, by);
     } else {

@@ -45,7 +45,7 @@ class LawKernel<Laminate> {
   int layer_history() const { return history_; }
   double deletion_step() const { return deletion_step_; }
   bool can_fail() const { return can_fail_; }
-  const Layer& of(int k) const { return layers_[static_cast<std::size_t>(k)]; }
+  const Layer& of(int k) const { return layers_[k]; }
   /// Whether layers whose law has no failure keep an element alive.
   bool kept_by_unfailing_layers() const { return kept_by_unfailing_layers_; }
 

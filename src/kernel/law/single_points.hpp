@@ -66,9 +66,9 @@ class SolidPointLaw {
     std::array<double, most_history> h;
     for (int l = 0; l < lanes<R>; ++l) {
       const auto at = [&](int i) -> double& { return history[(own_fields + i) * lanes<R> + l]; };
-      for (int i = 0; i < point_.history(); ++i) h[static_cast<std::size_t>(i)] = at(i);
+      for (int i = 0; i < point_.history(); ++i) h[i] = at(i);
       const PointUpdate now = point_.update(lane_of(s, l), lane_of(rate, l), dt, h);
-      for (int i = 0; i < point_.history(); ++i) at(i) = h[static_cast<std::size_t>(i)];
+      for (int i = 0; i < point_.history(); ++i) at(i) = h[i];
       history[wave_modulus_field * lanes<R> + l] = now.wave_modulus;
       set_lane(s.xx, l, now.stress.xx);
       set_lane(s.yy, l, now.stress.yy);

@@ -24,7 +24,7 @@ YieldCurve::YieldCurve(const Curve& curve) {
   for (std::size_t b = 0; b < buckets; ++b) {
     const double strain = static_cast<double>(b) / buckets_per_strain_;
     int i = 0;
-    while (strain >= pieces_[static_cast<std::size_t>(i)].end) ++i;
+    while (strain >= pieces_[i].end) ++i;
     first_.push_back(std::max(i - 1, 0));
   }
 }

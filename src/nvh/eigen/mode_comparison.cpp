@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/index.hpp"
 #include "nvh/eigen/mode_files.hpp"
 #include "output/result_file.hpp"
 

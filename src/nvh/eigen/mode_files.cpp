@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/matrices/stresses.hpp"
 #include "output/eigout.hpp"

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/eigen/mode_search.hpp"
 
@@ -73,7 +72,7 @@ double small_shift(const Matrices& m) {
   const double size = norm(high - low);
   double speed2 = 0.0, thickness = size;
   for (const auto& group : m.system.groups) {
-    const model::Material& material = m.system.model.materials[at(m.system.model.parts[at(group->part)].material)];
+    const model::Material& material = m.system.model.materials[m.system.model.parts[group->part].material];
     if (material.density > 0.0) speed2 = std::max(speed2, material.young() / material.density);
     if (group->kind != model::ElementKind::shell) continue;
     for (std::size_t e = 0; e < group->size(); ++e) thickness = std::min(thickness, group->thickness(e));
@@ -127,7 +126,7 @@ EnergyShares energy_shares(const Matrices& m, const Modes& modes) {
   std::vector<double> whole(count, 0.0);  // omega^2 / 2, but for the work of preloads
   std::vector<std::size_t> weld_of(system.model.beams.size(), system.ties.welds.size());
   for (std::size_t w = 0; w < system.ties.welds.size(); ++w)
-    if (system.ties.welds[w].kind == weld::Weld::Kind::beam) weld_of[at(system.ties.welds[w].element)] = w;
+    if (system.ties.welds[w].kind == weld::Weld::Kind::beam) weld_of[system.ties.welds[w].element] = w;
   for (const auto& group : system.groups) {
     std::vector<std::vector<double>> energies(group->size());
     parallel_for(group->size(), 64, [&](std::size_t begin, std::size_t end) {
@@ -139,9 +138,9 @@ EnergyShares energy_shares(const Matrices& m, const Modes& modes) {
       for (std::size_t mode = 0; mode < count; ++mode) {
         if (!modes.elastic(mode)) continue;
         whole[mode] += energies[e][mode];
-        shares.part[mode][at(group->part)] += energies[e][mode];
+        shares.part[mode][group->part] += energies[e][mode];
         if (group->kind != model::ElementKind::beam) continue;
-        const std::size_t w = weld_of[at(group->element[e])];
+        const std::size_t w = weld_of[group->element[e]];
         if (w < system.ties.welds.size()) shares.weld[mode][w] += energies[e][mode];
       }
     }

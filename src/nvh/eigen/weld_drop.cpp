@@ -43,12 +43,12 @@ class Taken {
   std::size_t loads() const { return load_.count; }
   void put_loads(Columns& b, std::size_t first) const {
     for (std::size_t j = 0; j < load_.count; ++j)
-      for (std::size_t i = 0; i < equation_.size(); ++i) b[first + j][at(equation_[i])] = load_[j][i];
+      for (std::size_t i = 0; i < equation_.size(); ++i) b[first + j][equation_[i]] = load_[j][i];
   }
   Columns rows(const Columns& v) const {
     Columns r(equation_.size(), v.count);
     for (std::size_t j = 0; j < v.count; ++j)
-      for (std::size_t i = 0; i < equation_.size(); ++i) r[j][i] = v[j][at(equation_[i])];
+      for (std::size_t i = 0; i < equation_.size(); ++i) r[j][i] = v[j][equation_[i]];
     return r;
   }
   const Columns& stiffness() const { return stiffness_; }
@@ -61,7 +61,7 @@ class Taken {
       const weld::Weld& weld = m_.system.ties.welds[w];
       for (const model::Index element : weld.elements) {
         const system::System::ElementLocation location = m_.system.location_of(weld, element);
-        if (location.group >= 0) visit(*m_.system.groups[at(location.group)], at(location.element));
+        if (location.group >= 0) visit(*m_.system.groups[location.group], at(location.element));
       }
     }
   }
@@ -70,7 +70,7 @@ class Taken {
     const std::span<const int> nodes(all.data(), at(elements.nodes_per_element));
     add(DofMap(m_.equations, nodes, elements.freedoms()), tangent_stiffness(m_, elements, e), stiffness_);
     for (std::size_t a = 0; a < nodes.size(); ++a)
-      if (!m_.nodal_mass[at(nodes[a])].none())  // else a rigid body with a given mass has swallowed it
+      if (!m_.nodal_mass[nodes[a]].none())  // else a rigid body with a given mass has swallowed it
         add(DofMap(m_.equations, {&nodes[a], 1}, 6), mass_matrix(nodal_share(m_.system, elements, e, a, m_.rest)),
             mass_);
   }

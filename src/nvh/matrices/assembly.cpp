@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/index.hpp"
 #include "base/parallel.hpp"
 
 namespace nugget::nvh {
@@ -26,7 +25,7 @@ std::vector<std::vector<int>> pattern(std::size_t size, const std::vector<std::v
   };
   for (const std::vector<int>& list : lists)
     for (std::size_t j = 0; j < list.size(); ++j) {
-      std::vector<int>& r = rows[at(list[j])];
+      std::vector<int>& r = rows[list[j]];
       r.insert(r.end(), list.begin() + static_cast<std::ptrdiff_t>(j), list.end());
       if (r.size() > 1000) tidy(r);
     }

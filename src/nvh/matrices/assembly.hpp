@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index.hpp"
 #include "nvh/matrices/dof_map.hpp"
 #include "nvh/matrices/sparse.hpp"
 
@@ -12,7 +13,7 @@
 namespace nugget::nvh {
 
 inline std::span<const int> element_nodes(const system::ElementGroup& group, const system::ElementNodes& nodes) {
-  return {nodes.data(), static_cast<std::size_t>(group.nodes_per_element)};
+  return {nodes.data(), at(group.nodes_per_element)};
 }
 
 /// Rows of the lower triangle for elements with these lists of unknowns.

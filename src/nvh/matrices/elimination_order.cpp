@@ -19,9 +19,9 @@ std::vector<int> components(const Equations& equations) {
   for (int node = 0; node < static_cast<int>(equations.nodes()); ++node)
     for (int i = 0; i < 6; ++i)
       for (const Equations::Term& t : equations.terms(node, i)) {
-        if (equations.node_of(t.equation) != node || std::abs(t.factor) <= share[at(t.equation)]) continue;
-        share[at(t.equation)] = std::abs(t.factor);
-        component[at(t.equation)] = i;
+        if (equations.node_of(t.equation) != node || std::abs(t.factor) <= share[t.equation]) continue;
+        share[t.equation] = std::abs(t.factor);
+        component[t.equation] = i;
       }
   return component;
 }
@@ -41,8 +41,8 @@ std::vector<idx_t> vertices(const Matrices& m, idx_t& count) {
   std::vector<SixDof> coupled(m.equations.nodes(), SixDof{1, 2, 4, 8, 16, 32});
   each_coupling(m, [&](std::size_t i, std::size_t j) {
     for (SixDof* node : {&coupled[node_of(i)], &coupled[node_of(j)]}) {
-      (*node)[at(component[i])] |= 1u << component[j];
-      (*node)[at(component[j])] |= 1u << component[i];
+      (*node)[component[i]] |= 1u << component[j];
+      (*node)[component[j]] |= 1u << component[i];
     }
   });
   for (SixDof& c : coupled)  // what reaches each other by way of a third is one
@@ -55,7 +55,7 @@ std::vector<idx_t> vertices(const Matrices& m, idx_t& count) {
   for (std::size_t i = 0; i < vertex.size(); ++i) {
     vertex[i] = count;
     for (std::size_t k = i; k-- > 0 && node_of(k) == node_of(i);)
-      if (coupled[node_of(i)][at(component[i])] >> component[k] & 1u) vertex[i] = vertex[k];
+      if (coupled[node_of(i)][component[i]] >> component[k] & 1u) vertex[i] = vertex[k];
     count += vertex[i] == count;
   }
   return vertex;
@@ -69,9 +69,9 @@ std::vector<int> elimination_order(const Matrices& m) {
   std::vector<std::vector<idx_t>> neighbours(at(count));
   each_coupling(m, [&](std::size_t i, std::size_t j) {
     const idx_t a = vertex[i], b = vertex[j];
-    if (a == b || (!neighbours[at(b)].empty() && neighbours[at(b)].back() == a)) return;
-    neighbours[at(a)].push_back(b);
-    neighbours[at(b)].push_back(a);
+    if (a == b || (!neighbours[b].empty() && neighbours[b].back() == a)) return;
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
   });
   std::vector<idx_t> start{0}, list, weight(at(count), 0), order(at(count)), place(at(count));
   for (std::vector<idx_t>& n : neighbours) {
@@ -81,9 +81,9 @@ std::vector<int> elimination_order(const Matrices& m) {
     start.push_back(static_cast<idx_t>(list.size()));
     std::vector<idx_t>().swap(n);
   }
-  for (const idx_t v : vertex) ++weight[at(v)];
+  for (const idx_t v : vertex) ++weight[v];
   if (list.empty())
-    for (idx_t v = 0; v < count; ++v) place[at(v)] = v;
+    for (idx_t v = 0; v < count; ++v) place[v] = v;
   else
     METIS_NodeND(&count, start.data(), list.data(), weight.data(), nullptr, order.data(), place.data());
 
@@ -91,7 +91,7 @@ std::vector<int> elimination_order(const Matrices& m) {
   for (std::size_t v = 0; v < weight.size(); ++v) first[at(place[v]) + 1] = static_cast<int>(weight[v]);
   for (std::size_t p = 1; p < first.size(); ++p) first[p] += first[p - 1];
   std::vector<int> position(vertex.size());
-  for (std::size_t i = 0; i < vertex.size(); ++i) position[i] = 1 + first[at(place[at(vertex[i])])]++;
+  for (std::size_t i = 0; i < vertex.size(); ++i) position[i] = 1 + first[place[vertex[i]]]++;
   return position;
 }
 

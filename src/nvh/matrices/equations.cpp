@@ -54,19 +54,18 @@ Needs needs_of(const system::System& system) {
       if (!group->alive(e)) continue;
       const system::ElementNodes node = group->nodes(e);
       for (std::size_t a = 0; a < at(group->nodes_per_element); ++a) {
-        needs.translation[at(node[a])] = 1;
-        needs.rotation[at(node[a])] |= group->rotational;
+        needs.translation[node[a]] = 1;
+        needs.rotation[node[a]] |= group->rotational;
       }
     }
   for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
-    for (int a = 0; a < mass_only.corners; ++a) needs.translation[at(mass_only.node[at(a)])] = 1;
-  for (const model::PointMass& m : system.model.masses) needs.translation[at(system.node_of[at(m.node)])] = 1;
+    for (int a = 0; a < mass_only.corners; ++a) needs.translation[mass_only.node[a]] = 1;
+  for (const model::PointMass& m : system.model.masses) needs.translation[system.node_of[m.node]] = 1;
   for (const model::PointInertia& p : system.model.inertias) {
-    needs.translation[at(system.node_of[at(p.node)])] = 1;
-    needs.rotation[at(system.node_of[at(p.node)])] = 1;
+    needs.translation[system.node_of[p.node]] = 1;
+    needs.rotation[system.node_of[p.node]] = 1;
   }
-  for (const system::RigidBody& body : system.bodies)
-    needs.translation[at(body.node)] = needs.rotation[at(body.node)] = 1;
+  for (const system::RigidBody& body : system.bodies) needs.translation[body.node] = needs.rotation[body.node] = 1;
   // A dependent node hands its needs on; arms make rotations of them.
   for (std::size_t d = 0; d < system.nodes; ++d) {
     if (!system.map.dependent(static_cast<int>(d))) continue;
@@ -74,7 +73,7 @@ Needs needs_of(const system::System& system) {
       for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < 6; ++j) {
           const bool needed = i < 3 ? needs.translation[d] : needs.rotation[d];
-          if (needed && b.of[i][j] != 0.0) (j < 3 ? needs.translation : needs.rotation)[at(b.node)] = 1;
+          if (needed && b.of[i][j] != 0.0) (j < 3 ? needs.translation : needs.rotation)[b.node] = 1;
         }
   }
   return needs;
@@ -85,7 +84,7 @@ struct Supports {
   std::vector<Equations::Support> list;
 
   void add(Equations::Support support) {
-    support.taken = (support.rotation ? rotation : translation)[at(support.node)].add(support.direction);
+    support.taken = (support.rotation ? rotation : translation)[support.node].add(support.direction);
     list.push_back(support);
   }
 };
@@ -112,22 +111,21 @@ Supports supports_of(const system::System& system, Findings& findings) {
   for (std::size_t s = 0; s < model.spcs.size(); ++s) {
     const model::SinglePointConstraint& spc = model.spcs[s];
     if (spc.birth > 0.0) continue;
-    const int node = system.node_of[at(spc.node)];
+    const int node = system.node_of[spc.node];
     // A node that is tied by its translations alone has its own rotations.
     const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;
     const unsigned obeyed = spc.fixed & own;
     if (obeyed != spc.fixed)
-      findings.warning(
-          {model.deck, 0, 0}, "*BOUNDARY_SPC",
-          fmt::format("node {} is held by an SPC, but it moves with a rigid body or a tie; the SPC {} "
-                      "there",
-                      model.nodes.id[at(spc.node)], obeyed == 0 ? "does nothing" : "holds its rotations only"),
-          "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
+      findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
+                       fmt::format("node {} is held by an SPC, but it moves with a rigid body or a tie; the SPC {} "
+                                   "there",
+                                   model.nodes.id[spc.node], obeyed == 0 ? "does nothing" : "holds its rotations only"),
+                       "constrain the rigid body (MAT_RIGID CMO, *CONSTRAINED_NODAL_RIGID_BODY_SPC) instead");
     if (obeyed == 0) continue;
     for (int i = 0; i < 6; ++i) {
       if (!(obeyed >> i & 1u)) continue;
       const Frame3d local =
-          spc.system == model::none ? Frame3d{axes[0], axes[1], axes[2]} : model.systems[at(spc.system)].axes;
+          spc.system == model::none ? Frame3d{axes[0], axes[1], axes[2]} : model.systems[spc.system].axes;
       const Vec3d axis = i % 3 == 0 ? local.e1 : i % 3 == 1 ? local.e2 : local.e3;
       held.add({Equations::Support::Source::spc, s, node, i >= 3, axis, {}});
     }
@@ -144,8 +142,7 @@ Supports supports_of(const system::System& system, Findings& findings) {
     const auto constrain = [&](int node) {
       constexpr auto source = Equations::Support::Source::motion;
       if (motion.circular) {
-        const model::PlaceOnCircle place =
-            model::place_on_circle(motion, system.ties.x[at(system.model_node[at(node)])]);
+        const model::PlaceOnCircle place = model::place_on_circle(motion, system.ties.x[system.model_node[node]]);
         if (place.radius > 0.0 || motion.radius_fixed) held.add({source, m, node, false, place.around, {}, true});
         if (motion.radius_fixed) held.add({source, m, node, false, place.outwards, {}});
         return;
@@ -158,14 +155,14 @@ Supports supports_of(const system::System& system, Findings& findings) {
       }
     };
     if (motion.target != model::PrescribedMotion::Target::nodes) {
-      constrain(system.bodies[at(system.body_of[at(motion.rigid_body)])].node);
+      constrain(system.bodies[system.body_of[motion.rigid_body]].node);
       continue;
     }
     for (model::Index n : motion.nodes) {
-      const int node = system.node_of[at(n)];
+      const int node = system.node_of[n];
       if (system.map.dependent(node))
         findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
-                       fmt::format("node {} moves with {} and cannot be driven on its own", model.nodes.id[at(n)],
+                       fmt::format("node {} moves with {} and cannot be driven on its own", model.nodes.id[n],
                                    system.constraint_name(node)),
                        "drive the rigid body with *BOUNDARY_PRESCRIBED_MOTION_RIGID, or nodes of the sheet");
       else
@@ -217,7 +214,7 @@ Equations::Equations(const system::System& system, Findings& findings) {
     };
     for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
       for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < 6; ++j) put(i, b.node, j, b.of[at(i)][at(j)]);
+        for (int j = 0; j < 6; ++j) put(i, b.node, j, b.of[i][j]);
   }
 
   start_.reserve(own.size() + 1);
@@ -239,7 +236,7 @@ void Equations::constrain(const std::vector<char>& marked) {
   std::vector<std::size_t> start{0};
   for (std::size_t row = 0; row + 1 < start_.size(); ++row) {
     for (std::size_t t = start_[row]; t < start_[row + 1]; ++t)
-      if (const int n = number[at(terms_[t].equation)]; n >= 0) kept.push_back({n, terms_[t].factor});
+      if (const int n = number[terms_[t].equation]; n >= 0) kept.push_back({n, terms_[t].factor});
     start.push_back(kept.size());
   }
   size_ = static_cast<int>(owner.size());
@@ -251,13 +248,13 @@ void Equations::constrain(const std::vector<char>& marked) {
 SixDof Equations::motion(int node, std::span<const double> q) const {
   SixDof u{};
   for (int i = 0; i < 6; ++i)
-    for (const Term& t : terms(node, i)) u[at(i)] += t.factor * q[at(t.equation)];
+    for (const Term& t : terms(node, i)) u[i] += t.factor * q[t.equation];
   return u;
 }
 
 void Equations::add_load(int node, const SixDof& load, std::span<double> f) const {
   for (int i = 0; i < 6; ++i)
-    for (const Term& t : terms(node, i)) f[at(t.equation)] += t.factor * load[at(i)];
+    for (const Term& t : terms(node, i)) f[t.equation] += t.factor * load[i];
 }
 
 }  // namespace nugget::nvh

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index.hpp"
 #include "system/system.hpp"
 
 namespace nugget::nvh {
@@ -47,11 +48,11 @@ class Equations {
   };
   /// How component i (0..5) of a system node moves: sum of factor times unknown. Empty: it does not.
   std::span<const Term> terms(int node, int i) const {
-    const std::size_t k = 6 * static_cast<std::size_t>(node) + static_cast<std::size_t>(i);
+    const std::size_t k = 6 * at(node) + at(i);
     return {terms_.data() + start_[k], start_[k + 1] - start_[k]};
   }
   /// Node whose unknown an equation is (a virtual node for a rigid body's).
-  int node_of(int equation) const { return owner_[static_cast<std::size_t>(equation)]; }
+  int node_of(int equation) const { return owner_[equation]; }
 
   /// Motion of a node.
   SixDof motion(int node, std::span<const double> q) const;

@@ -65,7 +65,7 @@ std::array<Vec3d, 2> across(const Vec3d& a) {
 }
 
 const system::RigidBody& body_of(const system::System& system, model::Index body) {
-  return system.bodies[at(system.body_of[at(body)])];
+  return system.bodies[system.body_of[body]];
 }
 
 BodyLink link_of(const system::System& system, const model::Joint& joint) {
@@ -110,7 +110,7 @@ BodyLink link_of(const system::System& system, const model::Joint& joint) {
 /// Slope of a freedom at rest, `start` away from where its curve is 0.
 double slope_of(const system::System& system, const model::JointStiffness::Freedom& f, double start) {
   double slope = f.friction > 0.0 ? f.stiffness : 0.0;
-  if (f.load != model::none) slope += kernel::ForceCurve(system.model.curves[at(f.load)]).slope(start);
+  if (f.load != model::none) slope += kernel::ForceCurve(system.model.curves[f.load]).slope(start);
   const bool stopped = (f.high_stop > 0.0 && start > f.high_stop) || (f.low_stop > 0.0 && start < -f.low_stop);
   return stopped ? slope + f.stiffness : slope;
 }
@@ -129,7 +129,7 @@ BodyLink link_of(const system::System& system, const model::JointStiffness& s) {
     ConstrainedMotion constrained = s.rotational ? rotation(own[i]) : displacement(own[i], arm[0], arm[1]);
     constrained.spring = slope_of(system, s.freedom[i], dot(own[i], start));
     if (const model::Index damper = s.freedom[i].damper; damper != model::none)
-      constrained.dashpot = kernel::ForceCurve(system.model.curves[at(damper)]).slope(0.0);
+      constrained.dashpot = kernel::ForceCurve(system.model.curves[damper]).slope(0.0);
     if (constrained.spring != 0.0 || constrained.dashpot != 0.0) link.constrained.push_back(constrained);
   }
   return link;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <variant>
 
-#include "base/index.hpp"
 #include "kernel/law/law_components.hpp"
 
 namespace nugget::nvh {
@@ -23,8 +22,8 @@ void change_bricks(model::Model& m, Findings& findings) {
   std::vector<int> changed;
   for (model::Part& part : m.parts) {
     if (part.kind != model::ElementKind::solid || part.section == model::none || part.material == model::none) continue;
-    model::SectionSolid section = m.solid_sections[at(part.section)];
-    if (std::holds_alternative<kernel::Spotweld>(m.materials[at(part.material)].law) || !of_bricks(section.elform) ||
+    model::SectionSolid section = m.solid_sections[part.section];
+    if (std::holds_alternative<kernel::Spotweld>(m.materials[part.material].law) || !of_bricks(section.elform) ||
         section.elform == m.implicit.solid_form)
       continue;
     changed.push_back(part.id);
@@ -42,7 +41,7 @@ void change_bricks(model::Model& m, Findings& findings) {
 void separate_pressures(model::Model& m, Findings& findings) {
   for (const model::Part& part : m.parts)
     if (part.kind == model::ElementKind::solid && part.section != model::none &&
-        m.solid_sections[at(part.section)].elform == 13)
+        m.solid_sections[part.section].elform == 13)
       findings.warning(
           part.place, "*PART",
           fmt::format("part {}: tetrahedra of ELFORM 13 are computed as 10 in linear analyses: each has its "
@@ -57,13 +56,13 @@ void stabilize_bricks(model::Model& m, Findings& findings) {
   std::vector<int> changed;
   for (model::Part& part : m.parts) {
     if (part.kind != model::ElementKind::solid || part.section == model::none) continue;
-    const int form = m.solid_sections[at(part.section)].elform;
+    const int form = m.solid_sections[part.section].elform;
     const bool rigid = part.material != model::none &&
-                       std::holds_alternative<kernel::Rigid>(m.materials[at(part.material)].law),
+                       std::holds_alternative<kernel::Rigid>(m.materials[part.material].law),
                one_point = !rigid && (form == 0 || form == 1 || form == 18);
-    const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
+    const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[part.hourglass];
     model::Hourglass bindeman = now;
-    const int elform = m.solid_sections[at(part.section)].elform;
+    const int elform = m.solid_sections[part.section].elform;
     const bool ten_nodes = elform == 16 || elform == 17;  // they have no hourglass modes
     if (now.type != 6 && !ten_nodes) {
       bindeman.type = 6;
@@ -88,8 +87,8 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
   for (model::Part& part : m.parts) {
     if (part.kind != model::ElementKind::shell || part.section == model::none) continue;
     part.drilling = std::max(part.drilling, 1.0);
-    model::Hourglass warping = part.hourglass == model::none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
-    model::SectionShell section = m.shell_sections[at(part.section)];
+    model::Hourglass warping = part.hourglass == model::none ? m.control.hourglass : m.hourglass[part.hourglass];
+    model::SectionShell section = m.shell_sections[part.section];
     if (section.elform == 4 || section.elform == 17) continue;
     if (section.elform != 16) changed.push_back(part.id);
     section.elform = 16;
@@ -133,7 +132,7 @@ void take_viscosity_out(model::Model& m) {
 void refuse_fluids(const model::Model& m, Findings& findings) {
   for (const model::Part& part : m.parts)
     if (part.kind == model::ElementKind::solid && part.material != model::none &&
-        m.materials[at(part.material)].keyword == "MAT_NULL")
+        m.materials[part.material].keyword == "MAT_NULL")
       findings.error(part.place, "*PART", fmt::format("part {} is a fluid, which linear analyses do not have", part.id),
                      "take it out, or put its mass on the structure (*ELEMENT_MASS)");
 }

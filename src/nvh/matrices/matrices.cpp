@@ -23,13 +23,13 @@ namespace {
 Vec3d corner_offset(const system::ElementGroup& group, std::size_t e, std::size_t a, const system::State& rest) {
   const system::ElementNodes node = group.nodes(e);
   const std::size_t corners = at(group.nodes_per_element);
-  const auto place = [&](std::size_t k) { return vec(rest.x[at(node[k % corners])]); };
+  const auto place = [&](std::size_t k) { return vec(rest.x[node[k % corners]]); };
   return (corners == 4 ? 1.0 / 6.0 : 1.0 / 8.0) * (place(a + 1) + place(a + corners - 1) - 2.0 * place(a));
 }
 
 Vec3d shell_normal(const system::ElementGroup& group, std::size_t e, const system::State& rest) {
   const system::ElementNodes node = group.nodes(e);
-  const auto place = [&](std::size_t k) { return vec(rest.x[at(node[k])]); };
+  const auto place = [&](std::size_t k) { return vec(rest.x[node[k]]); };
   return group.nodes_per_element == 4 ? unit(cross(place(2) - place(0), place(3) - place(1)))
                                       : unit(cross(place(1) - place(0), place(2) - place(0)));
 }
@@ -37,9 +37,9 @@ Vec3d shell_normal(const system::ElementGroup& group, std::size_t e, const syste
 /// The section of resultant beams (ELFORM 2); null for other elements.
 const model::SectionBeam* resultant_section(const system::System& system, const system::ElementGroup& group) {
   if (group.kind != model::ElementKind::beam || group.nodes_per_element != 2) return nullptr;
-  const model::Part& part = system.model.parts[at(group.part)];
+  const model::Part& part = system.model.parts[group.part];
   if (part.section == model::none) return nullptr;
-  const model::SectionBeam& section = system.model.beam_sections[at(part.section)];
+  const model::SectionBeam& section = system.model.beam_sections[part.section];
   return section.elform == 2 ? &section : nullptr;
 }
 
@@ -48,12 +48,11 @@ const model::SectionBeam* resultant_section(const system::System& system, const 
 system::Inertia section_inertia(const system::System& system, const system::ElementGroup& group, std::size_t e,
                                 const model::SectionBeam& section, const system::State& rest) {
   const system::ElementNodes node = group.nodes(e);
-  const Vec3d line = vec(rest.x[at(node[1])]) - vec(rest.x[at(node[0])]), r = unit(line);
-  const model::Index third = system.model.beams.orientation[at(group.element[e])];
-  const Vec3d towards = third == model::none ? Vec3d{} : system.ties.x[at(third)] - vec(rest.x[at(node[0])]);
+  const Vec3d line = vec(rest.x[node[1]]) - vec(rest.x[node[0]]), r = unit(line);
+  const model::Index third = system.model.beams.orientation[group.element[e]];
+  const Vec3d towards = third == model::none ? Vec3d{} : system.ties.x[third] - vec(rest.x[node[0]]);
   const Vec3d in_plane = towards - dot(towards, r) * r;
-  const double half =
-      0.5 * system.model.materials[at(system.model.parts[at(group.part)].material)].density * norm(line);
+  const double half = 0.5 * system.model.materials[system.model.parts[group.part].material].density * norm(line);
   const double is = half * section.moment_s, it = half * section.moment_t;
   // Without a third node the section has no direction in space, and is as large as it may be.
   const bool turned = !(norm(in_plane) > 0.0);
@@ -82,7 +81,7 @@ void add_least_inertia(NodalMass& n) {
 /// Masses at the nodes as the elements, point masses and given bodies put them there.
 std::vector<NodalMass> nodal_masses(const system::System& system, const system::State& rest) {
   std::vector<NodalMass> at_node(system.all_nodes());
-  const auto put = [&](int node, const NodalMass& share) { at_node[at(node)].add(share); };
+  const auto put = [&](int node, const NodalMass& share) { at_node[node].add(share); };
   for (const auto& group : system.groups) {
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (!group->alive(e)) continue;
@@ -94,16 +93,16 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
   for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
     for (int a = 0; a < mass_only.corners; ++a) {
       const double inertia = mass_only.nodal_inertia;
-      put(mass_only.node[at(a)], {mass_only.nodal_mass(a), {inertia, 0, 0, inertia, 0, inertia}, {}});
+      put(mass_only.node[a], {mass_only.nodal_mass(a), {inertia, 0, 0, inertia, 0, inertia}, {}});
     }
-  for (const model::PointMass& m : system.model.masses) put(system.node_of[at(m.node)], {m.mass, {}, {}});
+  for (const model::PointMass& m : system.model.masses) put(system.node_of[m.node], {m.mass, {}, {}});
   for (NodalMass& n : at_node) add_least_inertia(n);
-  for (const model::PointInertia& p : system.model.inertias) put(system.node_of[at(p.node)], {p.mass, p.inertia, {}});
+  for (const model::PointInertia& p : system.model.inertias) put(system.node_of[p.node], {p.mass, p.inertia, {}});
   for (const system::RigidBody& body : system.bodies) {
-    const model::RigidBody& source = system.model.rigid_bodies[at(body.source)];
+    const model::RigidBody& source = system.model.rigid_bodies[body.source];
     if (!source.given) continue;
-    for (const model::Index n : source.nodes) at_node[at(system.node_of[at(n)])] = {};
-    at_node[at(body.node)] = {source.inertia.mass, source.inertia.inertia, {}};
+    for (const model::Index n : source.nodes) at_node[system.node_of[n]] = {};
+    at_node[body.node] = {source.inertia.mass, source.inertia.inertia, {}};
   }
   return at_node;
 }
@@ -112,7 +111,7 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
 system::State at_rest(const system::System& system) {
   system::State state;
   state.x.resize(system.all_nodes());
-  for (std::size_t k = 0; k < system.nodes; ++k) set(state.x[k], system.ties.x[at(system.model_node[k])]);
+  for (std::size_t k = 0; k < system.nodes; ++k) set(state.x[k], system.ties.x[system.model_node[k]]);
   return state;
 }
 
@@ -163,7 +162,7 @@ std::vector<char> unresisted(const Symmetric& k) {
   std::vector<char> loose(k.size(), 1);
   for (std::size_t j = 0; j < k.size(); ++j)
     for (std::size_t i = 0; i < k.rows(j).size(); ++i)
-      if (k.values(j)[i] != 0.0) loose[j] = loose[at(k.rows(j)[i])] = 0;
+      if (k.values(j)[i] != 0.0) loose[j] = loose[k.rows(j)[i]] = 0;
   return loose;
 }
 

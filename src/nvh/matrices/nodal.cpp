@@ -22,7 +22,7 @@ void apply_constraints(const system::System& system, Nodal& u) {
     if (!system.map.dependent(static_cast<int>(d))) continue;
     for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
       for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t j = 0; j < 6; ++j) u[d][i] += b.of[i][j] * u[at(b.node)][j];
+        for (std::size_t j = 0; j < 6; ++j) u[d][i] += b.of[i][j] * u[b.node][j];
   }
 }
 
@@ -31,7 +31,7 @@ void transfer_forces(const system::System& system, Nodal& f) {
     if (!system.map.dependent(static_cast<int>(d))) continue;
     for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
       for (std::size_t i = 0; i < 6; ++i)
-        for (std::size_t j = 0; j < 6; ++j) f[at(b.node)][j] += b.of[i][j] * f[d][i];
+        for (std::size_t j = 0; j < 6; ++j) f[b.node][j] += b.of[i][j] * f[d][i];
     const bool turns = system.map.rotations(static_cast<int>(d));
     for (std::size_t i = 0; i < (turns ? 6u : 3u); ++i) f[d][i] = 0.0;
   }
@@ -54,7 +54,7 @@ std::vector<double> tangent_stiffness(const Matrices& m, const system::ElementGr
 
 ConstrainedMotion::Row motion_of(const BodyLink& link, const Nodal& u) {
   ConstrainedMotion::Row motion;
-  for (std::size_t i = 0; i < 12; ++i) motion[i] = u[at(link.node[i / 6])][i % 6];
+  for (std::size_t i = 0; i < 12; ++i) motion[i] = u[link.node[i / 6]][i % 6];
   return motion;
 }
 
@@ -68,11 +68,11 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
       double twice = 0.0;
       for (std::size_t i = 0; i < n; ++i) {
         double f = 0.0;
-        for (std::size_t j = 0; j < n; ++j) f += k[i * n + j] * u[at(node[j / per_node])][j % per_node];
-        all.force[at(node[i / per_node])][i % per_node] += f;
-        twice += f * u[at(node[i / per_node])][i % per_node];
+        for (std::size_t j = 0; j < n; ++j) f += k[i * n + j] * u[node[j / per_node]][j % per_node];
+        all.force[node[i / per_node]][i % per_node] += f;
+        twice += f * u[node[i / per_node]][i % per_node];
       }
-      all.part_energy[at(group->part)] += 0.5 * twice;
+      all.part_energy[group->part] += 0.5 * twice;
     }
   for (const BodyLink& link : m.links) {
     const ConstrainedMotion::Row motion = motion_of(link, u);
@@ -80,7 +80,7 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
       double moved = 0.0;
       for (std::size_t i = 0; i < 12; ++i) moved += constrained.row[i] * motion[i];
       for (std::size_t i = 0; i < 12; ++i)
-        all.force[at(link.node[i / 6])][i % 6] += constrained.spring * moved * constrained.row[i];
+        all.force[link.node[i / 6]][i % 6] += constrained.spring * moved * constrained.row[i];
       all.link_energy += 0.5 * constrained.spring * moved * moved;
     }
   }
@@ -88,7 +88,7 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
 }
 
 Vec3d force_of_pressure(const Matrices& m, const model::Segment& s) {
-  const auto place = [&](std::size_t a) { return m.system.ties.x[at(s[a])]; };
+  const auto place = [&](std::size_t a) { return m.system.ties.x[s[a]]; };
   if (s[3] == s[2]) return -0.5 * cross(place(1) - place(0), place(2) - place(0));
   return -0.5 * cross(place(2) - place(0), place(3) - place(1));
 }

@@ -167,7 +167,7 @@ std::vector<double> element_stiffness(const system::ElementGroup& group, const s
 std::vector<Vec3d> places_of(const system::ElementGroup& group, std::size_t e, const system::State& rest) {
   const system::ElementNodes nodes = group.nodes(e);
   std::vector<Vec3d> x;
-  for (const int node : element_nodes(group, nodes)) x.push_back(vec(rest.x[at(node)]));
+  for (const int node : element_nodes(group, nodes)) x.push_back(vec(rest.x[node]));
   return x;
 }
 
@@ -182,33 +182,33 @@ Prestress::Prestress(const Matrices& m) : system_(m.system), rest_(m.rest) {
 }
 
 Tensor& Prestress::of(const ElementLocation& location) {
-  return tensor_[at(location.group)][at(location.element)];
+  return tensor_[location.group][location.element];
 }
 
 void Prestress::add_initial() {
   const system::System& system = system_;
   const model::InitialState& initial = system.model.initial_state;
   for (const model::InitialStress& s : initial.shells) {
-    const ElementLocation location = system.shell_location[at(s.element)];
+    const ElementLocation location = system.shell_location[s.element];
     if (location.group >= 0)
-      add_to(of(location), system.groups[at(location.group)]->thickness(at(location.element)), mean_through(s.points));
+      add_to(of(location), system.groups[location.group]->thickness(at(location.element)), mean_through(s.points));
   }
   for (const model::InitialStress& s : initial.solids)
-    if (const ElementLocation location = system.solid_location[at(s.element)]; location.group >= 0)
+    if (const ElementLocation location = system.solid_location[s.element]; location.group >= 0)
       for (const model::InitialPoint& p : s.points)
         add_to(of(location), 1.0 / static_cast<double>(s.points.size()), p.stress);
   for (const model::SectionStress& s : initial.section_stresses)
     for (const model::Index solid : s.solids)
-      if (const ElementLocation location = system.solid_location[at(solid)]; location.group >= 0)
-        add_to(of(location), system.model.curves[at(s.curve)].clamped(0.0), along(s.normal));
+      if (const ElementLocation location = system.solid_location[solid]; location.group >= 0)
+        add_to(of(location), system.model.curves[s.curve].clamped(0.0), along(s.normal));
   for (const model::AxialForce& f : initial.axial_forces)
     for (const model::Index beam : f.beams) {
-      const ElementLocation location = system.beam_location[at(beam)];
+      const ElementLocation location = system.beam_location[beam];
       if (location.group < 0) continue;
-      const system::ElementNodes node = system.groups[at(location.group)]->nodes(at(location.element));
-      const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
+      const system::ElementNodes node = system.groups[location.group]->nodes(at(location.element));
+      const Vec3d line = vec(rest_.x[node[1]]) - vec(rest_.x[node[0]]);
       if (norm(line) > 0.0)
-        add_to(of(location), f.scale * system.model.curves[at(f.curve)].clamped(0.0), along(unit(line)));
+        add_to(of(location), f.scale * system.model.curves[f.curve].clamped(0.0), along(unit(line)));
     }
 }
 
@@ -225,19 +225,19 @@ void Prestress::add(const std::vector<SixDof>& motion) {
       if (dimension_of(group) == 3) add_to(of(location), 1.0, elastic.stress(location, 0));
       if (dimension_of(group) == 2)
         for (int k = 0; k < layers; ++k)
-          add_to(of(location), group.thickness(e) * rule.weight[at(k)], elastic.stress(location, k));
+          add_to(of(location), group.thickness(e) * rule.weight[k], elastic.stress(location, k));
       if (dimension_of(group) > 1) continue;
       // Along a line: the force at its second end.
       const std::size_t per_node = at(group.freedoms()), n = 2 * per_node;
       std::vector<double> k(n * n);
       group.stiffness(e, rest_, k);
       const system::ElementNodes node = group.nodes(e);
-      const Vec3d line = vec(rest_.x[at(node[1])]) - vec(rest_.x[at(node[0])]);
+      const Vec3d line = vec(rest_.x[node[1]]) - vec(rest_.x[node[0]]);
       if (!(norm(line) > 0.0)) continue;
       double force[3] = {0.0, 0.0, 0.0};
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < n; ++j)
-          force[i] += k[(per_node + i) * n + j] * motion[at(node[j / per_node])][j % per_node];
+          force[i] += k[(per_node + i) * n + j] * motion[node[j / per_node]][j % per_node];
       add_to(of(location), dot(unit(line), Vec3d{force[0], force[1], force[2]}), along(unit(line)));
     }
   }
@@ -247,12 +247,12 @@ void Prestress::add(const system::System& run, const system::State& now) {
   const auto carry = [&](const std::vector<ElementLocation>& from, const std::vector<ElementLocation>& to) {
     for (std::size_t i = 0; i < from.size(); ++i) {
       if (from[i].group < 0 || to[i].group < 0) continue;
-      const system::ElementGroup& group = *run.groups[at(from[i].group)];
+      const system::ElementGroup& group = *run.groups[from[i].group];
       const std::size_t e = at(from[i].element);
       if (!group.alive(e)) continue;
       if (dimension_of(group) == 1) {
         const system::ElementNodes node = group.nodes(e);
-        const Vec3d line = vec(now.x[at(node[1])]) - vec(now.x[at(node[0])]);
+        const Vec3d line = vec(now.x[node[1]]) - vec(now.x[node[0]]);
         if (norm(line) > 0.0) add_to(of(to[i]), dot(unit(line), run.nodal_force(from[i], 1)), along(unit(line)));
         continue;
       }
@@ -260,7 +260,7 @@ void Prestress::add(const system::System& run, const system::State& now) {
       const kernel::LayerRule rule =
           dimension_of(group) == 2 ? system::layer_rule(run.model, group.part) : kernel::LayerRule{};
       for (int k = 0; k < layers; ++k)
-        add_to(of(to[i]), dimension_of(group) == 2 ? group.thickness(e) * rule.weight[at(k)] : 1.0 / layers,
+        add_to(of(to[i]), dimension_of(group) == 2 ? group.thickness(e) * rule.weight[k] : 1.0 / layers,
                group.layer(e, k, now).stress);
     }
   };
@@ -303,7 +303,7 @@ Symmetric Prestress::stiffness(const Equations& equations) const {
 void Prestress::add_element_stiffness(const system::ElementGroup& group, std::size_t e, std::span<double> k) const {
   const auto own =
       std::find_if(system_.groups.begin(), system_.groups.end(), [&](const auto& g) { return g.get() == &group; });
-  const Tensor& tensor = tensor_[static_cast<std::size_t>(own - system_.groups.begin())][e];
+  const Tensor& tensor = tensor_[own - system_.groups.begin()][e];
   if (!any(tensor)) return;
   const std::vector<double> more = element_stiffness(
       group, places_of(group, e, rest_), points_of(at(group.nodes_per_element), dimension_of(group)), tensor);

@@ -21,9 +21,9 @@ Symmetric::Symmetric(const std::vector<std::vector<int>>& rows) {
 
 void Symmetric::add(int i, int j, double value) {
   if (i < j) std::swap(i, j);
-  const auto first = row_.begin() + static_cast<std::ptrdiff_t>(start_[at(j)]);
+  const auto first = row_.begin() + static_cast<std::ptrdiff_t>(start_[j]);
   const auto last = row_.begin() + static_cast<std::ptrdiff_t>(start_[at(j) + 1]);
-  value_[static_cast<std::size_t>(std::lower_bound(first, last, i) - row_.begin())] += value;
+  value_[std::lower_bound(first, last, i) - row_.begin()] += value;
 }
 
 void Symmetric::drop_small(double share) {
@@ -33,7 +33,7 @@ void Symmetric::drop_small(double share) {
   for (std::size_t j = 0; j < size.size(); ++j) {
     const std::size_t first = std::exchange(start_[j], kept);
     for (std::size_t k = first; k < start_[j + 1]; ++k) {
-      if (k > first && std::abs(value_[k]) <= share * size[j] * size[at(row_[k])]) continue;
+      if (k > first && std::abs(value_[k]) <= share * size[j] * size[row_[k]]) continue;
       row_[kept] = row_[k];
       value_[kept++] = value_[k];
     }
@@ -48,8 +48,8 @@ void Symmetric::multiply(std::span<const double> x, std::span<double> y) const {
   for (std::size_t j = 0; j < size(); ++j) {
     double sum = value_[start_[j]] * x[j];
     for (std::size_t k = start_[j] + 1; k < start_[j + 1]; ++k) {
-      sum += value_[k] * x[at(row_[k])];
-      y[at(row_[k])] += value_[k] * x[j];
+      sum += value_[k] * x[row_[k]];
+      y[row_[k]] += value_[k] * x[j];
     }
     y[j] += sum;
   }
@@ -59,7 +59,7 @@ double Symmetric::quadratic(std::span<const double> x) const {
   double sum = 0.0;
   for (std::size_t j = 0; j < size(); ++j) {
     double column = 0.5 * value_[start_[j]] * x[j];
-    for (std::size_t k = start_[j] + 1; k < start_[j + 1]; ++k) column += value_[k] * x[at(row_[k])];
+    for (std::size_t k = start_[j] + 1; k < start_[j + 1]; ++k) column += value_[k] * x[row_[k]];
     sum += 2.0 * column * x[j];
   }
   return sum;

@@ -10,7 +10,7 @@ namespace {
 constexpr double step = 0x1p-100;  // a power of two: scaling by it is exact
 
 const system::ElementGroup* group_of(const system::System& system, const system::System::ElementLocation& location) {
-  return location.group < 0 ? nullptr : system.groups[at(location.group)].get();
+  return location.group < 0 ? nullptr : system.groups[location.group].get();
 }
 
 }  // namespace

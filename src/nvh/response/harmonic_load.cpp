@@ -18,7 +18,7 @@ using Kind = Excitation::Kind;
 
 Nodal applied_forces(const Matrices& m, const Excitation& e) {
   Nodal f(m.system.all_nodes());
-  const auto node = [&](model::Index n) { return at(m.system.node_of[at(n)]); };
+  const auto node = [&](model::Index n) { return at(m.system.node_of[n]); };
   for (const model::Index n : e.nodes) add_to(f[node(n)], e.kind == Kind::torque, e.direction);
   for (std::size_t i = 0; i < e.pressed.size(); ++i) {
     const model::Segment& s = e.pressed[i];
@@ -60,7 +60,7 @@ void solve_statically(const Matrices& m, Columns& q) {
 /// what is not held otherwise stay where it is; its error is worked off by refinement.
 Nodal static_shape(const Matrices& m, const Excitation& e) {
   Nodal u(m.system.all_nodes());
-  for (const model::Index n : e.nodes) add_to(u[at(m.system.node_of[at(n)])], false, e.direction);
+  for (const model::Index n : e.nodes) add_to(u[m.system.node_of[n]], false, e.direction);
   apply_constraints(m.system, u);
   Columns q(m.size(), 1);
   add_load(m, internal_forces(m, u).force, -1.0, q[0]);
@@ -130,9 +130,9 @@ void check_excitation(const Matrices& m, const Excitation& e, const char* keywor
   const int errors = findings.errors();
   if (e.kind == Kind::torque)
     for (const model::Index n : e.nodes)
-      if (!turns(m.equations, m.system.node_of[at(n)]))
+      if (!turns(m.equations, m.system.node_of[n]))
         findings.error(e.place, keyword,
-                       fmt::format("node {} carries a torque, but nothing there can turn", model.nodes.id[at(n)]),
+                       fmt::format("node {} carries a torque, but nothing there can turn", model.nodes.id[n]),
                        "put it on a node of shells, beams or a rigid body, or write a pair of forces");
   if (!e.moves() && findings.errors() == errors) check_effect(m, e, keyword, findings);
 }

@@ -16,15 +16,14 @@ namespace {
 std::vector<double> mass_factors(const model::Model& model) {
   std::vector<double> alpha(model.parts.size(), 0.0);
   for (const model::MassDamping& d : model.damping.mass)
-    if (!d.everything)
-      alpha[at(d.part)] += d.factor * (d.curve == model::none ? 1.0 : model.curves[at(d.curve)].y.front());
+    if (!d.everything) alpha[d.part] += d.factor * (d.curve == model::none ? 1.0 : model.curves[d.curve].y.front());
   return alpha;
 }
 
 /// beta by model part.
 std::vector<double> stiffness_factors(const model::Model& model) {
   std::vector<double> beta(model.parts.size(), 0.0);
-  for (const model::StiffnessDamping& d : model.damping.stiffness) beta[at(d.part)] += d.time;
+  for (const model::StiffnessDamping& d : model.damping.stiffness) beta[d.part] += d.time;
   return beta;
 }
 
@@ -72,8 +71,8 @@ Symmetric part_damping(const Matrices& m) {
   for (const auto& group : m.system.groups)
     for (std::size_t e = 0; e < group->size(); ++e) {
       if (!group->alive(e)) continue;
-      add_element(m, *group, e, beta[at(group->part)], pieces);
-      if (alpha[at(group->part)] != 0.0) add_masses(m, *group, e, alpha[at(group->part)], pieces);
+      add_element(m, *group, e, beta[group->part], pieces);
+      if (alpha[group->part] != 0.0) add_masses(m, *group, e, alpha[group->part], pieces);
     }
   for (const BodyLink& link : m.links)
     if (link.damps()) pieces.push_back({DofMap(m.equations, link.node, 6), link.viscosity()});
@@ -100,9 +99,9 @@ void check_part_damping(const Matrices& m, const Place& place, const char* keywo
   for (const model::MassDamping& d : model.damping.mass) {
     if (d.everything) continue;
     any = true;
-    const int part = model.parts[at(d.part)].id;
+    const int part = model.parts[d.part].id;
     if (d.curve != model::none) {
-      const Curve& curve = model.curves[at(d.curve)];
+      const Curve& curve = model.curves[d.curve];
       if (std::any_of(curve.y.begin(), curve.y.end(), [&](double y) { return y != curve.y.front(); }))
         findings.error(place, "*DAMPING_PART_MASS",
                        fmt::format("the damping of part {} changes over time, which a harmonic response (DMPFLG 1) has "
@@ -114,7 +113,7 @@ void check_part_damping(const Matrices& m, const Place& place, const char* keywo
       findings.error(place, "*DAMPING_PART_MASS",
                      fmt::format("scales by direction (part {}) are not built in responses over frequency", part),
                      remedy);
-    if (model.parts[at(d.part)].rigid_body != model::none)
+    if (model.parts[d.part].rigid_body != model::none)
       findings.error(place, "*DAMPING_PART_MASS",
                      fmt::format("part {} is rigid: its damping is not built in responses over frequency", part),
                      remedy);
@@ -125,7 +124,7 @@ void check_part_damping(const Matrices& m, const Place& place, const char* keywo
       findings.error(place, "*DAMPING_PART_STIFFNESS",
                      fmt::format("COEF of part {} is a share of critical damping at the highest frequency of each "
                                  "element, which means nothing in a response over frequency",
-                                 model.parts[at(d.part)].id),
+                                 model.parts[d.part].id),
                      "write Rayleigh's beta as a negative COEF");
   }
   if (!any)

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "nvh/response/frequencies.hpp"
 #include "nvh/response/frequency_response.hpp"
 #include "nvh/response/response_states.hpp"
@@ -61,7 +60,7 @@ void each_point(std::span<const Vec3d, 4> x, Visit visit) {
 
 std::array<Vec3d, 4> corners(const Matrices& m, const model::Segment& segment) {
   std::array<Vec3d, 4> x;
-  for (std::size_t a = 0; a < 4; ++a) x[a] = m.system.ties.x[at(segment[a])];
+  for (std::size_t a = 0; a < 4; ++a) x[a] = m.system.ties.x[segment[a]];
   return x;
 }
 
@@ -72,7 +71,7 @@ double area(std::span<const Vec3d, 4> x) {
 }
 
 double loss_factor(const model::Model& model, const model::SteadyState::RadiatedPower& p, double frequency) {
-  return p.loss_curve == model::none ? p.loss_factor : model.curves[at(p.loss_curve)].clamped(frequency);
+  return p.loss_curve == model::none ? p.loss_factor : model.curves[p.loss_curve].clamped(frequency);
 }
 
 }  // namespace
@@ -105,7 +104,7 @@ RadiatedPower radiated_power(const Matrices& m, const Modes& modes, const model:
       for (const model::Segment& s : wanted.panels[p].segments) {
         std::array<Velocity, 4> v;
         for (std::size_t a = 0; a < 4; ++a)
-          for (std::size_t i = 0; i < 3; ++i) v[a][i] = rate * now.u[at(s[a])][i];
+          for (std::size_t i = 0; i < 3; ++i) v[a][i] = rate * now.u[s[a]][i];
         sum += square_of_normal_velocity(corners(m, s), v);
       }
       result.panels[p].power.push_back(factor * sum);

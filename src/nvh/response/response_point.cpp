@@ -64,7 +64,7 @@ Form elastic_force(const Matrices& m, const std::map<int, SixDof>& weight) {
 Form inertia_force(const Matrices& m, const std::map<int, SixDof>& weight) {
   Form form;
   for (const auto& [node, factor] : weight) {
-    const std::array<double, 36> mass = mass_matrix(m.nodal_mass[at(node)]);
+    const std::array<double, 36> mass = mass_matrix(m.nodal_mass[node]);
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = 0; j < 6; ++j)
         if (factor[i] * mass[6 * i + j] != 0.0) form.add(node, static_cast<int>(j), factor[i] * mass[6 * i + j]);
@@ -82,7 +82,7 @@ bool is_supported(const Equations& equations, int node, bool rotation, const Vec
 
 double Form::of(const Nodal& motion) const {
   double sum = 0.0;
-  for (const Part& p : parts_) sum += p.factor * motion[at(p.node)][at(p.component)];
+  for (const Part& p : parts_) sum += p.factor * motion[p.node][p.component];
   return sum;
 }
 
@@ -100,8 +100,8 @@ std::vector<ResponsePoint> response_points_of(const Matrices& m, const Response&
   for (const model::Index n : response.nodes)
     for (const Vec3d& d : response.directions) {
       ResponsePoint p;
-      p.id = m.system.model.nodes.id[at(n)];
-      p.node = m.system.node_of[at(n)];
+      p.id = m.system.model.nodes.id[n];
+      p.node = m.system.node_of[n];
       p.direction = d;
       p.rotation = response.rotation;
       p.force = response.quantity == model::FrequencyResponse::Quantity::force;
@@ -122,7 +122,7 @@ std::vector<ResponsePoint> response_points_of(const Matrices& m, const Response&
 void check_response(const Matrices& m, const Response& response, const char* keyword, Findings& findings) {
   const bool force = response.quantity == model::FrequencyResponse::Quantity::force;
   for (const model::Index n : response.nodes) {
-    const int node = m.system.node_of[at(n)], id = m.system.model.nodes.id[at(n)];
+    const int node = m.system.node_of[n], id = m.system.model.nodes.id[n];
     if (response.rotation && !turns(m.equations, node))
       findings.error(response.place, keyword, fmt::format("nothing turns at node {}: it has no rotations", id),
                      "ask for translations, or for a node of shells, beams or a rigid body");

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "nvh/response/frequencies.hpp"
 #include "nvh/response/transfer.hpp"
 #include "output/model_geometry.hpp"
@@ -37,7 +36,7 @@ class Drive {
       const bool relative = request_.relative && excitation.kind == Transfer::Excitation::Kind::base;
       if (!excitation.moves() || relative) continue;
       const Complex along = factor(l, frequency, 0);
-      for (std::size_t i = 0; i < 3; ++i) u[i] += along * loads_[l].carried[at(node)][i];
+      for (std::size_t i = 0; i < 3; ++i) u[i] += along * loads_[l].carried[node][i];
     }
     return u;
   }

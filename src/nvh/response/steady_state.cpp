@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "nvh/response/frequencies.hpp"
 #include "nvh/response/part_damping.hpp"
 #include "nvh/response/transfer.hpp"
@@ -26,7 +25,7 @@ std::vector<ResponsePoint> response_points_of(const Matrices& m) {
     response.nodes = {entity.index};
     response.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (entity.system != model::none) {
-      const Frame3d& own = model.systems[at(entity.system)].axes;
+      const Frame3d& own = model.systems[entity.system].axes;
       response.directions = {own.e1, own.e2, own.e3};
     }
     for (ResponsePoint& p : nvh::response_points_of(m, response)) points.push_back(std::move(p));
@@ -39,7 +38,7 @@ std::vector<ResponsePoint> response_points_of(const Matrices& m) {
 Complex amplitude(const model::Model& model, const model::SteadyState& request, const model::SteadyState::Load& load,
                   double frequency) {
   const auto value = [&](model::Index curve) {
-    return curve == model::none ? 0.0 : model.curves[at(curve)].zero_outside(frequency);
+    return curve == model::none ? 0.0 : model.curves[curve].zero_outside(frequency);
   };
   const double first = load.scale * value(load.first), second = value(load.second);
   if (request.by_parts) return {first, load.scale * second};

@@ -27,7 +27,7 @@ double dot(std::span<const double> a, std::span<const double> b) {
 double viscous(const model::Model& model, const model::FrequencyResponse::Damping& d, double eigenvalue, int mode) {
   const double omega = std::sqrt(eigenvalue);
   double ratio = d.ratio;
-  if (d.curve != model::none) ratio = model.curves[at(d.curve)].clamped(d.by_mode ? mode : omega / two_pi);
+  if (d.curve != model::none) ratio = model.curves[d.curve].clamped(d.by_mode ? mode : omega / two_pi);
   return 2.0 * ratio * omega + d.mass + d.stiffness * eigenvalue;
 }
 
@@ -85,7 +85,7 @@ Columns residual_vectors(const Matrices& m, const Modes& modes, std::size_t last
 
 double loss_factor(const model::Model& model, double frequency, int mode) {
   const model::StructuralDamping& d = model.structural_damping;
-  return d.curve == model::none ? d.factor : model.curves[at(d.curve)].clamped(d.by_mode ? mode : frequency);
+  return d.curve == model::none ? d.factor : model.curves[d.curve].clamped(d.by_mode ? mode : frequency);
 }
 
 Superposition::Superposition(const Matrices& m, const Modes& modes, const model::FrequencyResponse::Selection& chosen,
@@ -166,7 +166,7 @@ Responses Superposition::responses(const model::FrequencyResponse::Damping& damp
     for (std::size_t f = begin; f < end; ++f)
       for (std::size_t i = 0; i < oscillators_.size(); ++i) {
         double motion = 0.0;
-        for (const Equations::Term& t : forms[f]) motion += t.factor * oscillators_[i].shape[at(t.equation)];
+        for (const Equations::Term& t : forms[f]) motion += t.factor * oscillators_[i].shape[t.equation];
         for (std::size_t l = 0; l < loads_; ++l)
           for (std::size_t k = 0; k < frequency.size(); ++k) a(l, f, k) += motion * share(l, i, k);
       }

@@ -70,7 +70,7 @@ Complex Transfer::force(std::size_t load, std::size_t point, std::size_t k) cons
   const Complex elastic = responses_(load, start_[point], k), inertia = responses_(load, start_[point] + 1, k);
   const Complex moving = stiffness * elastic + (dashpot - omega * omega) * inertia;
   if (!e.moves()) {
-    const SixDof& f = loads_[load].applied[static_cast<std::size_t>(p.node)];
+    const SixDof& f = loads_[load].applied[p.node];
     return moving - dot(part_of(f, p.rotation), p.direction);
   }
   const Nodal& s = loads_[load].carried;

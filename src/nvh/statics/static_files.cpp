@@ -63,9 +63,9 @@ class States {
       row.node = model_.nodes.id[n];
       row.displacement = share * displacement(n);
       row.coordinate = model_.nodes.x[n] + row.displacement;
-      row.rotation = share * rotation(s_.motion[at(m_.system.node_of[n])]);
+      row.rotation = share * rotation(s_.motion[m_.system.node_of[n]]);
       if (entity.system != model::none) {  // small motions do not turn the axes
-        const Frame3d& axes = model_.systems[at(entity.system)].axes;
+        const Frame3d& axes = model_.systems[entity.system].axes;
         row.displacement = axes.local(row.displacement);
         row.rotation = axes.local(row.rotation);
       }
@@ -79,12 +79,12 @@ class States {
     state.time = time(share);
     for (std::size_t i = 0; i < model_.spcs.size(); ++i) {
       const model::SinglePointConstraint& spc = model_.spcs[i];
-      const int node = m_.system.node_of[at(spc.node)];
+      const int node = m_.system.node_of[spc.node];
       if (spc.birth > 0.0 || (m_.system.map.dependent(node) && m_.system.map.rotations(node))) continue;
       const SixDof force = support_load(Equations::Support::Source::spc, i, node);
       const Frame3d axes =
-          spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model_.systems[at(spc.system)].axes;
-      const int id = model_.nodes.id[at(spc.node)];
+          spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model_.systems[spc.system].axes;
+      const int id = model_.nodes.id[spc.node];
       if (spc.fixed & 7u) {
         state.forces.push_back({id, axes.local(share * translation(force)), spc.id});
         state.resultant += share * translation(force);
@@ -104,19 +104,19 @@ class States {
       const model::PrescribedMotion& motion = model_.motions[i];
       const auto row = [&](int node) {
         const SixDof force = support_load(Equations::Support::Source::motion, i, node);
-        const SixDof& u = s_.motion[at(node)];
+        const SixDof& u = s_.motion[node];
         const double work = 0.5 * (dot(translation(force), translation(u)) + dot(rotation(force), rotation(u)));
         return std::pair{force, work};
       };
       if (motion.target != model::PrescribedMotion::Target::nodes) {
-        const auto [force, work] = row(m_.system.bodies[at(m_.system.body_of[at(motion.rigid_body)])].node);
-        state.bodies.push_back({model_.rigid_bodies[at(motion.rigid_body)].id, share * translation(force),
+        const auto [force, work] = row(m_.system.bodies[m_.system.body_of[motion.rigid_body]].node);
+        state.bodies.push_back({model_.rigid_bodies[motion.rigid_body].id, share * translation(force),
                                 share * rotation(force), share * work});
         continue;
       }
       for (const model::Index n : motion.nodes) {
-        const auto [force, work] = row(m_.system.node_of[at(n)]);
-        state.nodes.push_back({model_.nodes.id[at(n)], share * translation(force), share * work, motion.id});
+        const auto [force, work] = row(m_.system.node_of[n]);
+        state.nodes.push_back({model_.nodes.id[n], share * translation(force), share * work, motion.id});
       }
     }
     return state;
@@ -143,7 +143,7 @@ class States {
     for (std::size_t i = 0; i < s_.weld.size(); ++i) {
       if (!s_.weld[i]) continue;
       const weld::Weld& weld = m_.system.ties.welds[i];
-      const auto section = at(model_.parts[at(weld.part)].section);
+      const auto section = at(model_.parts[weld.part].section);
       const bool wanted =
           weld.of_bricks() ? model_.solid_sections[section].in_swforc : model_.beam_sections[section].in_swforc;
       if (!wanted) continue;
@@ -155,7 +155,7 @@ class States {
   }
 
  private:
-  Vec3d displacement(std::size_t n) const { return translation(s_.motion[at(m_.system.node_of[n])]); }
+  Vec3d displacement(std::size_t n) const { return translation(s_.motion[m_.system.node_of[n]]); }
 
   static output::WeldKind kind(weld::Weld::Kind kind) {
     return kind == weld::Weld::Kind::solid      ? output::WeldKind::solid
@@ -173,7 +173,7 @@ class States {
     auto first = std::lower_bound(all.begin(), all.end(), std::pair{static_cast<int>(source), index}, before);
     for (; first != all.end() && first->source == source && first->index == index; ++first) {
       if (first->node != node) continue;
-      const Vec3d force = s_.support_force[static_cast<std::size_t>(first - all.begin())] * first->taken;
+      const Vec3d force = s_.support_force[first - all.begin()] * first->taken;
       const double component[3] = {force.x, force.y, force.z};
       for (std::size_t i = 0; i < 3; ++i) sum[i + (first->rotation ? 3 : 0)] += component[i];
     }

@@ -4,7 +4,7 @@
 namespace nugget::nvh {
 
 double StaticLoads::level(model::Index curve, double time) const {
-  const Curve& c = m_.system.model.curves[at(curve)];
+  const Curve& c = m_.system.model.curves[curve];
   return c.in_run ? c.zero_outside(time) : 0.0;
 }
 
@@ -13,10 +13,10 @@ void StaticLoads::add(const model::NodalLoad& load) {
   const Vec3d direction =
       f[0] == model::none ? load.direction : unit(cross(place(f[1]) - place(f[0]), place(f[2]) - place(f[0])));
   const Vec3d force = load.scale * level(load.curve, time_) * direction;
-  for (const model::Index n : load.nodes) add_to(load_[at(node(n))], load.moment, force);
+  for (const model::Index n : load.nodes) add_to(load_[node(n)], load.moment, force);
   if (load.rigid_body == model::none) return;
-  const system::RigidBody& body = m_.system.bodies[at(m_.system.body_of[at(load.rigid_body)])];
-  add_to(load_[at(body.node)], load.moment, force);
+  const system::RigidBody& body = m_.system.bodies[m_.system.body_of[load.rigid_body]];
+  add_to(load_[body.node], load.moment, force);
 }
 
 void StaticLoads::add(const model::PressureLoad& load) {
@@ -25,7 +25,7 @@ void StaticLoads::add(const model::PressureLoad& load) {
   for (std::size_t i = 0; i < load.segments.size(); ++i) {
     const model::Segment& s = load.segments[i];
     const Vec3d force = p * force_of_pressure(m_, s);
-    for (std::size_t a = 0; a < 4; ++a) add_to(load_[at(node(s[a]))], false, load.share[i][a] * force);
+    for (std::size_t a = 0; a < 4; ++a) add_to(load_[node(s[a])], false, load.share[i][a] * force);
   }
 }
 

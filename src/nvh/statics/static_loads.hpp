@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/finding.hpp"
-#include "base/index.hpp"
 #include "nvh/matrices/matrices.hpp"
 #include "nvh/matrices/nodal.hpp"
 
@@ -27,8 +26,8 @@ class StaticLoads {
 
  private:
   double level(model::Index curve, double time) const;
-  int node(model::Index n) const { return m_.system.node_of[at(n)]; }
-  Vec3d place(model::Index n) const { return m_.system.ties.x[at(n)]; }
+  int node(model::Index n) const { return m_.system.node_of[n]; }
+  Vec3d place(model::Index n) const { return m_.system.ties.x[n]; }
 
   const Matrices& m_;
   double time_;

@@ -38,12 +38,11 @@ Nodal prescribed(const Matrices& m, double time, Findings& findings) {
     double value = 0.0;
     if (s.moves) {
       const model::PrescribedMotion& motion = model.motions[s.index];
-      value = motion.scale * model.curves[at(motion.curve)].clamped(time - motion.birth);
+      value = motion.scale * model.curves[motion.curve].clamped(time - motion.birth);
       // The way along the circle, to first order in the angle.
-      if (motion.circular)
-        value *= model::place_on_circle(motion, m.system.ties.x[at(m.system.model_node[at(s.node)])]).radius;
+      if (motion.circular) value *= model::place_on_circle(motion, m.system.ties.x[m.system.model_node[s.node]]).radius;
     }
-    SixDof& node = u[at(s.node)];
+    SixDof& node = u[s.node];
     const double missing = value - dot(s.direction, part_of(node, s.rotation));
     const double share = dot(s.direction, s.taken);
     if (share > 0.0)
@@ -64,7 +63,7 @@ std::vector<double> element_force(const Matrices& m, const system::ElementGroup&
   const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
   std::vector<double> f(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) f[i] += k[i * n + j] * u[at(node[j / per_node])][j % per_node];
+    for (std::size_t j = 0; j < n; ++j) f[i] += k[i * n + j] * u[node[j / per_node]][j % per_node];
   return f;
 }
 
@@ -72,7 +71,7 @@ std::vector<double> element_force(const Matrices& m, const system::ElementGroup&
 weld::Resultants of_beam(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
   const std::vector<double> f = element_force(m, group, e, u);
   const system::ElementNodes node = group.nodes(e);
-  const Vec3d line = vec(m.rest.x[at(node[1])]) - vec(m.rest.x[at(node[0])]);
+  const Vec3d line = vec(m.rest.x[node[1]]) - vec(m.rest.x[node[0]]);
   const Vec3d r = unit(line), force{f[6], f[7], f[8]};
   const Vec3d moment = Vec3d{f[9], f[10], f[11]} + cross(0.5 * line, force);
   // s and t: any two normals of the axis; only magnitudes in that plane are written.
@@ -84,16 +83,15 @@ weld::Resultants of_beam(const Matrices& m, const system::ElementGroup& group, s
 weld::Resultants of_bricks(const Matrices& m, const weld::Weld& weld, const Nodal& u, double& area) {
   const weld::BrickSection section(weld, m.system.ties.x);
   std::vector<Vec3d> x, force(section.nodes().size());
-  for (const model::Index n : section.nodes()) x.push_back(m.system.ties.x[at(n)]);
+  for (const model::Index n : section.nodes()) x.push_back(m.system.ties.x[n]);
   for (const model::Index element : weld.elements) {
     const system::System::ElementLocation location = m.system.location_of(weld, element);
-    const system::ElementGroup& group = *m.system.groups[at(location.group)];
+    const system::ElementGroup& group = *m.system.groups[location.group];
     const std::vector<double> f = element_force(m, group, at(location.element), u);
     const system::ElementNodes node = group.nodes(at(location.element));
     for (std::size_t a = 0; a < 8; ++a)
       for (std::size_t i = 0; i < x.size(); ++i)
-        if (m.system.node_of[at(section.nodes()[i])] == node[a])
-          force[i] += Vec3d{f[3 * a], f[3 * a + 1], f[3 * a + 2]};
+        if (m.system.node_of[section.nodes()[i]] == node[a]) force[i] += Vec3d{f[3 * a], f[3 * a + 1], f[3 * a + 2]};
   }
   const weld::BrickSection::Shape shape = section.shape(x);
   area = shape.area;
@@ -109,7 +107,7 @@ std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, c
   weld::failure::Load load;
   load.time = model.control.end_time;
   load.resultants = weld.of_bricks() ? of_bricks(m, weld, u, load.area)
-                                     : of_beam(m, *m.system.groups[at(location.group)], at(location.element), u);
+                                     : of_beam(m, *m.system.groups[location.group], at(location.element), u);
   const auto function = weld::failure::make_function(model, weld::law_of(model, weld),
                                                      weld::failure::geometry_of(model, weld), weld.place, findings);
   return WeldForce{load.resultants, (*function)(load).value};
@@ -205,9 +203,9 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
   transfer_forces(m.system, s.reaction);
   s.external = 0.5 * product(load, s.motion);
   for (const Equations::Support& support : m.equations.supports()) {
-    const double force = dot(support.taken, part_of(s.reaction[at(support.node)], support.rotation));
+    const double force = dot(support.taken, part_of(s.reaction[support.node], support.rotation));
     s.support_force.push_back(force);
-    s.external += 0.5 * force * dot(support.taken, part_of(s.motion[at(support.node)], support.rotation));
+    s.external += 0.5 * force * dot(support.taken, part_of(s.motion[support.node], support.rotation));
   }
   for (const weld::Weld& weld : m.system.ties.welds) s.weld.push_back(weld_force(m, weld, s.motion, findings));
   return s;

@@ -32,7 +32,7 @@ class Center {
     size_ = 0.0;
     for (const Index n : body.nodes) size_ = std::max(size_, norm(place(n) - center_));
   }
-  const Vec3d& place(Index node) const { return b_.model.nodes.x[static_cast<std::size_t>(node)]; }
+  const Vec3d& place(Index node) const { return b_.model.nodes.x[node]; }
 
   Builder& b_;
   const RigidBody* body_ = nullptr;
@@ -48,7 +48,7 @@ bool takes_global_codes(const RigidBody& body) {
 }
 
 RigidBody& body_of(Builder& b, Index node) {
-  return b.model.rigid_bodies[static_cast<std::size_t>(b.body_of_node[static_cast<std::size_t>(node)])];
+  return b.model.rigid_bodies[b.body_of_node[node]];
 }
 
 /// One finding about some nodes of an SPC, which names the first.
@@ -57,8 +57,8 @@ void report_nodes(Builder& b, const deck::Entry& field, Severity severity, const
   if (nodes.empty()) return;
   field.report(b.findings, severity,
                fmt::format("node {} belongs to rigid body {}, which moves as one: {} ({} such node{})",
-                           b.model.nodes.id[static_cast<std::size_t>(nodes.front())], body_of(b, nodes.front()).id,
-                           what, nodes.size(), nodes.size() == 1 ? "" : "s"),
+                           b.model.nodes.id[nodes.front()], body_of(b, nodes.front()).id, what, nodes.size(),
+                           nodes.size() == 1 ? "" : "s"),
                remedy);
 }
 
@@ -90,7 +90,7 @@ bool is_positive_definite(const std::array<double, 6>& i) {
 
 void constrain_bodies(Builder& builder, const deck::Entry& field, const SinglePointConstraint& spc,
                       std::vector<Index>& nodes) {
-  const auto in_body = [&](Index n) { return builder.body_of_node[static_cast<std::size_t>(n)] != none; };
+  const auto in_body = [&](Index n) { return builder.body_of_node[n] != none; };
   const bool plain = spc.system == none && spc.birth <= 0.0 && spc.death >= forever;
   std::vector<Index> taken, left;
   for (const Index node : nodes)
@@ -125,7 +125,7 @@ void check_inertia(Builder& builder) {
 void release_driven_bodies(Builder& b) {
   for (const PrescribedMotion& motion : b.model.motions) {
     if (motion.rigid_body == none) continue;
-    RigidBody& body = b.model.rigid_bodies[static_cast<std::size_t>(motion.rigid_body)];
+    RigidBody& body = b.model.rigid_bodies[motion.rigid_body];
     const Vec3d axes[] = {body.fixed_axes.e1, body.fixed_axes.e2, body.fixed_axes.e3};
     for (unsigned i = 0; i < 3; ++i) {
       const unsigned bit = 1u << (i + (motion.rotation ? 3u : 0u));

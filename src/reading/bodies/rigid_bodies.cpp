@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/index.hpp"
 #include "model/axes.hpp"
 #include "model/lumped_mass.hpp"
 #include "reading/builder/common_cards.hpp"
@@ -16,8 +17,7 @@ namespace {
 using deck::RowOf;
 
 bool is_rigid(const Model& model, const Part& part) {
-  return part.material != none &&
-         std::holds_alternative<kernel::Rigid>(model.materials[static_cast<std::size_t>(part.material)].law);
+  return part.material != none && std::holds_alternative<kernel::Rigid>(model.materials[part.material].law);
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ class Maker {
       if (con1.integer() == 0) refuse(b_, con1, "CMO -1 needs the coordinate system of its directions", "give its id");
       return;
     }
-    body.fixed_axes = model_.systems[static_cast<std::size_t>(system)].axes;
+    body.fixed_axes = model_.systems[system].axes;
     // Digits x y z rx ry rz, leading zeros may be missing.
     auto digits = static_cast<int>(card->con2);
     for (int i = 5; i >= 0; --i, digits /= 10) {
@@ -119,7 +119,7 @@ class Maker {
     body.fixed = card.fixed;
     if (card.spc) constrain_along_axes(body, *card.spc);
     if (const Index system = b_.system(card.row[&NodalBodyCard::cid]); system != none)
-      body.own_axes = model_.systems[static_cast<std::size_t>(system)].axes;
+      body.own_axes = model_.systems[system].axes;
     if (const Set<Index>* nodes =
             b_.node_set(card.row[card.row->nsid == 0 ? &NodalBodyCard::pid : &NodalBodyCard::nsid]))
       body.nodes = nodes->members;
@@ -132,12 +132,10 @@ class Maker {
 
   RigidBody::Inertia inertia_of(const BodyCards::Nodal& card) {
     RigidBody::Inertia inertia = card.inertia;
-    if (const Index node = b_.node(card.center_node); node != none)
-      inertia.center = model_.nodes.x[static_cast<std::size_t>(node)];
+    if (const Index node = b_.node(card.center_node); node != none) inertia.center = model_.nodes.x[node];
     if (card.axes) {
       const Index system = b_.system(*card.axes);
-      if (system != none)
-        inertia.inertia = to_global(inertia.inertia, model_.systems[static_cast<std::size_t>(system)].axes);
+      if (system != none) inertia.inertia = to_global(inertia.inertia, model_.systems[system].axes);
     }
     return inertia;
   }
@@ -152,7 +150,7 @@ class Maker {
   // -- merging --
 
   Index lead(Index seed) const {
-    while (lead_[static_cast<std::size_t>(seed)] != seed) seed = lead_[static_cast<std::size_t>(seed)];
+    while (lead_[seed] != seed) seed = lead_[seed];
     return seed;
   }
 
@@ -165,8 +163,8 @@ class Maker {
       row[&MergeCard::pidc].report(b_.findings, Severity::warning, "is merged into this body already");
       return;
     }
-    RigidBody& into = seeds_[static_cast<std::size_t>(to)];
-    RigidBody& merged = seeds_[static_cast<std::size_t>(from)];
+    RigidBody& into = seeds_[at(to)];
+    RigidBody& merged = seeds_[from];
     if (into.given && row->iflag != 0)
       refuse(b_, row[&MergeCard::iflag], "adding to a mass that *PART_INERTIA or _INERTIA gives is not built",
              "use 0, with the mass of both given for the lead body");
@@ -177,7 +175,7 @@ class Maker {
     report_what_ends(row, into, merged);
     into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
     into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
-    lead_[static_cast<std::size_t>(from)] = to;
+    lead_[from] = to;
   }
 
   /// The lead body's supports and motion are those of both.
@@ -210,17 +208,16 @@ class Maker {
   void merge_neighbours() {
     std::vector<Index> seed_of_part(model_.parts.size(), none);
     for (std::size_t s = 0; s < seeds_.size(); ++s)
-      if (seeds_[s].origin == RigidBody::Origin::part)
-        seed_of_part[static_cast<std::size_t>(seeds_[s].parts.front())] = static_cast<Index>(s);
+      if (seeds_[s].origin == RigidBody::Origin::part) seed_of_part[seeds_[s].parts.front()] = static_cast<Index>(s);
     std::vector<Index> first(model_.nodes.size(), none);
     std::map<std::pair<Index, Index>, std::vector<Index>> common;
     const auto look = [&](const auto& elements) {
       for (std::size_t e = 0; e < elements.size(); ++e) {
-        const Index seed = elements.part[e] == none ? none : seed_of_part[static_cast<std::size_t>(elements.part[e])];
+        const Index seed = elements.part[e] == none ? none : seed_of_part[elements.part[e]];
         if (seed == none) continue;
         for (const Index node : elements.nodes(e)) {
           if (node == none) continue;
-          Index& owner = first[static_cast<std::size_t>(node)];
+          Index& owner = first[node];
           if (owner == none) owner = seed;
           if (lead(owner) != lead(seed)) common[std::minmax(owner, seed)].push_back(node);
         }
@@ -234,8 +231,8 @@ class Maker {
 
   void merge_neighbours(Index a, Index b, const std::vector<Index>& nodes) {
     const Index to = lead(a), from = lead(b);
-    RigidBody& into = seeds_[static_cast<std::size_t>(to)];
-    const RigidBody& merged = seeds_[static_cast<std::size_t>(from)];
+    RigidBody& into = seeds_[at(to)];
+    const RigidBody& merged = seeds_[from];
     if (to == from || into.given || merged.given || !span_a_plane(nodes)) return;
     b_.findings.warning(
         merged.place, "*PART",
@@ -244,7 +241,7 @@ class Maker {
     constrain_both(into, merged);
     into.parts.insert(into.parts.end(), merged.parts.begin(), merged.parts.end());
     into.nodes.insert(into.nodes.end(), merged.nodes.begin(), merged.nodes.end());
-    lead_[static_cast<std::size_t>(from)] = to;
+    lead_[from] = to;
   }
 
   /// No card says which of them leads, so what holds either of them holds both.
@@ -259,9 +256,7 @@ class Maker {
   }
 
   bool span_a_plane(const std::vector<Index>& nodes) const {
-    const auto from_first = [&](Index node) {
-      return model_.nodes.x[static_cast<std::size_t>(node)] - model_.nodes.x[static_cast<std::size_t>(nodes.front())];
-    };
+    const auto from_first = [&](Index node) { return model_.nodes.x[node] - model_.nodes.x[nodes.front()]; };
     const auto farther = [&](Index m, Index n) { return norm(from_first(m)) < norm(from_first(n)); };
     const Vec3d longest = from_first(*std::max_element(nodes.begin(), nodes.end(), farther));
     return std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
@@ -277,21 +272,21 @@ class Maker {
         model_.rigid_bodies.push_back(seeds_[s]);
       }
     for (std::size_t s = 0; s < seeds_.size(); ++s) {
-      const Index body = body_of_seed[static_cast<std::size_t>(lead(static_cast<Index>(s)))];
+      const Index body = body_of_seed[lead(static_cast<Index>(s))];
       b_.bodies.add(seeds_[s].id, body, seeds_[s].place, {}, "rigid body", b_.findings);
-      for (const Index part : seeds_[s].parts) model_.parts[static_cast<std::size_t>(part)].rigid_body = body;
+      for (const Index part : seeds_[s].parts) model_.parts[part].rigid_body = body;
     }
   }
 
   // -- nodes --
 
-  RigidBody& body(Index index) { return model_.rigid_bodies[static_cast<std::size_t>(index)]; }
+  RigidBody& body(Index index) { return model_.rigid_bodies[index]; }
 
   void add_element_nodes() {
     const auto collect = [&](const auto& elements) {
       for (std::size_t e = 0; e < elements.size(); ++e) {
         if (elements.part[e] == none) continue;
-        const Index owner = model_.parts[static_cast<std::size_t>(elements.part[e])].rigid_body;
+        const Index owner = model_.parts[elements.part[e]].rigid_body;
         if (owner == none) continue;
         for (const Index node : elements.nodes(e))
           if (node != none) body(owner).nodes.push_back(node);
@@ -329,7 +324,7 @@ class Maker {
   /// PNODE: a node without elements goes with the body, drawn at its centre of mass.
   void add_reference_node(const BodyCards::Nodal& card) {
     const Index node = b_.node(card.row[&NodalBodyCard::pnode]), owner = b_.bodies.find(card.row->pid);
-    if (node == none || owner == none || b_.body_of_node[static_cast<std::size_t>(node)] != none) return;
+    if (node == none || owner == none || b_.body_of_node[node] != none) return;
     if (has_element(node)) {
       card.row[&NodalBodyCard::pnode].report(b_.findings, Severity::warning,
                                              "belongs to an element but not to the body: it stays where it is",
@@ -337,7 +332,7 @@ class Maker {
       return;
     }
     const Vec3d center = center_of_mass(b_, body(owner));
-    Vec3d& x = model_.nodes.x[static_cast<std::size_t>(node)];
+    Vec3d& x = model_.nodes.x[node];
     if (norm(x - center) > 0.0) {
       card.row[&NodalBodyCard::pnode].report(
           b_.findings, Severity::note,
@@ -345,7 +340,7 @@ class Maker {
       x = center;
     }
     give(owner, {node});
-    b_.body_of_node[static_cast<std::size_t>(node)] = owner;
+    b_.body_of_node[node] = owner;
   }
 
   bool has_element(Index node) {
@@ -354,13 +349,13 @@ class Maker {
       const auto mark = [&](const auto& elements) {
         for (std::size_t e = 0; e < elements.size(); ++e)
           for (const Index n : elements.nodes(e))
-            if (n != none) has_element_[static_cast<std::size_t>(n)] = 1;
+            if (n != none) has_element_[n] = 1;
       };
       mark(model_.shells);
       mark(model_.solids);
       mark(model_.beams);
     }
-    return has_element_[static_cast<std::size_t>(node)] != 0;
+    return has_element_[node] != 0;
   }
 
   /// Writes down who holds each node.
@@ -372,16 +367,15 @@ class Maker {
   void claim(Index owner) {
     Tally conflicts(b_.findings, Severity::error, "*CONSTRAINED", 5);
     for (const Index node : body(owner).nodes) {
-      Index& owner_of_node = b_.body_of_node[static_cast<std::size_t>(node)];
+      Index& owner_of_node = b_.body_of_node[node];
       if (owner_of_node == none) {
         owner_of_node = owner;
       } else if (owner_of_node != owner) {
         conflicts.add(
             body(owner).place,
             [&] {
-              return fmt::format("node {} belongs to two rigid bodies: {} and {}",
-                                 model_.nodes.id[static_cast<std::size_t>(node)], name_of(body(owner_of_node)),
-                                 name_of(body(owner)));
+              return fmt::format("node {} belongs to two rigid bodies: {} and {}", model_.nodes.id[node],
+                                 name_of(body(owner_of_node)), name_of(body(owner)));
             },
             "merge the bodies with *CONSTRAINED_RIGID_BODIES, or take the node out of one of them");
       }
@@ -437,9 +431,8 @@ class Maker {
   bool find_axis(const BodyCards::Weld& card, RigidWeld& weld) {
     const bool generalized = weld.kind == RigidWeld::Kind::generalized;
     if (generalized)
-      if (const Index system = b_.system(card.second); system != none)
-        weld.axis = model_.systems[static_cast<std::size_t>(system)].axes.e3;
-    const auto place = [&](Index node) { return model_.nodes.x[static_cast<std::size_t>(node)]; };
+      if (const Index system = b_.system(card.second); system != none) weld.axis = model_.systems[system].axes.e3;
+    const auto place = [&](Index node) { return model_.nodes.x[node]; };
     const bool apart = norm(place(weld.nodes.back()) - place(weld.nodes.front())) > 0.0;
     if (apart || weld.axis || (generalized && !weld.can_fail())) return true;
     if (generalized)
@@ -453,7 +446,7 @@ class Maker {
   /// The rigid part that one of the nodes belongs to, or none.
   Index touched_part(const std::vector<Index>& nodes) {
     for (const Index node : nodes) {
-      const Index owner_of_node = b_.body_of_node[static_cast<std::size_t>(node)];
+      const Index owner_of_node = b_.body_of_node[node];
       if (owner_of_node != none && body(owner_of_node).origin == RigidBody::Origin::part) return owner_of_node;
     }
     return none;
@@ -484,7 +477,7 @@ class Maker {
   std::vector<Index> first_shells() const {
     std::vector<Index> first(model_.nodes.size(), none);
     for (std::size_t e = model_.shells.size(); e-- > 0;)
-      for (const Index node : model_.shells.node[e]) first[static_cast<std::size_t>(node)] = static_cast<Index>(e);
+      for (const Index node : model_.shells.node[e]) first[node] = static_cast<Index>(e);
     return first;
   }
 
@@ -494,10 +487,10 @@ class Maker {
     std::vector<Index> sheets;
     double thickness = 0.0, length = 0.0;
     for (const Index node : nodes) {
-      const Index shell = shell_at[static_cast<std::size_t>(node)];
+      const Index shell = shell_at[node];
       if (shell == none) return false;
-      sheets.push_back(model_.shells.part[static_cast<std::size_t>(shell)]);
-      thickness += model_.shells.thickness[static_cast<std::size_t>(shell)];
+      sheets.push_back(model_.shells.part[shell]);
+      thickness += model_.shells.thickness[shell];
       for (const Index other : nodes) length = std::max(length, norm(place_of(node) - place_of(other)));
     }
     make_unique(sheets);
@@ -517,7 +510,7 @@ class Maker {
     return nodes;
   }
 
-  const Vec3d& place_of(Index node) const { return model_.nodes.x[static_cast<std::size_t>(node)]; }
+  const Vec3d& place_of(Index node) const { return model_.nodes.x[node]; }
 
   // -- the end --
 
@@ -562,11 +555,9 @@ Index find_body(Builder& builder, const deck::Entry& field) {
 }
 
 const Frame3d* body_axes(Builder& builder, int id) {
-  const auto axes = [&](Index system) {
-    return system == none ? nullptr : &builder.model.systems[static_cast<std::size_t>(system)].axes;
-  };
+  const auto axes = [&](Index system) { return system == none ? nullptr : &builder.model.systems[system].axes; };
   if (const Index part = builder.parts.find(id); part != none) {
-    const auto card = builder.rigid_cards.find(builder.model.parts[static_cast<std::size_t>(part)].material);
+    const auto card = builder.rigid_cards.find(builder.model.parts[part].material);
     if (card == builder.rigid_cards.end()) return nullptr;
     return card->second.output_axes ? &*card->second.output_axes : axes(builder.systems.find(card->second.lco));
   }
@@ -581,7 +572,7 @@ Vec3d center_of_mass(Builder& builder, const RigidBody& body) {
   double mass = 0.0;
   Vec3d moment;
   for (const Index n : body.nodes) {
-    const auto node = static_cast<std::size_t>(n);
+    const auto node = at(n);
     mass += masses[node];
     moment += masses[node] * builder.model.nodes.x[node];
   }
@@ -592,7 +583,7 @@ void set_motion(Model& model, const RigidBody& body, const Vec3d& center, const 
   model.initial_velocity.resize(model.nodes.size());
   model.initial_spin.resize(model.nodes.size());
   for (const Index n : body.nodes) {
-    const auto node = static_cast<std::size_t>(n);
+    const auto node = at(n);
     model.initial_velocity[node] = velocity + cross(spin, model.nodes.x[node] - center);
     model.initial_spin[node] = spin;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reading/builder/builder.hpp"
+#include "base/index.hpp"
 #include "model/lumped_mass.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,7 @@ template <class Member>
 const Set<Member>* find_set(Builder& b, const Ids& ids, const std::vector<Set<Member>>& sets, std::string_view what,
                             const deck::Entry& field) {
   const Index i = b.find(ids, what, field);
-  return i == none ? nullptr : &sets[static_cast<std::size_t>(i)];
+  return i == none ? nullptr : &sets[i];
 }
 
 }  // namespace
@@ -44,18 +45,18 @@ void Ids::assign(const std::vector<int>& ascending) {
   ascending_ = ascending;
   by_id_.clear();
   if (ascending_.empty()) return;
-  const auto span = static_cast<std::size_t>(static_cast<long>(ascending_.back()) - ascending_.front() + 1);
+  const auto span = at(static_cast<long>(ascending_.back()) - ascending_.front() + 1);
   // A table costs four bytes an id of the range; with large gaps the binary search is the better bargain.
   if (span > 8 * ascending_.size() + 1024) return;
   by_id_.assign(span, none);
   for (std::size_t i = 0; i < ascending_.size(); ++i)
-    by_id_[static_cast<std::size_t>(ascending_[i] - ascending_.front())] = static_cast<Index>(i);
+    by_id_[ascending_[i] - ascending_.front()] = static_cast<Index>(i);
 }
 
 Index Ids::find(int id) const {
   if (!by_id_.empty()) {
     const long at = static_cast<long>(id) - ascending_.front();
-    return at < 0 || at >= static_cast<long>(by_id_.size()) ? none : by_id_[static_cast<std::size_t>(at)];
+    return at < 0 || at >= static_cast<long>(by_id_.size()) ? none : by_id_[at];
   }
   if (!ascending_.empty()) {
     const auto at = std::lower_bound(ascending_.begin(), ascending_.end(), id);
@@ -72,7 +73,7 @@ const std::string* Ids::left_out(int id) const {
 
 unsigned bits_of_code(int code) {
   static constexpr std::array<unsigned, 8> bits{0b000, 0b001, 0b010, 0b100, 0b011, 0b110, 0b101, 0b111};
-  return code < 0 || code > 7 ? 0 : bits[static_cast<std::size_t>(code)];
+  return code < 0 || code > 7 ? 0 : bits[code];
 }
 
 const std::vector<double>& Builder::nodal_mass() {
@@ -111,10 +112,10 @@ void Builder::report_missing(const Ids& ids, std::string_view what, const deck::
 
 CurveTable Builder::table_with_curves(Index table) const {
   if (table == none) return {};
-  const Table& t = model.tables[static_cast<std::size_t>(table)];
+  const Table& t = model.tables[table];
   if (t.curve.size() != t.value.size()) return {};
   CurveTable result{t.id, t.value, {}};
-  for (const Index c : t.curve) result.curve.push_back(model.curves[static_cast<std::size_t>(c)]);
+  for (const Index c : t.curve) result.curve.push_back(model.curves[c]);
   return result;
 }
 
@@ -171,7 +172,7 @@ Index Builder::beam(const deck::Entry& field) {
 }
 Index Builder::system(const deck::Entry& field) {
   const Index found = turning_or_fixed_system(field);
-  if (found == none || !model.systems[static_cast<std::size_t>(found)].turning) return found;
+  if (found == none || !model.systems[found].turning) return found;
   refuse(*this, field,
          fmt::format("coordinate system {} turns with its nodes (FLAG 1); fixed axes are built here", id_of(field)),
          "define one with FLAG 0");
@@ -194,15 +195,15 @@ Index Builder::turning_or_fixed_system(const deck::Entry& field) {
 
 const Vec3d* Builder::vector(const deck::Entry& field) {
   const Index i = find(vectors, "vector", field);
-  return i == none ? nullptr : &vector_list[static_cast<std::size_t>(i)];
+  return i == none ? nullptr : &vector_list[i];
 }
 const Vec3d* Builder::vector_tail(const deck::Entry& field) {
   const Index i = find(vectors, "vector", field);
-  return i == none ? nullptr : &vector_tails[static_cast<std::size_t>(i)];
+  return i == none ? nullptr : &vector_tails[i];
 }
 const Box* Builder::box(const deck::Entry& field) {
   const Index i = find(boxes, "box", field);
-  return i == none ? nullptr : &box_list[static_cast<std::size_t>(i)];
+  return i == none ? nullptr : &box_list[i];
 }
 
 const Set<Index>* Builder::node_set(const deck::Entry& field) {

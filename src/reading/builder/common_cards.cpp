@@ -66,12 +66,12 @@ void make_unique(std::vector<Index>& indices) {
 
 std::vector<Index> nodes_of_parts(const Model& model, const std::vector<Index>& parts) {
   std::vector<char> wanted(model.parts.size(), 0), used(model.nodes.size(), 0);
-  for (const Index p : parts) wanted[static_cast<std::size_t>(p)] = 1;
+  for (const Index p : parts) wanted[p] = 1;
   const auto collect = [&](const auto& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
-      if (elements.part[e] == none || !wanted[static_cast<std::size_t>(elements.part[e])]) continue;
+      if (elements.part[e] == none || !wanted[elements.part[e]]) continue;
       for (const Index n : elements.nodes(e))
-        if (n != none) used[static_cast<std::size_t>(n)] = 1;
+        if (n != none) used[n] = 1;
     }
   };
   collect(model.shells);

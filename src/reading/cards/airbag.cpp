@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
 #include "model/segments.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
@@ -125,12 +124,12 @@ void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) 
     const auto& edge = border.twisted.front();
     return refuse(b, row[&VolumeCard::sid],
                   fmt::format("the normals of neighbours disagree at {} edge{}, the first from node {} to {}",
-                              border.twisted.size(), border.twisted.size() == 1 ? "" : "s",
-                              b.model.nodes.id[at(edge[0])], b.model.nodes.id[at(edge[1])]),
+                              border.twisted.size(), border.twisted.size() == 1 ? "" : "s", b.model.nodes.id[edge[0]],
+                              b.model.nodes.id[edge[1]]),
                   "turn the elements so that all normals point out of the volume");
   }
   volume.openings = std::move(border.openings);
-  const double v = enclosed_volume(volume.segments, volume.openings, [&](Index n) { return b.model.nodes.x[at(n)]; });
+  const double v = enclosed_volume(volume.segments, volume.openings, [&](Index n) { return b.model.nodes.x[n]; });
   if (!(v > 0.0))
     return refuse(b, row[&VolumeCard::sid], fmt::format("the enclosed volume is {:.6g}: the normals point into it", v),
                   "turn the elements so that the normals point outwards");
@@ -262,7 +261,7 @@ FlowingGas read_heat(Builder& b, const RowOf<HeatCard>& heat, const RowOf<Outflo
 /// Flows are one way each.
 void expect_no_backflow(Builder& b, const deck::Entry& field, Index curve) {
   if (curve == none) return;
-  const Curve& c = b.model.curves[static_cast<std::size_t>(curve)];
+  const Curve& c = b.model.curves[curve];
   if (std::any_of(c.y.begin(), c.y.end(), [](double y) { return y < 0.0; }))
     refuse(b, field, "this curve has values below 0",
            "use LCID for what flows in and the vent or LOU for what flows out");
@@ -312,7 +311,8 @@ void read_simple_airbag(Builder& builder, const Block& block, const Options& opt
 
 Keyword volume_keyword(std::string_view name, std::initializer_list<const Card*> cards,
                        void (*read)(Builder&, const Block&, const Options&)) {
-  Keyword keyword{name, {}, {"ID"}, KeywordStatus::used, {}, {{"with _ID", &heading_card}, {{}, &volume_card}}, read};
+  Keyword keyword{
+      .name = name, .options = {"ID"}, .layout = {{"with _ID", &heading_card}, {{}, &volume_card}}, .read = read};
   for (const Card* card : cards) keyword.layout.push_back({{}, card});
   return keyword;
 }

@@ -58,15 +58,14 @@ unsigned fixed_bits(const std::array<int, 6>& dof) {
 /// finding.
 void leave_out_rigid(Builder& builder, const deck::Entry& field, Severity severity, std::vector<Index>& nodes,
                      std::string_view remedy) {
-  const auto body_of = [&](Index node) { return builder.body_of_node[static_cast<std::size_t>(node)]; };
+  const auto body_of = [&](Index node) { return builder.body_of_node[node]; };
   const auto first = std::find_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
   if (first == nodes.end()) return;
   const auto count = std::count_if(nodes.begin(), nodes.end(), [&](Index node) { return body_of(node) != none; });
   field.report(
       builder.findings, severity,
       fmt::format("node {} belongs to rigid body {}, which moves as one: nothing is prescribed to it ({} such node{})",
-                  builder.model.nodes.id[static_cast<std::size_t>(*first)],
-                  builder.model.rigid_bodies[static_cast<std::size_t>(body_of(*first))].id, count,
+                  builder.model.nodes.id[*first], builder.model.rigid_bodies[body_of(*first)].id, count,
                   count == 1 ? "" : "s"),
       std::string(remedy));
   std::erase_if(nodes, [&](Index node) { return body_of(node) != none; });
@@ -282,7 +281,7 @@ bool turn_into_system(Builder& builder, const RowOf<MotionCard>& row, Prescribed
   }
   const Index system = builder.system_of_directions(row[&MotionCard::vid]);
   if (system == none) return false;
-  motion.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(motion.direction);
+  motion.direction = builder.model.systems[system].axes.global(motion.direction);
   return true;
 }
 
@@ -372,7 +371,7 @@ template <Target target, bool set = false>
 Keyword motion_keyword(std::string_view name, const Card& card) {
   std::vector<LayoutCard> layout{{"with _ID", &heading_card}, {{}, &card}};
   if (target == Target::nodes) layout.push_back({"if |DOF| is 9, 10 or 11", &motion_axis_card});
-  return {name, {}, {"ID"}, KeywordStatus::used, {}, std::move(layout), read_motion<target, set>};
+  return {.name = name, .options = {"ID"}, .layout = std::move(layout), .read = read_motion<target, set>};
 }
 
 }  // namespace
@@ -380,20 +379,14 @@ Keyword motion_keyword(std::string_view name, const Card& card) {
 std::vector<Keyword> boundary_keywords() {
   const std::vector<std::string_view> spc_options{"ID", "BIRTH_DEATH"};
   return {
-      {"BOUNDARY_SPC_NODE",
-       {},
-       spc_options,
-       KeywordStatus::used,
-       {},
-       {{"with _ID", &heading_card}, {{}, &spc_node_card}, {"with _BIRTH_DEATH", &birth_death_card}},
-       read_spc<false>},
-      {"BOUNDARY_SPC_SET",
-       {},
-       spc_options,
-       KeywordStatus::used,
-       {},
-       {{"with _ID", &heading_card}, {{}, &spc_set_card}, {"with _BIRTH_DEATH", &birth_death_card}},
-       read_spc<true>},
+      {.name = "BOUNDARY_SPC_NODE",
+       .options = spc_options,
+       .layout = {{"with _ID", &heading_card}, {{}, &spc_node_card}, {"with _BIRTH_DEATH", &birth_death_card}},
+       .read = read_spc<false>},
+      {.name = "BOUNDARY_SPC_SET",
+       .options = spc_options,
+       .layout = {{"with _ID", &heading_card}, {{}, &spc_set_card}, {"with _BIRTH_DEATH", &birth_death_card}},
+       .read = read_spc<true>},
       {.name = "CONSTRAINED_GLOBAL", .layout = {{"", &plane_card}}, .read = read_planes},
       motion_keyword<Target::nodes, false>("BOUNDARY_PRESCRIBED_MOTION_NODE", motion_node_card),
       motion_keyword<Target::nodes, true>("BOUNDARY_PRESCRIBED_MOTION_SET", motion_set_card),

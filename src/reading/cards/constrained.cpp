@@ -287,9 +287,9 @@ void read_mergers(Builder& builder, const Block& block, const Options&) {
 
 /// Before the rigid bodies are made: from there on the part is one of *MAT_RIGID with its own density and moduli.
 void make_rigid(Builder& b, const RowOf<SwitchedCard>& row, Index p) {
-  Part& part = b.model.parts[static_cast<std::size_t>(p)];
+  Part& part = b.model.parts[p];
   if (part.material == none) return;
-  Material rigid = b.model.materials[static_cast<std::size_t>(part.material)];
+  Material rigid = b.model.materials[part.material];
   if (std::holds_alternative<kernel::Spotweld>(rigid.law) || part.kind == ElementKind::discrete)
     return refuse(b, row[&SwitchedCard::pid],
                   fmt::format("part {} has welds or springs, which cannot be rigid", part.id), "take it out");
@@ -397,7 +397,7 @@ void make_rivet(Builder& b, const RowOf<RivetCard>& row, int id) {
   const auto& welds = b.model.rigid_welds;
   rivet.id = id != 0 ? id : static_cast<int>(std::count_if(welds.begin(), welds.end(), is_rivet)) + 1;
   if (rivet.nodes[0] == none || rivet.nodes[1] == none) return;
-  const auto place = [&](std::size_t end) { return b.model.nodes.x[static_cast<std::size_t>(rivet.nodes[end])]; };
+  const auto place = [&](std::size_t end) { return b.model.nodes.x[rivet.nodes[end]]; };
   if (norm(place(1) - place(0)) == 0.0)
     return refuse(b, row[&RivetCard::n2], "both nodes are at one place, so the rivet has no direction",
                   "move one of them, or use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");
@@ -439,7 +439,7 @@ void take_independent(Builder& b, const RowOf<InterpolationCard1>& head, const R
 /// Whether the nodes determine a rotation: they must not lie on a line.
 bool on_a_line(const Model& model, const Interpolation& i) {
   Vec3d centre;
-  const auto place = [&](std::size_t k) { return model.nodes.x[static_cast<std::size_t>(i.independent[k])]; };
+  const auto place = [&](std::size_t k) { return model.nodes.x[i.independent[k]]; };
   for (std::size_t k = 0; k < i.weight.size(); ++k) centre += i.weight[k] * place(k);
   double across = 0.0, size = 0.0;
   for (std::size_t k = 0; k < i.weight.size(); ++k)
@@ -490,61 +490,43 @@ void read_interpolation(Builder& builder, const Block& block, const Options&) {
 
 std::vector<Keyword> constrained_keywords() {
   const auto refused = [](std::string_view name, std::string_view why) {
-    return Keyword{name, {}, {"ID", "TITLE", "LOCAL", "FILTERED_FORCE"}, KeywordStatus::refused, why, {}, nullptr};
+    return Keyword{.name = name,
+                   .options = {"ID", "TITLE", "LOCAL", "FILTERED_FORCE"},
+                   .status = KeywordStatus::refused,
+                   .why = why,
+                   .read = nullptr};
   };
   return {
-      {"CONSTRAINED_NODAL_RIGID_BODY",
-       {},
-       {"SPC", "INERTIA", "TITLE"},
-       KeywordStatus::used,
-       {},
-       {{"with _TITLE", &title_card},
-        {{}, &nodal_card},
-        {"with _SPC, if CMO is 0 or 1", &rigid_constraint_card},
-        {"with _SPC, if CMO is -1", &rigid_constraint_local_card},
-        {"with _INERTIA", &inertia_card1},
-        {"with _INERTIA", &inertia_card2},
-        {"with _INERTIA", &inertia_card3},
-        {"with _INERTIA, if IRCS = 1", &inertia_card4}},
-       read_nodal_body},
-      {"CONSTRAINED_EXTRA_NODES_NODE",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       {{{}, &extra_node_card}},
-       read_extra_nodes<false>},
-      {"CONSTRAINED_EXTRA_NODES_SET", {}, {}, KeywordStatus::used, {}, {{{}, &extra_set_card}}, read_extra_nodes<true>},
-      {"CONSTRAINED_RIGID_BODIES", {}, {}, KeywordStatus::used, {}, {{{}, &merge_card}}, read_mergers},
-      {"DEFORMABLE_TO_RIGID", {}, {}, KeywordStatus::used, {}, {{{}, &switched_part_card}}, read_switched},
-      {"CONSTRAINED_GENERALIZED_WELD_SPOT",
-       {},
-       {"ID"},
-       KeywordStatus::used,
-       {},
-       {{"with _ID", &weld_id_card}, {{}, &weld_card1}, {{}, &weld_card2}},
-       read_weld_spot},
-      {"CONSTRAINED_INTERPOLATION",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       {{{}, &interpolation_card1}, {"for each independent node or set", &interpolation_node}},
-       read_interpolation},
-      {"CONSTRAINED_SPOTWELD",
-       {},
-       {"ID", "FILTERED_FORCE"},
-       KeywordStatus::used,
-       {},
-       {{"with _ID", &weld_id_card}, {{}, &spotweld_card}, {"with _FILTERED_FORCE", &spotweld_filter_card}},
-       read_spotweld},
-      {"CONSTRAINED_RIVET",
-       {},
-       {"ID"},
-       KeywordStatus::used,
-       {},
-       {{"with _ID", &weld_id_card}, {{}, &rivet_card}},
-       read_rivet},
+      {.name = "CONSTRAINED_NODAL_RIGID_BODY",
+       .options = {"SPC", "INERTIA", "TITLE"},
+       .layout = {{"with _TITLE", &title_card},
+                  {{}, &nodal_card},
+                  {"with _SPC, if CMO is 0 or 1", &rigid_constraint_card},
+                  {"with _SPC, if CMO is -1", &rigid_constraint_local_card},
+                  {"with _INERTIA", &inertia_card1},
+                  {"with _INERTIA", &inertia_card2},
+                  {"with _INERTIA", &inertia_card3},
+                  {"with _INERTIA, if IRCS = 1", &inertia_card4}},
+       .read = read_nodal_body},
+      {.name = "CONSTRAINED_EXTRA_NODES_NODE", .layout = {{{}, &extra_node_card}}, .read = read_extra_nodes<false>},
+      {.name = "CONSTRAINED_EXTRA_NODES_SET", .layout = {{{}, &extra_set_card}}, .read = read_extra_nodes<true>},
+      {.name = "CONSTRAINED_RIGID_BODIES", .layout = {{{}, &merge_card}}, .read = read_mergers},
+      {.name = "DEFORMABLE_TO_RIGID", .layout = {{{}, &switched_part_card}}, .read = read_switched},
+      {.name = "CONSTRAINED_GENERALIZED_WELD_SPOT",
+       .options = {"ID"},
+       .layout = {{"with _ID", &weld_id_card}, {{}, &weld_card1}, {{}, &weld_card2}},
+       .read = read_weld_spot},
+      {.name = "CONSTRAINED_INTERPOLATION",
+       .layout = {{{}, &interpolation_card1}, {"for each independent node or set", &interpolation_node}},
+       .read = read_interpolation},
+      {.name = "CONSTRAINED_SPOTWELD",
+       .options = {"ID", "FILTERED_FORCE"},
+       .layout = {{"with _ID", &weld_id_card}, {{}, &spotweld_card}, {"with _FILTERED_FORCE", &spotweld_filter_card}},
+       .read = read_spotweld},
+      {.name = "CONSTRAINED_RIVET",
+       .options = {"ID"},
+       .layout = {{"with _ID", &weld_id_card}, {{}, &rivet_card}},
+       .read = read_rivet},
 
       refused("CONSTRAINED_GENERALIZED_WELD_*",
               "fillet, butt, cross and combined welds are not built: their cards are not documented to this project; "

@@ -222,7 +222,7 @@ const CardOf<SidesCard>& card_of_sides(const Cursor& cursor) {
 }
 
 void add_shells(const Model& model, const std::vector<Index>& shells, Surface& surface) {
-  for (const Index shell : shells) surface.segments.push_back(model.shells.node[static_cast<std::size_t>(shell)]);
+  for (const Index shell : shells) surface.segments.push_back(model.shells.node[shell]);
 }
 
 void take_all_but(const Builder& builder, const std::vector<Index>& exempt, Surface& surface) {
@@ -698,11 +698,12 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
                                {"optional card E", &card_e},
                                {"optional card F", &card_f},
                                {"optional card G", &card_g}});
-  return {name, {}, std::move(forms), KeywordStatus::used, {}, std::move(layout), read_contact<kind>};
+  return {.name = name, .options = std::move(forms), .layout = std::move(layout), .read = read_contact<kind>};
 }
 
 Keyword refused(std::string_view name, std::string_view why) {
-  return {name, {}, {"ID", "TITLE", "MPP"}, KeywordStatus::refused, why, {}, nullptr};
+  return {
+      .name = name, .options = {"ID", "TITLE", "MPP"}, .status = KeywordStatus::refused, .why = why};
 }
 
 constexpr const char* other_tie_of_translations =

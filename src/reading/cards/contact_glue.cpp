@@ -307,7 +307,7 @@ void take_resistance(Builder& builder, const deck::Entry& field, Contact& contac
              "give the id of a *DEFINE_CURVE that begins with 1 and ends with 0");
     return;
   }
-  const Curve& curve = builder.model.curves[static_cast<std::size_t>(c)];
+  const Curve& curve = builder.model.curves[c];
   if (curve.empty()) return;  // reported where it is defined
   kernel::Cohesion& law = contact.glue->law;
   law.softening = kernel::Cohesion::Softening::by_curve;

@@ -33,12 +33,11 @@ void read_interior(Builder& builder, const Block& block, const Options& options)
     for (const Index index : set->members) {
       const auto [scale, activation, modulus, type] = set->attributes_of(index);
       if (scale < 0.0 || activation < 0.0 || activation >= 1.0 || modulus < 0.0 || type < 0.0 || type > 2.0)
-        return refuse(
-            b, row[&InteriorCard::psid],
-            fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part {} in part set {}: expected PSF and ED of "
-                        "0 or more, Fa below 1, TYPE 0 to 2",
-                        scale, activation, modulus, type, b.model.parts[static_cast<std::size_t>(index)].id, set->id),
-            "set DA1 to DA4 of the set, or A1 to A4 of the part");
+        return refuse(b, row[&InteriorCard::psid],
+                      fmt::format("attributes {:g}, {:g}, {:g}, {:g} of part {} in part set {}: expected PSF and ED of "
+                                  "0 or more, Fa below 1, TYPE 0 to 2",
+                                  scale, activation, modulus, type, b.model.parts[index].id, set->id),
+                      "set DA1 to DA4 of the set, or A1 to A4 of the part");
       InteriorPart part{.part = index, .modulus = modulus};
       if (scale > 0.0) part.scale = scale;
       if (activation > 0.0) part.activation = activation;
@@ -55,9 +54,10 @@ void read_interior(Builder& builder, const Block& block, const Options& options)
 }  // namespace
 
 Keyword interior_keyword() {
-  return {"CONTACT_INTERIOR",  {}, {"ID", "TITLE"},
-          KeywordStatus::used, {}, {{"with _ID or _TITLE", &heading_card}, {{}, &interior_card}},
-          read_interior};
+  return {.name = "CONTACT_INTERIOR",
+          .options = {"ID", "TITLE"},
+          .layout = {{"with _ID or _TITLE", &heading_card}, {{}, &interior_card}},
+          .read = read_interior};
 }
 
 }  // namespace nugget::reading

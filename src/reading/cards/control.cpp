@@ -499,9 +499,9 @@ void resist_drilling(Builder& b, const RowOf<ShellCard4>& row) {
   const auto* parts = b.part_set(row[&ShellCard4::drcpsid]);
   if (parts == nullptr) return;
   for (const Index p : parts->members) {
-    Part& part = b.model.parts[static_cast<std::size_t>(p)];
+    Part& part = b.model.parts[p];
     if (part.kind != ElementKind::shell || part.section == none) continue;
-    if (b.model.shell_sections[static_cast<std::size_t>(part.section)].elform == 2)
+    if (b.model.shell_sections[part.section].elform == 2)
       refuse(b, row[&ShellCard4::drcpsid],
              fmt::format("part {} has shells of formulation 2, which cannot resist drilling", part.id),
              "give the part ELFORM 16, or take it out of the set");

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/index.hpp"
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
@@ -144,7 +143,7 @@ std::vector<Index> deformable(const Model& model, const std::vector<Index>& elem
                               const std::vector<Index>& part_of) {
   std::vector<Index> kept;
   for (const Index e : elements)
-    if (model.parts[at(part_of[at(e)])].rigid_body == none) kept.push_back(e);
+    if (model.parts[part_of[e]].rigid_body == none) kept.push_back(e);
   return kept;
 }
 
@@ -156,7 +155,7 @@ void resolve_set(Builder& builder, const RowOf<SetCard>& row, CrossSection secti
   section.nodes = nodes->members;
   make_unique(section.nodes);
   std::vector<char> marked(model.nodes.size(), 0);
-  for (const Index n : section.nodes) marked[at(n)] = 1;
+  for (const Index n : section.nodes) marked[n] = 1;
   const auto take = [&](ElementKind kind, const Set<Index>* set, const std::vector<Index>& part_of) {
     if (!set) return;
     for (auto& facet : facets_between(model, kind, deformable(model, set->members, part_of), marked))
@@ -226,7 +225,7 @@ void resolve_plane(Builder& builder, const RowOf<PlaneCard1>& row1, const RowOf<
   if (row1->psid != 0) {
     const auto* set = builder.part_set(row1[&PlaneCard1::psid]);
     if (!set) return;
-    for (const Index p : set->members) parts[at(p)] = 1;
+    for (const Index p : set->members) parts[p] = 1;
   }
   for (std::size_t p = 0; p < parts.size(); ++p)
     if (model.parts[p].rigid_body != none) parts[p] = 0;
@@ -267,21 +266,15 @@ void read_group(Builder& builder, const Block& block, const Options&) {
 
 std::vector<Keyword> cross_section_keywords() {
   return {
-      {"DATABASE_CROSS_SECTION_SET",
-       {},
-       {"ID"},
-       KeywordStatus::used,
-       {},
-       {{"with _ID", &heading_card}, {{}, &set_cards[0]}},
-       read_set},
-      {"DATABASE_CROSS_SECTION_PLANE",
-       {},
-       {"ID"},
-       KeywordStatus::used,
-       {},
-       {{"with _ID", &heading_card}, {{}, &plane_card1}, {{}, &plane_cards2[0]}},
-       read_plane},
-      {"DATABASE_NODAL_FORCE_GROUP", {}, {}, KeywordStatus::used, {}, {{{}, &group_card}}, read_group},
+      {.name = "DATABASE_CROSS_SECTION_SET",
+       .options = {"ID"},
+       .layout = {{"with _ID", &heading_card}, {{}, &set_cards[0]}},
+       .read = read_set},
+      {.name = "DATABASE_CROSS_SECTION_PLANE",
+       .options = {"ID"},
+       .layout = {{"with _ID", &heading_card}, {{}, &plane_card1}, {{}, &plane_cards2[0]}},
+       .read = read_plane},
+      {.name = "DATABASE_NODAL_FORCE_GROUP", .layout = {{{}, &group_card}}, .read = read_group},
   };
 }
 

@@ -216,7 +216,7 @@ void read_copy(Builder& b, const Block& block, const Options& options) {
   b.defer(Phase::curves, [row](Builder& later) {
     const Index original = later.curve(row[&CopyCard::rlcid]);
     if (original == none) return;
-    Curve curve = later.model.curves[static_cast<std::size_t>(original)];
+    Curve curve = later.model.curves[original];
     curve.id = row->lcid;
     rescale(curve, *row);
     add_curve(later, row, std::move(curve));
@@ -253,7 +253,7 @@ void read_table(Builder& b, const Block& block, const Options& options) {
   const Index table = add_table(b, row, std::move(values));
   const std::size_t first = b.model.curves.size();
   b.defer(Phase::curves, [=](Builder& later) {
-    auto& curves = later.model.tables[static_cast<std::size_t>(table)].curve;
+    auto& curves = later.model.tables[table].curve;
     for (std::size_t i = first; i < std::min(first + count, later.model.curves.size()); ++i)
       curves.push_back(static_cast<Index>(i));
     if (curves.size() == count) return;
@@ -278,8 +278,7 @@ void read_table_2d(Builder& b, const Block& block, const Options& options) {
   const Index table = add_table(b, row, std::move(values));
   b.defer(Phase::curves, [table, curves](Builder& later) {
     for (const deck::Entry& id : curves)
-      if (const Index curve = later.curve(id); curve != none)
-        later.model.tables[static_cast<std::size_t>(table)].curve.push_back(curve);
+      if (const Index curve = later.curve(id); curve != none) later.model.tables[table].curve.push_back(curve);
   });
 }
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "base/index.hpp"
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
@@ -190,10 +189,10 @@ void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
              "give 0.01 to 0.25, or a negative value for Rayleigh's beta");
     builder.defer(Phase::conditions, [row, coefficient](Builder& b) {
       for (const Index part : parts_of<set>(b, row[&StiffnessCard::target])) {
-        const Part& damped = b.model.parts[at(part)];
+        const Part& damped = b.model.parts[part];
         if (coefficient == 0.0 || damped.rigid_body != none) continue;
         const bool is_beam = damped.kind == ElementKind::beam && damped.section != none;
-        if (is_beam && b.model.beam_sections[at(damped.section)].elform == 2)
+        if (is_beam && b.model.beam_sections[damped.section].elform == 2)
           refuse(b, row[&StiffnessCard::target], "damping by stiffness of resultant beams (ELFORM 2) is not built",
                  "write ELFORM 1 in their section");
         auto& all = b.model.damping.stiffness;
@@ -208,7 +207,7 @@ void read_part_stiffness(Builder& builder, const Block& block, const Options&) {
 
 bool is_discrete(const Model& m, const Part& part) {
   return part.kind == ElementKind::discrete ||
-         (part.kind == ElementKind::beam && part.section != none && m.beam_sections[at(part.section)].elform == 6);
+         (part.kind == ElementKind::beam && part.section != none && m.beam_sections[part.section].elform == 6);
 }
 
 /// The parts whose elements _DEFORM damps: all but those of springs, dampers and discrete beams, whose forces are those
@@ -218,7 +217,7 @@ std::vector<Index> deformed_parts(Builder& b, const RowOf<RangeCard>& row, const
   const bool all = row->psid == 0;
   for (std::size_t i = 0; i < (all ? b.model.parts.size() : set.size()); ++i) {
     const Index part = all ? static_cast<Index>(i) : set[i];
-    const Part& p = b.model.parts[at(part)];
+    const Part& p = b.model.parts[part];
     if (!is_discrete(b.model, p))
       parts.push_back(part);
     else if (!all)
@@ -269,19 +268,13 @@ std::vector<Keyword> damping_keywords() {
   const std::vector<LayoutCard> mass{{{}, &part_mass}, {"if FLAG = 1", &scales_card}},
       mass_set{{{}, &part_mass_set}, {"if FLAG = 1", &scales_card}};
   return {
-      {"DAMPING_GLOBAL", {}, {}, KeywordStatus::used, {}, {{{}, &global_card}}, read_global},
-      {"DAMPING_PART_MASS", {}, {}, KeywordStatus::used, {}, mass, read_part_mass<false>},
-      {"DAMPING_PART_MASS_SET", {}, {}, KeywordStatus::used, {}, mass_set, read_part_mass<true>},
-      {"DAMPING_PART_STIFFNESS", {}, {}, KeywordStatus::used, {}, {{{}, &part_stiffness}}, read_part_stiffness<false>},
-      {"DAMPING_PART_STIFFNESS_SET",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       {{{}, &part_stiffness_set}},
-       read_part_stiffness<true>},
-      {"DAMPING_FREQUENCY_RANGE", {}, {"DEFORM"}, KeywordStatus::used, {}, {{{}, &range_card}}, read_range},
-      {"DAMPING_RELATIVE", {}, {}, KeywordStatus::used, {}, {{{}, &relative_card}}, read_relative},
+      {.name = "DAMPING_GLOBAL", .layout = {{{}, &global_card}}, .read = read_global},
+      {.name = "DAMPING_PART_MASS", .layout = mass, .read = read_part_mass<false>},
+      {.name = "DAMPING_PART_MASS_SET", .layout = mass_set, .read = read_part_mass<true>},
+      {.name = "DAMPING_PART_STIFFNESS", .layout = {{{}, &part_stiffness}}, .read = read_part_stiffness<false>},
+      {.name = "DAMPING_PART_STIFFNESS_SET", .layout = {{{}, &part_stiffness_set}}, .read = read_part_stiffness<true>},
+      {.name = "DAMPING_FREQUENCY_RANGE", .options = {"DEFORM"}, .layout = {{{}, &range_card}}, .read = read_range},
+      {.name = "DAMPING_RELATIVE", .layout = {{{}, &relative_card}}, .read = read_relative},
   };
 }
 

@@ -191,7 +191,7 @@ void take_curve(Builder& builder, const deck::Entry& field, int ioopt, RequestOf
     if (asked.curve == none) return;
     using enum Request::Rule;
     asked.rule = ioopt == 2 ? to_next : ioopt == 3 ? at_points : from_last;
-    const Curve& curve = b.model.curves[static_cast<std::size_t>(asked.curve)];
+    const Curve& curve = b.model.curves[asked.curve];
     if (asked.rule != at_points && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
       return refuse(b, field, "an interval of 0 or below is none",
                     "give a curve above 0, or IOOPT 3, which takes the curve's abscissas");
@@ -337,7 +337,7 @@ void resolve_history(Builder& builder, const History& history, const deck::Entry
     field.report(builder.findings, Severity::warning,
                  std::string(history.what) + (set ? " set" : "") + " is not in the model; it has no time history");
   } else if (set) {
-    for (const Index member : (builder.model.sets.*history.sets)[static_cast<std::size_t>(index)].members)
+    for (const Index member : (builder.model.sets.*history.sets)[index].members)
       add_history(builder, list, member, heading);
   } else {
     add_history(builder, list, index, heading);
@@ -375,7 +375,7 @@ void read_discrete_history(Builder& builder, const Block& block, const Options& 
         const int id = row->id[i];
         const Index index = b.discretes.find(id);
         if (index != none)
-          b.model.discretes[static_cast<std::size_t>(index)].in_deforc = true;
+          b.model.discretes[index].in_deforc = true;
         else if (id != 0)
           row[at(&IdsCard::id, i)].report(b.findings, Severity::warning,
                                           "spring is not in the model; it has no time history");
@@ -401,7 +401,7 @@ void read_local_history(Builder& builder, const Block& block, const Options& opt
       const Index system = b.turning_or_fixed_system(row[&LocalNodeCard::cid]);
       if (system == none) return;
       // With REF 1 and 2 the axes turn whatever FLAG says.
-      const CoordinateSystem& axes = b.model.systems[static_cast<std::size_t>(system)];
+      const CoordinateSystem& axes = b.model.systems[system];
       if (turning && !axes.nodes)
         return refuse(b, row[&LocalNodeCard::ref], "axes that turn (REF 1 and 2) need the nodes that they turn with",
                       "define the system by *DEFINE_COORDINATE_NODES, or write 0");
@@ -443,20 +443,17 @@ std::vector<Keyword> file_keywords(std::index_sequence<file...>) {
 
 template <const History& history, bool set>
 Keyword history_keyword(std::string_view name, const Card& plain, const Card& headed) {
-  return {name,
-          {},
-          {"ID"},
-          KeywordStatus::used,
-          {},
-          {{"without _ID", &plain}, {"with _ID", &headed}},
-          read_history<history, set>};
+  return {.name = name,
+          .options = {"ID"},
+          .layout = {{"without _ID", &plain}, {"with _ID", &headed}},
+          .read = read_history<history, set>};
 }
 
 Keyword not_written(std::string_view name, std::string_view why) {
-  return {name, {}, {"ID"}, KeywordStatus::refused, why, {}, nullptr};
+  return {.name = name, .options = {"ID"}, .status = KeywordStatus::refused, .why = why};
 }
 Keyword without_effect(std::string_view name, std::string_view why) {
-  return {name, {}, {"FILE"}, KeywordStatus::ignored, why, {}, nullptr};
+  return {.name = name, .options = {"FILE"}, .status = KeywordStatus::ignored, .why = why};
 }
 
 }  // namespace
@@ -464,43 +461,30 @@ Keyword without_effect(std::string_view name, std::string_view why) {
 std::vector<Keyword> database_keywords() {
   std::vector<Keyword> rows = file_keywords(std::make_index_sequence<model::history_files.size()>());
   const std::vector<Keyword> others{
-      {"DATABASE_BINARY_D3PLOT",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       {{{}, &d3plot_card}, {"optional", &d3plot_card2}},
-       read_d3plot},
-      {"DATABASE_FORMAT", {}, {}, KeywordStatus::used, {}, {{{}, &format_card}}, read_format},
-      {"DATABASE_EXTENT_BINARY",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       {{{}, &extent_card1}, {"optional", &extent_card2}, {"optional", &extent_card3}, {"optional", &extent_card4}},
-       read_extent_binary},
+      {.name = "DATABASE_BINARY_D3PLOT",
+       .layout = {{{}, &d3plot_card}, {"optional", &d3plot_card2}},
+       .read = read_d3plot},
+      {.name = "DATABASE_FORMAT", .layout = {{{}, &format_card}}, .read = read_format},
+      {.name = "DATABASE_EXTENT_BINARY",
+       .layout =
+           {{{}, &extent_card1}, {"optional", &extent_card2}, {"optional", &extent_card3}, {"optional", &extent_card4}},
+       .read = read_extent_binary},
       history_keyword<node_history, false>("DATABASE_HISTORY_NODE", node_ids, node_id_heading),
       history_keyword<node_history, true>("DATABASE_HISTORY_NODE_SET", set_ids, set_id_heading),
-      {"DATABASE_HISTORY_NODE_LOCAL",
-       {},
-       {"ID"},
-       KeywordStatus::used,
-       {},
-       {{"repeated", &local_node_card}, {"with _ID, after each", &local_heading_card}},
-       read_local_history},
+      {.name = "DATABASE_HISTORY_NODE_LOCAL",
+       .options = {"ID"},
+       .layout = {{"repeated", &local_node_card}, {"with _ID, after each", &local_heading_card}},
+       .read = read_local_history},
       history_keyword<shell_history, false>("DATABASE_HISTORY_SHELL", element_ids, element_id_heading),
       history_keyword<shell_history, true>("DATABASE_HISTORY_SHELL_SET", set_ids, set_id_heading),
       history_keyword<solid_history, false>("DATABASE_HISTORY_SOLID", element_ids, element_id_heading),
       history_keyword<solid_history, true>("DATABASE_HISTORY_SOLID_SET", set_ids, set_id_heading),
       history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", element_ids, element_id_heading),
       history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", set_ids, set_id_heading),
-      {"DATABASE_HISTORY_DISCRETE",
-       {},
-       {"ID"},
-       KeywordStatus::used,
-       {},
-       {{"without _ID", &element_ids}, {"with _ID", &element_id_heading}},
-       read_discrete_history},
+      {.name = "DATABASE_HISTORY_DISCRETE",
+       .options = {"ID"},
+       .layout = {{"without _ID", &element_ids}, {"with _ID", &element_id_heading}},
+       .read = read_discrete_history},
 
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
       not_written("DATABASE_DISBOUT",

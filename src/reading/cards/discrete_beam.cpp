@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "base/index.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
@@ -286,14 +287,14 @@ void add_law(Builder& b, const Row& row, const LawCard& card, std::string title,
   b.model.materials.push_back(std::move(m));
   // Curves may be defined later in the deck.
   b.defer(Phase::parts, [index, fill = std::move(fill)](Builder& later) {
-    auto& material = later.model.materials[static_cast<std::size_t>(index)];
+    auto& material = later.model.materials[index];
     fill(later, std::get<kernel::DiscreteBeam>(material.law));
   });
 }
 
 kernel::ForceCurve force_curve(Builder& b, const deck::Entry& field) {
   const Index c = b.curve(field);
-  return c == none ? kernel::ForceCurve{} : kernel::ForceCurve(b.model.curves[static_cast<std::size_t>(c)]);
+  return c == none ? kernel::ForceCurve{} : kernel::ForceCurve(b.model.curves[c]);
 }
 
 /// The six curves of a card.
@@ -511,7 +512,7 @@ void read_spring_beam(Builder& b, const Block& block, const Options& options) {
             for (const auto& [degree, rates] : degrees) {
               const int dof = degree->dof;
               if (dof < 1 || dof > 6) continue;  // told
-              const auto i = static_cast<std::size_t>(dof - 1);
+              const auto i = at(dof - 1);
               kernel::DiscreteSpring& spring = law.dof[i];
               if (spring.kind != Kind::none)
                 refuse(later, degree[&DegreeCard::dof], "this degree of freedom is given twice");

@@ -198,9 +198,9 @@ void hand_out(Builder& b, int eosid, const StateOf& state) {
   b.defer(Phase::systems, [eosid, state](Builder& later) {
     std::set<Index> done;
     for (const auto& [index, part_row] : later.part_rows) {
-      const Part& part = later.model.parts[static_cast<std::size_t>(index)];
+      const Part& part = later.model.parts[index];
       if (part_row->eosid != eosid || part.material == none) continue;
-      Material& material = later.model.materials[static_cast<std::size_t>(part.material)];
+      Material& material = later.model.materials[part.material];
       if (part.kind == ElementKind::solid && takes_equation_of_state(material) && done.insert(part.material).second)
         give(later, part_row, material, shells_share(later.model, part.material), state(material.density));
     }
@@ -252,7 +252,7 @@ Curve tabulated(const std::vector<double>& strain, const std::vector<double>& va
 Curve function_of(Builder& b, const deck::Entry& field, const std::vector<double>& strain,
                   const std::vector<double>& value) {
   const Index curve = field.integer() != 0 ? b.curve(field) : none;
-  if (curve != none) return b.model.curves[static_cast<std::size_t>(curve)];
+  if (curve != none) return b.model.curves[curve];
   return tabulated(strain, value);
 }
 

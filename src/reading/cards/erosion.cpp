@@ -143,7 +143,7 @@ kernel::Erosion criteria(Builder& b, const Cards& cards) {
     e.effective_stress = stress;
   } else if (stress) {
     if (const Index curve = b.curves.find(cards.stress_curve); curve != none)
-      e.effective_stress_over_rate = b.model.curves[static_cast<std::size_t>(curve)];
+      e.effective_stress_over_rate = b.model.curves[curve];
     else
       refuse(b, cards.second[&SecondCard::sigvm], fmt::format("curve {} is not defined", cards.stress_curve),
              "define it");
@@ -203,7 +203,7 @@ void report_idle_fields(Builder& b, const Cards& cards, const kernel::LawCompone
 void add_erosion(Builder& b, const Cards& cards) {
   const Index index = b.find(b.materials, "material", cards.first[&FirstCard::mid]);
   if (index == none) return;
-  Material& material = b.model.materials[static_cast<std::size_t>(index)];
+  Material& material = b.model.materials[index];
   std::optional<kernel::LawComponents> law = components_of(material.law);
   if (!law)
     return refuse(b, cards.first[&FirstCard::mid], fmt::format("erosion cannot be added to *{}", material.keyword),

@@ -157,7 +157,7 @@ void add_system_of_nodes(Builder& b, const RowOf<NodesCard>& row) {
     nodes.axis = 2;
   else if (!dir.empty() && dir != "X" && dir != "x")
     refuse(b, row[&NodesCard::dir], "expected X, Y or Z");
-  const auto at = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
+  const auto at = [&](Index n) { return b.model.nodes.x[n]; };
   CoordinateSystem s{row->cid, at(nodes.origin), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   if (!frame_of_points(s.origin, at(nodes.on_axis), at(nodes.in_plane), nodes.axis, s.axes))
     refuse(b, row[&NodesCard::n1], "the three nodes lie on a line, so they do not tell the axes",
@@ -191,7 +191,7 @@ void read_vector(Builder& b, const Block& block, const Options& options) {
       b.defer(Phase::sets, [row, index](Builder& later) {
         const Index s = later.system(row[&VectorCard::cid]);
         if (s == none) return;
-        const CoordinateSystem& own = later.model.systems[static_cast<std::size_t>(s)];
+        const CoordinateSystem& own = later.model.systems[s];
         later.vector_list[index] = own.axes.global(later.vector_list[index]);
         later.vector_tails[index] = own.origin + own.axes.global(later.vector_tails[index]);
       });

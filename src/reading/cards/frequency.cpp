@@ -172,7 +172,7 @@ Response response_of(Builder& b, const RowOf<ResponseCard>& row) {
 FrequencyResponse::Case case_of(Builder& b, const CaseRows& rows) {
   const int vad = rows.excitation->vad;
   if (vad < 0 || at(vad) >= std::size(of_frf)) return {};  // refused
-  return {rows.title, excitation_of(b, rows.excitation, of_frf[at(vad)]), response_of(b, rows.response)};
+  return {rows.title, excitation_of(b, rows.excitation, of_frf[vad]), response_of(b, rows.response)};
 }
 
 void make_relative(Builder& b, const deck::Entry& relatv_entry, FrequencyResponse& r) {
@@ -277,7 +277,7 @@ void read_frf(Builder& b, const Block& block, const Options& options) {
 std::vector<double> listed_frequencies(Builder& b, const deck::Entry& lcfreq) {
   const Index id = b.curve(lcfreq);
   if (id == none) return {};
-  const Curve& curve = b.model.curves[at(id)];
+  const Curve& curve = b.model.curves[id];
   if (curve.empty()) return {};  // reported where it is defined
   const bool same = curve.x == curve.y,
              constant = std::all_of(curve.y.begin(), curve.y.end(), [&](double y) { return y == curve.y.front(); });

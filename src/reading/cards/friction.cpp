@@ -110,10 +110,9 @@ void read_friction(Builder& b, const Block& block, const Options& options) {
         const Index part = later.part(field);
         return part != none ? std::vector<Index>{part} : std::vector<Index>{};
       };
-      later.model.part_friction[static_cast<std::size_t>(index)].pairs.push_back(
-          {parts(r.row[&PairCard::pid_i], r.one_is_set),
-           parts(r.row[&PairCard::pid_j], r.other_is_set),
-           {r.row->fs_ij, r.row->fd_ij, r.row->dc_ij, r.row->vc_ij}});
+      later.model.part_friction[index].pairs.push_back({parts(r.row[&PairCard::pid_i], r.one_is_set),
+                                                        parts(r.row[&PairCard::pid_j], r.other_is_set),
+                                                        {r.row->fs_ij, r.row->fd_ij, r.row->dc_ij, r.row->vc_ij}});
     }
   });
 }

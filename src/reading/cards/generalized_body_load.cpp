@@ -83,7 +83,7 @@ void make_load(Builder& b, Region region, const RowOf<RegionCard>& row, const Ro
   load.curve = b.curve(row[&RegionCard::lcid]);
   load.relaxation_curve = b.curve(row[&RegionCard::drlcid]);
   if (const Index system = b.system(motion[&MotionCard::cid]); system != none)
-    load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
+    load.direction = b.model.systems[system].axes.global(load.direction);
   switch (region) {
     case Region::node_range: load.nodes = nodes_in_range(b, row); break;
     case Region::node_set: load.nodes = members(b.node_set(row[&RegionCard::first])); break;
@@ -111,7 +111,7 @@ void read_load(Builder& builder, const Block& block, const Options&) {
 
 template <Region region>
 Keyword keyword(std::string_view name) {
-  return {name, {}, {}, KeywordStatus::used, {}, {{{}, &card_of(region)}, {{}, &motion_card}}, read_load<region>};
+  return {.name = name, .layout = {{{}, &card_of(region)}, {{}, &motion_card}}, .read = read_load<region>};
 }
 
 }  // namespace

@@ -70,8 +70,7 @@ const CardOf<TubCard> tub_card{
 CurveTable curves_of(Builder& b, const deck::Entry& field, int id, bool may_be_table) {
   CurveTable found;
   if (const Index t = b.tables.find(id); t != none && may_be_table) found = b.table_with_curves(t);
-  if (const Index c = b.curves.find(id); c != none && !found.given())
-    found = {id, {0.0}, {b.model.curves[static_cast<std::size_t>(c)]}};
+  if (const Index c = b.curves.find(id); c != none && !found.given()) found = {id, {0.0}, {b.model.curves[c]}};
   if (!found.given()) {
     refuse(b, field,
            b.tables.find(id) != none ? "a table is not built here" : fmt::format("curve {} is not defined", id),
@@ -112,7 +111,7 @@ void add_damage(Builder& b, const RowOf<MainCard>& main, const GissmoEntries& da
                 const std::optional<RowOf<TubCard>>& tub) {
   const Index index = b.find(b.materials, "material", main[&MainCard::mid]);
   if (index == none) return;
-  Material& material = b.model.materials[static_cast<std::size_t>(index)];
+  Material& material = b.model.materials[index];
   std::optional<kernel::LawComponents> law = components_of(material.law);
   if (!law)
     return refuse(b, main[&MainCard::mid], fmt::format("damage cannot be added to *{}", material.keyword),

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "base/index.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
@@ -187,7 +186,7 @@ void read_modes_under_load(Builder& b, const RowOf<EigenvalueCard>& row) {
   const auto remedy = "give a curve with one point of modes, at ENDTIM, e.g. (0, 0) (ENDTIM, 20)";
   b.model.implicit.modes = -1;
   if (id == none) return refuse(b, row[&EigenvalueCard::neig], fmt::format("there is no curve {}", -row->neig), remedy);
-  const Curve& curve = b.model.curves[at(id)];
+  const Curve& curve = b.model.curves[id];
   int extractions = 0;
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (curve.y[i] == 0.0) continue;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
@@ -142,12 +143,11 @@ class Starter {
   void start(const std::vector<Index>& nodes, const Motion& motion, Overwrites overwrites) {
     std::vector<Index> own, overwritten;
     for (const Index node : nodes) {
-      const Index body = b_.body_of_node[static_cast<std::size_t>(node)];
-      const bool given = body != none && b_.model.rigid_bodies[static_cast<std::size_t>(body)].given;
+      const Index body = b_.body_of_node[node];
+      const bool given = body != none && b_.model.rigid_bodies[body].given;
       if (!given) {
-        b_.model.initial_velocity[static_cast<std::size_t>(node)] =
-            motion.at(b_.model.nodes.x[static_cast<std::size_t>(node)]);
-        b_.model.initial_spin[static_cast<std::size_t>(node)] = motion.spin;
+        b_.model.initial_velocity[node] = motion.at(b_.model.nodes.x[node]);
+        b_.model.initial_spin[node] = motion.spin;
       } else {
         (overwrites(body) ? overwritten : own).push_back(body);
       }
@@ -160,7 +160,7 @@ class Starter {
 
   /// A body of given inertia.
   void restart(Index index, const Motion& motion) {
-    RigidBody& body = b_.model.rigid_bodies[static_cast<std::size_t>(index)];
+    RigidBody& body = b_.model.rigid_bodies[index];
     body.inertia.velocity = motion.at(body.inertia.center);
     body.inertia.spin = motion.spin;
     set_motion(b_.model, body, body.inertia.center, body.inertia.velocity, body.inertia.spin);
@@ -169,7 +169,7 @@ class Starter {
  private:
   /// LS-DYNA keeps the body's own velocity without a word; decks that forget this start with a part at rest.
   void report(Index index, const Motion& motion) {
-    const RigidBody& body = b_.model.rigid_bodies[static_cast<std::size_t>(index)];
+    const RigidBody& body = b_.model.rigid_bodies[index];
     if (norm(motion.at(body.inertia.center) - body.inertia.velocity) == 0.0 &&
         norm(motion.spin - body.inertia.spin) == 0.0)
       return;
@@ -185,7 +185,7 @@ class Starter {
 
 Vec3d in_global(Builder& builder, const deck::Entry& icid, const Vec3d& local) {
   const Index system = builder.system(icid);
-  return system == none ? local : builder.model.systems[static_cast<std::size_t>(system)].axes.global(local);
+  return system == none ? local : builder.model.systems[system].axes.global(local);
 }
 
 /// In local axes the components are as written; else *INCLUDE_TRANSFORM turns them.
@@ -210,11 +210,11 @@ std::vector<Index> named_by_irigid(Builder& builder, const RowOf<VelocityCard1>&
   if (irigid < 0)
     for (std::size_t i = 0; i < bodies.size(); ++i) named.push_back(static_cast<Index>(i));
   else if (const auto* parts = builder.part_set(row[&VelocityCard1::irigid]))
-    for (const Index p : parts->members) named.push_back(builder.model.parts[static_cast<std::size_t>(p)].rigid_body);
+    for (const Index p : parts->members) named.push_back(builder.model.parts[p].rigid_body);
   make_unique(named);
   const auto left_out = [&](Index i) {
-    if (i == none || !bodies[static_cast<std::size_t>(i)].given) return true;
-    return irigid != -2 && box && !box->holds(bodies[static_cast<std::size_t>(i)].inertia.center);
+    if (i == none || !bodies[i].given) return true;
+    return irigid != -2 && box && !box->holds(bodies[i].inertia.center);
   };
   named.erase(std::remove_if(named.begin(), named.end(), left_out), named.end());
   return named;
@@ -231,7 +231,7 @@ void start_set(Builder& builder, const RowOf<VelocityCard1>& row, const Motion& 
   const Box* box = builder.box(row[&VelocityCard1::boxid]);
   const auto left_out = [&](Index node) {
     return std::binary_search(exempted.begin(), exempted.end(), node) ||
-           (box && !box->holds(builder.model.nodes.x[static_cast<std::size_t>(node)]));
+           (box && !box->holds(builder.model.nodes.x[node]));
   };
   nodes.erase(std::remove_if(nodes.begin(), nodes.end(), left_out), nodes.end());
 
@@ -297,7 +297,7 @@ void read_node_velocity(Builder& builder, const Block& block, const Options&) {
 void start_body(Builder& builder, const RowOf<VelocityCard>& row, const Motion& motion) {
   const Index index = find_body(builder, row[&VelocityCard::target]);
   if (index == none) return;
-  RigidBody& body = builder.model.rigid_bodies[static_cast<std::size_t>(index)];
+  RigidBody& body = builder.model.rigid_bodies[index];
   body.inertia.velocity = in_global(builder, row[&VelocityCard::icid], motion.velocity);
   body.inertia.spin = in_global(builder, row[&VelocityCard::icid], motion.spin);
   const Vec3d center = norm(body.inertia.spin) > 0.0 ? center_of_mass(builder, body) : Vec3d{};
@@ -334,18 +334,18 @@ std::vector<Index> generation_nodes(Builder& builder, const RowOf<GenerationCard
   std::vector<Index> nodes = nodes_of_parts(builder.model, parts);
   // A rigid body moves as one, with its merged parts and extra nodes.
   for (const Index part : parts)
-    if (const Index body = builder.model.parts[static_cast<std::size_t>(part)].rigid_body; body != none) {
-      const auto& carried = builder.model.rigid_bodies[static_cast<std::size_t>(body)].nodes;
+    if (const Index body = builder.model.parts[part].rigid_body; body != none) {
+      const auto& carried = builder.model.rigid_bodies[body].nodes;
       nodes.insert(nodes.end(), carried.begin(), carried.end());
     }
   make_unique(nodes);
   if (row->ivatn == 1) {
     std::vector<Index> bodies;
-    for (const Index node : nodes) bodies.push_back(builder.body_of_node[static_cast<std::size_t>(node)]);
+    for (const Index node : nodes) bodies.push_back(builder.body_of_node[node]);
     make_unique(bodies);
     for (const Index body : bodies)
       if (body != none) {
-        const auto& carried = builder.model.rigid_bodies[static_cast<std::size_t>(body)].nodes;
+        const auto& carried = builder.model.rigid_bodies[body].nodes;
         nodes.insert(nodes.end(), carried.begin(), carried.end());
       }
     make_unique(nodes);
@@ -361,7 +361,7 @@ Vec3d generation_axis(Builder& builder, const Block& block, const RowOf<Generati
                      velocity_of(block, row1->icid != 0, Vec3d{row2->nx, row2->y, row2->z}));
   const Index from = builder.node(row2[&AxisCard::first_node]), to = builder.node(row2[&AxisCard::second_node]);
   if (from == none || to == none) return {};
-  return builder.model.nodes.x[static_cast<std::size_t>(to)] - builder.model.nodes.x[static_cast<std::size_t>(from)];
+  return builder.model.nodes.x[at(to)] - builder.model.nodes.x[from];
 }
 
 void generate(Builder& builder, const Block& block, const RowOf<GenerationCard>& row1, const RowOf<AxisCard>& row2) {
@@ -376,8 +376,7 @@ void generate(Builder& builder, const Block& block, const RowOf<GenerationCard>&
     motion.spin = omega * unit(axis);
     // The axis goes through the first of its two nodes; XC, YC, ZC are for the other form.
     const Index first = row2->nx == -999.0 ? builder.node(row2[&AxisCard::first_node]) : none;
-    motion.center = first == none ? position(block, {row2->xc, row2->yc, row2->zc})
-                                  : builder.model.nodes.x[static_cast<std::size_t>(first)];
+    motion.center = first == none ? position(block, {row2->xc, row2->yc, row2->zc}) : builder.model.nodes.x[first];
     motion.turns = true;
   }
   const bool overwrites = row2->irigid == 1;
@@ -420,22 +419,14 @@ void read_generation(Builder& builder, const Block& block, const Options&) {
 
 std::vector<Keyword> initial_keywords() {
   return {
-      {"INITIAL_VELOCITY",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       {{{}, &velocity_card1}, {{}, &velocity_card2}, {"if NSIDEX > 0", &velocity_card3}},
-       read_velocity},
-      {"INITIAL_VELOCITY_NODE", {}, {}, KeywordStatus::used, {}, {{{}, &node_card}}, read_node_velocity},
-      {"INITIAL_VELOCITY_RIGID_BODY", {}, {}, KeywordStatus::used, {}, {{{}, &body_card}}, read_body_velocity},
-      {"INITIAL_VELOCITY_GENERATION",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       {{{}, &generation_of_set}, {{}, &generation_card2}},
-       read_generation},
+      {.name = "INITIAL_VELOCITY",
+       .layout = {{{}, &velocity_card1}, {{}, &velocity_card2}, {"if NSIDEX > 0", &velocity_card3}},
+       .read = read_velocity},
+      {.name = "INITIAL_VELOCITY_NODE", .layout = {{{}, &node_card}}, .read = read_node_velocity},
+      {.name = "INITIAL_VELOCITY_RIGID_BODY", .layout = {{{}, &body_card}}, .read = read_body_velocity},
+      {.name = "INITIAL_VELOCITY_GENERATION",
+       .layout = {{{}, &generation_of_set}, {{}, &generation_card2}},
+       .read = read_generation},
   };
 }
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/index.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
@@ -277,7 +276,7 @@ void resolve_section_stress(Builder& builder, const RowOf<SectionCard>& row) {
   const auto* parts = builder.part_set(row[&SectionCard::psid]);
   for (const CrossSection::Facet& facet : found->facets) {
     if (facet.kind != ElementKind::solid) continue;
-    const Index part = builder.model.solids.part[at(facet.element)];
+    const Index part = builder.model.solids.part[facet.element];
     if (!parts || std::find(parts->members.begin(), parts->members.end(), part) != parts->members.end())
       stress.solids.push_back(facet.element);
   }
@@ -300,23 +299,11 @@ std::vector<Keyword> initial_state_keywords() {
     return std::vector<LayoutCard>{{{}, &first}, {"for each point", &cards.normal.front()}};
   };
   return {
-      {"INITIAL_STRESS_SHELL",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       points(shell_card, shell_point_cards),
-       read_stress<true>},
-      {"INITIAL_STRESS_SOLID",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       points(solid_card, solid_point_cards),
-       read_stress<false>},
-      {"INITIAL_STRAIN_SHELL", {}, {}, KeywordStatus::used, {}, points(strain_card, strain_point_cards), read_strain},
-      {"INITIAL_STRESS_SECTION", {}, {}, KeywordStatus::used, {}, {{{}, &section_card}}, read_section_stress},
-      {"INITIAL_AXIAL_FORCE_BEAM", {}, {}, KeywordStatus::used, {}, {{{}, &axial_card}}, read_axial},
+      {.name = "INITIAL_STRESS_SHELL", .layout = points(shell_card, shell_point_cards), .read = read_stress<true>},
+      {.name = "INITIAL_STRESS_SOLID", .layout = points(solid_card, solid_point_cards), .read = read_stress<false>},
+      {.name = "INITIAL_STRAIN_SHELL", .layout = points(strain_card, strain_point_cards), .read = read_strain},
+      {.name = "INITIAL_STRESS_SECTION", .layout = {{{}, &section_card}}, .read = read_section_stress},
+      {.name = "INITIAL_AXIAL_FORCE_BEAM", .layout = {{{}, &axial_card}}, .read = read_axial},
   };
 }
 

@@ -173,7 +173,7 @@ bool find_bodies(Builder& b, const PointFields& fields, Joint& joint) {
         refuse(b, field, fmt::format("this joint has {} pairs of nodes", count / 2), "give the node");
       return false;
     }
-    const Index body = b.body_of_node[static_cast<std::size_t>(joint.node[i])];
+    const Index body = b.body_of_node[joint.node[i]];
     if (body == none) {
       refuse(b, field, "a joint joins rigid bodies, but this node is on none",
              "make it a node of a *MAT_RIGID part (*CONSTRAINED_EXTRA_NODES) or of a *CONSTRAINED_NODAL_RIGID_BODY");
@@ -186,7 +186,7 @@ bool find_bodies(Builder& b, const PointFields& fields, Joint& joint) {
              "odd nodes belong to body A, even ones to body B");
       return false;
     }
-    joint.point[i] = b.model.nodes.x[static_cast<std::size_t>(joint.node[i])];
+    joint.point[i] = b.model.nodes.x[joint.node[i]];
   }
   if (joint.body[0] != joint.body[1]) return true;
   refuse(b, fields[1], "both nodes belong to the same rigid body", "take the second node from the other body");
@@ -309,8 +309,8 @@ std::optional<Joint::Output> output_axes(Builder& b, const RowOf<LocalCard>& row
     refuse(b, raid, "no such *ELEMENT_SEATBELT_ACCELEROMETER is defined", "name one, or a rigid body with LST 0");
     return std::nullopt;
   }
-  const auto at = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(found->node[i])]; };
-  const Index body = b.body_of_node[static_cast<std::size_t>(found->node[0])];
+  const auto at = [&](std::size_t i) { return b.model.nodes.x[found->node[i]]; };
+  const Index body = b.body_of_node[found->node[0]];
   if (body == none) {
     refuse(b, raid, "this accelerometer is on no rigid body", "name one that is, or a rigid body with LST 0");
     return std::nullopt;

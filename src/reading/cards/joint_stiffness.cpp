@@ -121,7 +121,7 @@ void add_stiffness(Builder& b, const Rows& rows, bool rotational) {
   if (s.body[0] == s.body[1]) return refuse(b, main[&StiffnessCard::pidb], "both are the same rigid body");
   const Index systems[] = {a, c == none ? a : c};
   for (std::size_t side = 0; side < 2; ++side) {
-    const CoordinateSystem& system = b.model.systems[static_cast<std::size_t>(systems[side])];
+    const CoordinateSystem& system = b.model.systems[systems[side]];
     s.origin[side] = system.origin;
     s.axes[side] = system.axes;
   }

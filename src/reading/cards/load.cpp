@@ -58,9 +58,7 @@ void resolve_follower(Builder& builder, const RowOf<ForceCard>& row, NodalLoad& 
     load.follower_nodes[i] = builder.node(field);
   }
   if (std::find(load.follower_nodes.begin(), load.follower_nodes.end(), none) != load.follower_nodes.end()) return;
-  const auto place = [&](std::size_t i) {
-    return builder.model.nodes.x[static_cast<std::size_t>(load.follower_nodes[i])];
-  };
+  const auto place = [&](std::size_t i) { return builder.model.nodes.x[load.follower_nodes[i]]; };
   const Vec3d first = place(1) - place(0), second = place(2) - place(0);
   if (norm(cross(first, second)) <= 1e-6 * norm(first) * norm(second))
     refuse(builder, row[at(&ForceCard::m, 0)], "the three nodes are on a line at the start: they have no normal",
@@ -72,7 +70,7 @@ std::vector<char> nodes_that_turn(const Builder& b) {
   const Model& m = b.model;
   std::vector<char> turns(m.nodes.size(), 0);
   const auto take = [&](Index n) {
-    if (n != none) turns[static_cast<std::size_t>(n)] = 1;
+    if (n != none) turns[n] = 1;
   };
   for (std::size_t n = 0; n < turns.size(); ++n)
     if (b.body_of_node[n] != none) turns[n] = 1;
@@ -81,8 +79,8 @@ std::vector<char> nodes_that_turn(const Builder& b) {
   for (std::size_t e = 0; e < m.beams.size(); ++e)
     for (const Index n : m.beams.nodes(e)) take(n);
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
-    const Index section = m.solids.part[e] == none ? none : m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
-    if (section != none && m.solid_sections[static_cast<std::size_t>(section)].elform == 4)
+    const Index section = m.solids.part[e] == none ? none : m.parts[m.solids.part[e]].section;
+    if (section != none && m.solid_sections[section].elform == 4)
       for (const Index n : m.solids.nodes(e)) take(n);
   }
   for (const Discrete& d : m.discretes)
@@ -96,10 +94,10 @@ std::vector<char> nodes_that_turn(const Builder& b) {
 /// A moment on a node of bricks alone finds no rotation to act on.
 void warn_of_lost_moments(Builder& b, const RowOf<ForceCard>& row, const std::vector<Index>& nodes,
                           const std::vector<char>& turns) {
-  const auto stands = [&](Index n) { return turns[static_cast<std::size_t>(n)] == 0; };
+  const auto stands = [&](Index n) { return turns[n] == 0; };
   const auto count = std::count_if(nodes.begin(), nodes.end(), stands);
   if (count == 0) return;
-  const int first = b.model.nodes.id[static_cast<std::size_t>(*std::find_if(nodes.begin(), nodes.end(), stands))];
+  const int first = b.model.nodes.id[*std::find_if(nodes.begin(), nodes.end(), stands)];
   row[&ForceCard::dof].report(
       b.findings, Severity::warning,
       fmt::format("{} of {} nodes (the first is {}) have no rotation: the moment has no effect there", count,
@@ -111,7 +109,7 @@ void resolve_fixed_direction(Builder& builder, const RowOf<ForceCard>& row, Noda
   const int axis = (row->dof - 1) % 4;
   load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
   if (const Index system = builder.system_of_directions(row[&ForceCard::cid]); system != none)
-    load.direction = builder.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
+    load.direction = builder.model.systems[system].axes.global(load.direction);
 }
 
 enum class On { node, set, body };
@@ -209,7 +207,7 @@ void read_body_rotation(Builder& builder, const Block& block, const Options&) {
     load.centrifugal = true;
     load.center = center;
     if (const Index system = b.system(row[&BodyLoadCard::cid]); system != none)
-      load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(load.direction);
+      load.direction = b.model.systems[system].axes.global(load.direction);
     b.model.body_loads.push_back(std::move(load));
   });
 }
@@ -272,7 +270,7 @@ void leave_body_load(Builder& builder, const RowOf<BodyLoadCard>& row, const Vec
     load.curve = b.curve(row[&BodyLoadCard::lcid]);
     load.relaxation_curve = b.curve(row[&BodyLoadCard::lciddr]);
     if (const Index system = b.system(row[&BodyLoadCard::cid]); system != none)
-      load.direction = b.model.systems[static_cast<std::size_t>(system)].axes.global(local);
+      load.direction = b.model.systems[system].axes.global(local);
     b.model.body_loads.push_back(load);
   });
 }
@@ -351,7 +349,7 @@ const CardOf<PressureCard> shell_set_card =
 
 /// Nodes in the wrong order, around a segment that crosses itself, span no area.
 void warn_of_no_area(Builder& b, const RowOf<PressureCard>& row, const std::vector<Segment>& segments) {
-  const auto place = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
+  const auto place = [&](Index n) { return b.model.nodes.x[n]; };
   const auto is_none = [&](const Segment& s) {
     const Vec3d one = place(s[2]) - place(s[0]), other = place(s[3]) - place(s[1]);
     return norm(cross(one, other)) <= 1e-6 * (dot(one, one) + dot(other, other));
@@ -362,7 +360,7 @@ void warn_of_no_area(Builder& b, const RowOf<PressureCard>& row, const std::vect
   row[&PressureCard::lcid].report(
       b.findings, Severity::warning,
       fmt::format("{} of {} segments (the first begins with node {}) have no area: no pressure acts there", count,
-                  segments.size(), b.model.nodes.id[static_cast<std::size_t>(first[0])]),
+                  segments.size(), b.model.nodes.id[first[0]]),
       "give the nodes in their order around the segment");
 }
 
@@ -424,9 +422,7 @@ void read_shell_pressure(Builder& builder, const Block& block, const Options& op
     leave_pressure(builder, cursor.read(set ? shell_set_card : shell_card),
                    [](Builder& b, const RowOf<PressureCard>& row) {
                      std::vector<Segment> segments;
-                     const auto add = [&](Index shell) {
-                       segments.push_back(b.model.shells.node[static_cast<std::size_t>(shell)]);
-                     };
+                     const auto add = [&](Index shell) { segments.push_back(b.model.shells.node[shell]); };
                      if constexpr (set) {
                        if (const auto* shells = b.shell_set(row[&PressureCard::target]))
                          for (const Index shell : shells->members) add(shell);
@@ -439,10 +435,10 @@ void read_shell_pressure(Builder& builder, const Block& block, const Options& op
 }
 
 Keyword simple(std::string_view name, const Card& card, void (*read)(Builder&, const Block&, const Options&)) {
-  return {name, {}, {}, KeywordStatus::used, {}, {{{}, &card}}, read};
+  return {.name = name, .layout = {{{}, &card}}, .read = read};
 }
 Keyword with_heading(std::string_view name, const Card& card, void (*read)(Builder&, const Block&, const Options&)) {
-  return {name, {}, {"ID"}, KeywordStatus::used, {}, {{"with _ID", &heading_card}, {{}, &card}}, read};
+  return {.name = name, .options = {"ID"}, .layout = {{"with _ID", &heading_card}, {{}, &card}}, .read = read};
 }
 
 }  // namespace
@@ -460,13 +456,9 @@ std::vector<Keyword> load_keywords() {
       simple("LOAD_BODY_RZ", body_load_card, read_body_rotation<2>),
       simple("LOAD_GRAVITY_PART", gravity_part_card, read_gravity<false>),
       simple("LOAD_GRAVITY_PART_SET", gravity_part_set_card, read_gravity<true>),
-      {"LOAD_BODY_VECTOR",
-       {},
-       {},
-       KeywordStatus::used,
-       {},
-       {{{}, &body_load_card}, {{}, &body_vector_card}},
-       read_body_vector},
+      {.name = "LOAD_BODY_VECTOR",
+       .layout = {{{}, &body_load_card}, {{}, &body_vector_card}},
+       .read = read_body_vector},
       simple("LOAD_BODY_PARTS", body_parts_card, read_body_parts),
       with_heading("LOAD_SEGMENT", segment_card, read_segment),
       with_heading("LOAD_SEGMENT_SET", segment_set_card, read_segment_set),

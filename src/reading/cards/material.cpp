@@ -197,7 +197,7 @@ void read_plastic(Builder& b, const Block& block, const Options& options) {
   const Index material = add_material(b, rows.main, std::move(title), "MAT_PIECEWISE_LINEAR_PLASTICITY", law);
   // Curves may be defined later in the deck.
   b.defer(Phase::parts, [material, rows](Builder& later) {
-    auto& m = later.model.materials[static_cast<std::size_t>(material)];
+    auto& m = later.model.materials[material];
     set_yield_curves(later, rows, std::get<kernel::PiecewiseLinear>(m.law));
   });
 }
@@ -230,7 +230,7 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const deck::Entr
   if (const Index curve = b.curve(lcdm); curve != none) {
     if (rupture > 0.0)
       refuse(b, lcdm, "a damage curve together with EPPFR is not supported", "give the onset and LCDM only");
-    const Curve& growth = b.model.curves[static_cast<std::size_t>(curve)];
+    const Curve& growth = b.model.curves[curve];
     if (growth.x.front() < 0.0 || growth.y.front() < 0.0 || !std::is_sorted(growth.y.begin(), growth.y.end()))
       refuse(b, lcdm,
              fmt::format("curve {} is not a damage that grows from 0 over the strain beyond its onset", growth.id),
@@ -241,7 +241,7 @@ std::optional<kernel::PlasticDamage> plastic_damage(Builder& b, const deck::Entr
     else if (growth.y.front() > 0.0)
       lcdm.report(b.findings, Severity::warning, fmt::format("the damage leaps to {:g} at its onset", growth.y.front()),
                   "let it begin at 0");
-    return kernel::PlasticDamage{onset, 0.0, b.model.curves[static_cast<std::size_t>(curve)]};
+    return kernel::PlasticDamage{onset, 0.0, b.model.curves[curve]};
   }
   if (rupture > 0.0) {
     if (rupture <= onset) refuse(b, rupture_entry, "rupture must come after the onset of damage");

@@ -37,13 +37,13 @@ void take_axes_of_system(Builder& b, const deck::Entry& option, Index material) 
     if (found == none)
       return refuse(later, option, fmt::format("coordinate system {} is not defined", id),
                     "define it with *DEFINE_COORDINATE_...");
-    const CoordinateSystem& system = later.model.systems[static_cast<std::size_t>(found)];
+    const CoordinateSystem& system = later.model.systems[found];
     if (system.turning)
       return refuse(
           later, option,
           fmt::format("coordinate system {} turns with its nodes (FLAG 1); the axes are those of the start", id),
           "define one with FLAG 0");
-    auto* compound = std::get_if<kernel::ComposedLaw>(&later.model.materials[static_cast<std::size_t>(material)].law);
+    auto* compound = std::get_if<kernel::ComposedLaw>(&later.model.materials[material].law);
     if (compound == nullptr) return;  // refused
     kernel::LawComponents made = *compound->components;
     if (kernel::MaterialAxes* axes = axes_of(made.flow)) {

@@ -27,7 +27,7 @@ constexpr RealField damping =
 
 /// Gives a material its law, which only solids can have.
 void set_foam(Builder& b, Index material, kernel::LawComponents law) {
-  b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
+  b.model.materials[material].law = composed_law(std::move(law));
 }
 
 /// A foam's curve over the amount of compression: its yield stress, or with `from_zero` its stress.
@@ -96,7 +96,7 @@ void set_low_density_foam(Builder& b, Index material, const LowDensityFoamCards&
   const Index curve = b.curve(lcid);
   if (curve == none) return;
   LowDensityFoam flow = cards;
-  flow.compression = b.model.curves[static_cast<std::size_t>(curve)];
+  flow.compression = b.model.curves[curve];
   if (flow.compression.x.size() < 2 || flow.compression.x.front() < 0.0 || flow.compression.y.front() < 0.0 ||
       pulls(flow.compression))
     return refuse(b, lcid, "the curve must begin at strain 0, positive in compression",
@@ -145,7 +145,7 @@ void set_crushable_foam(Builder& b, Index material, const RowOf<CrushableFoamCar
   const Index curve = b.curve(lcid);
   if (curve == none) return;
   CrushableFoam flow = *row;
-  flow.yield = b.model.curves[static_cast<std::size_t>(curve)];
+  flow.yield = b.model.curves[curve];
   if (flow.yield.empty()) return;  // reported where it is defined
   flow.E = flow.yield.slope(flow.yield.x.back());
   if (!(flow.E > 0.0))
@@ -231,14 +231,14 @@ const CardOf<RateFoamCards> rate_foam_exponent_card{
 bool set_table(Builder& b, const deck::Entry& tbid, RateFoam& flow) {
   const int id = tbid.integer();
   if (const Index c = b.curves.find(id); b.tables.find(id) == none && c != none) {
-    flow.curves = {b.model.curves[static_cast<std::size_t>(c)]};
+    flow.curves = {b.model.curves[c]};
     flow.rates = {0.0};
   } else {
     const Index t = b.find(b.tables, "table", tbid);
     if (t == none) return false;
-    const Table& table = b.model.tables[static_cast<std::size_t>(t)];
+    const Table& table = b.model.tables[t];
     if (table.curve.size() != table.value.size() || table.value.empty()) return false;  // reported where it is defined
-    for (const Index one : table.curve) flow.curves.push_back(b.model.curves[static_cast<std::size_t>(one)]);
+    for (const Index one : table.curve) flow.curves.push_back(b.model.curves[one]);
     flow.rates = table.value;
   }
   for (const Curve& curve : flow.curves) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
@@ -206,20 +207,18 @@ bool check_limit(Builder& b, const deck::Entry& field, const Curve& curve, const
 void check_honeycomb(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   Model& m = b.model;
   if (part.kind != ElementKind::solid || part.section == none) return;
-  const auto section = static_cast<std::size_t>(part.section);
+  const auto section = at(part.section);
   if (m.solid_sections[section].elform < 0)
     refuse(b, row[&PartCard::secid],
            "honeycomb has no Poisson effect, which bricks of ELFORM -1 and -2 count on in bending",
            "write ELFORM 1 or 2");
-  const auto* made = std::get_if<kernel::ComposedLaw>(&m.materials[static_cast<std::size_t>(part.material)].law);
+  const auto* made = std::get_if<kernel::ComposedLaw>(&m.materials[part.material].law);
   if (made == nullptr) return;  // refused
   kernel::LawComponents law = *made->components;
   auto& flow = std::get<Honeycomb>(law.flow);
   if (flow.over == Honeycomb::Over::volume) return;
   // 0 is computed as 1 by now; the card still counts.
-  const auto is_formulation_0 = [&](const Part& p) {
-    return b.solid_section_rows[static_cast<std::size_t>(p.section)]->elform == 0;
-  };
+  const auto is_formulation_0 = [&](const Part& p) { return b.solid_section_rows[p.section]->elform == 0; };
   const bool engineering = is_formulation_0(part);
   for (const Part& other : m.parts)
     if (other.material == part.material && other.kind == ElementKind::solid && other.section != none &&
@@ -230,7 +229,7 @@ void check_honeycomb(Builder& b, const Part& part, const deck::RowOf<PartCard>& 
                     "give each its own material");
   if (!engineering || flow.over == Honeycomb::Over::engineering_strain) return;
   flow.over = Honeycomb::Over::engineering_strain;
-  m.materials[static_cast<std::size_t>(part.material)].law = kernel::composed_law(std::move(law));
+  m.materials[part.material].law = kernel::composed_law(std::move(law));
 }
 
 /// `curves`: the second card.
@@ -244,7 +243,7 @@ void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards, cons
     const deck::Entry field = field_of_limit(curves, i);
     const Index found = b.curve(field);
     if (found == none) return;
-    const Curve& curve = b.model.curves[static_cast<std::size_t>(found)];
+    const Curve& curve = b.model.curves[found];
     if (curve.empty()) return;  // reported where it is defined
     flow.limit[i] =
         flow.over == Honeycomb::Over::volume ? limit_over_volume(b, field, curve, flow.compacted_volume) : curve;
@@ -253,11 +252,11 @@ void set_honeycomb(Builder& b, Index material, const HoneycombCards& cards, cons
   if (cards.lcsr != 0) {
     const Index found = b.curve(curves[&HoneycombCards::lcsr]);
     if (found == none) return;
-    flow.rate_factor = b.model.curves[static_cast<std::size_t>(found)];
+    flow.rate_factor = b.model.curves[found];
   }
   kernel::LawComponents law{std::move(flow)};
   law.bulk_viscosity = is_bulk;
-  b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
+  b.model.materials[material].law = composed_law(std::move(law));
   b.part_checks[material] = check_honeycomb;
 }
 

@@ -156,7 +156,7 @@ void read_orthotropic_johnson_cook(Builder& b, const Block& block, const Options
                                             row[&SimplifiedCards::lcdm]);
     law.points_to_delete = cards.numint;
     law.for_layers_only = true;
-    later.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
+    later.model.materials[material].law = composed_law(std::move(law));
   });
 }
 
@@ -177,7 +177,7 @@ void heat(Builder& b, const RowOf<JohnsonCookCards>& yield, const JohnsonCookCar
 
 /// Solids of *MAT_JOHNSON_COOK have an equation of state, or an elastic bulk modulus; shells have the latter.
 void check_equation_of_state(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
-  const auto& law = std::get<kernel::ComposedLaw>(b.model.materials[static_cast<std::size_t>(part.material)].law);
+  const auto& law = std::get<kernel::ComposedLaw>(b.model.materials[part.material].law);
   const bool is_solid = part.kind == ElementKind::solid;
   if (is_solid && law.components->state) return;
   if (is_solid && row->eosid != 0)

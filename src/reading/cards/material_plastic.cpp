@@ -146,7 +146,7 @@ void set_rate_curves(Builder& b, Index material, const RowOf<RateDependentCards>
   flow.nu = row->pr;
   const Index lc1 = b.curve(row[&RateDependentCards::lc1]);
   if (lc1 == none) return;
-  const auto curve = [&b](Index c) -> const Curve& { return b.model.curves[static_cast<std::size_t>(c)]; };
+  const auto curve = [&b](Index c) -> const Curve& { return b.model.curves[c]; };
   const Curve& yield = curve(lc1);
   for (const double y : yield.y)
     if (!(y > 0.0)) return refuse(b, row[&RateDependentCards::lc1], "a yield stress is not above 0");
@@ -174,7 +174,7 @@ void set_rate_curves(Builder& b, Index material, const RowOf<RateDependentCards>
   law.deletion_step = row->tdel;
   if (const Index failure = b.curve(row[&RateDependentCards::lc4]); failure != none)
     law.failure_strain_over_rate = curve(failure);
-  b.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
+  b.model.materials[material].law = composed_law(std::move(law));
 }
 
 void read_rate_dependent(Builder& b, const Block& block, const Options& options) {
@@ -239,7 +239,7 @@ void read_with_curves(Builder& b, const Block& block, const Options& options, st
     law.deletion_step = values.tdel;
     law.points_to_delete = values.numint;
     complete(later, rows, law);
-    later.model.materials[static_cast<std::size_t>(material)].law = composed_law(std::move(law));
+    later.model.materials[material].law = composed_law(std::move(law));
   });
 }
 

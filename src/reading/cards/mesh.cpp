@@ -217,7 +217,7 @@ void add_part_mass(Builder& b, const RowOf<PartMassCard>& row, const std::vector
                  "leave it blank: the mass is there from the start");
   const Index p = b.part(row[&PartMassCard::pid]);
   if (p == none) return;
-  const auto& shares = by_part[static_cast<std::size_t>(p)];
+  const auto& shares = by_part[p];
   double total = 0.0;
   for (const auto& share : shares) total += share.mass;
   const double wanted = row->finmass;
@@ -261,12 +261,12 @@ void add_inertia(Builder& b, const RowOf<InertiaHeadCard>& head, const RowOf<Ine
   PointInertia point{head->eid, n, row->mass, {}};
   point.inertia = {row->ixx, row->ixy, row->ixz, row->iyy, row->iyz, row->izz};
   if (const Index s = b.system(head[&InertiaHeadCard::csid]); s != none)
-    point.inertia = to_global(point.inertia, b.model.systems[static_cast<std::size_t>(s)].axes);
+    point.inertia = to_global(point.inertia, b.model.systems[s].axes);
   else if (head->csid == 0)
     point.inertia = to_global(point.inertia, of_include);
   b.model.inertias.push_back(point);
   b.defer(Phase::checks, [head, n, tensor = point.inertia](Builder& later) {
-    if (later.body_of_node[static_cast<std::size_t>(n)] == none) report_mean(later, head, tensor);
+    if (later.body_of_node[n] == none) report_mean(later, head, tensor);
   });
 }
 
@@ -288,7 +288,7 @@ void add_accelerometer(Builder& b, const RowOf<AccelerometerCardOf>& row) {
   const int gravity = row->igrav;
   a.without_gravity = gravity_left_out(gravity);
   a.sums_local = row->intopt == 1;
-  const auto at = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(a.node[i])]; };
+  const auto at = [&](std::size_t i) { return b.model.nodes.x[a.node[i]]; };
   Frame3d axes;
   if (!frame_from(at(1) - at(0), at(2) - at(0), axes))
     return refuse(b, row[&AccelerometerCardOf::nid2], "the three nodes lie on a line, so they span no axes",

@@ -41,7 +41,7 @@ const CardOf<PartMoveCard> part_move_card{
 template <class Moved>
 void move_nodes(Builder& b, const deck::Entry& field, const std::vector<Index>& nodes, const Moved& moved) {
   for (const Index n : nodes) {
-    Vec3d& x = b.model.nodes.x[static_cast<std::size_t>(n)];
+    Vec3d& x = b.model.nodes.x[n];
     x = moved(x);
   }
   for (const CoordinateSystem& system : b.model.systems) {
@@ -50,7 +50,7 @@ void move_nodes(Builder& b, const deck::Entry& field, const std::vector<Index>& 
       if (std::find(nodes.begin(), nodes.end(), n) != nodes.end()) {
         refuse(b, field,
                fmt::format("moves node {}, which gives coordinate system {} its axes: not supported",
-                           b.model.nodes.id[static_cast<std::size_t>(n)], system.id),
+                           b.model.nodes.id[n], system.id),
                "write the node where it shall be, or give the system by *DEFINE_COORDINATE_SYSTEM");
         return;
       }
@@ -101,7 +101,7 @@ void read_part_move(Builder& builder, const Block& block, const Options&) {
       }
       Vec3d shift = by;
       if (const Index system = b.system(row[&PartMoveCard::cid]); system != none)
-        shift = b.model.systems[static_cast<std::size_t>(system)].axes.global(by);
+        shift = b.model.systems[system].axes.global(by);
       move_nodes(b, row[&PartMoveCard::pid], nodes_of_parts(b.model, parts), [&](const Vec3d& x) { return x + shift; });
     });
   }

@@ -9,10 +9,10 @@ namespace nugget::reading {
 namespace {
 
 Keyword ignored(std::string_view name, std::string_view why) {
-  return {name, {}, {}, KeywordStatus::ignored, why, {}, nullptr};
+  return {.name = name, .status = KeywordStatus::ignored, .why = why};
 }
 Keyword refused(std::string_view name, std::string_view why) {
-  return {name, {}, {}, KeywordStatus::refused, why, {}, nullptr};
+  return {.name = name, .status = KeywordStatus::refused, .why = why};
 }
 
 using Rows = std::vector<Keyword>;
@@ -201,8 +201,7 @@ Rows other_definitions() {
 
 /// The reader of the text has taken these before a model is built; they are here to be listed.
 Keyword of_the_text(std::string_view name, std::vector<std::string_view> options = {}) {
-  return {
-      name, {}, std::move(options), KeywordStatus::used, {}, {}, [](Builder&, const deck::Block&, const Options&) {}};
+  return {.name = name, .options = std::move(options), .read = [](Builder&, const deck::Block&, const Options&) {}};
 }
 
 }  // namespace

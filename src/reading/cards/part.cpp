@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.hpp"
 #include "kernel/element/shell.hpp"
 #include "model/axes.hpp"
 #include "reading/builder/common_cards.hpp"
@@ -158,7 +159,7 @@ const CardOf<PrintCard> print_card{
 /// The local axes of _INERTIA with IRCS = 1.
 bool inertia_axes(Builder& b, const RowOf<InertiaCards>& axes, const Vec3d& x, const Vec3d& in_plane, Frame3d& frame) {
   if (const Index s = b.system(axes[&InertiaCards::cid]); s != none) {
-    frame = b.model.systems[static_cast<std::size_t>(s)].axes;
+    frame = b.model.systems[s].axes;
     return true;
   }
   const bool found = frame_from(x, in_plane, frame);
@@ -188,18 +189,15 @@ void read_inertia(Builder& b, Cursor& cursor, Index part) {
     RigidBody::Inertia given = inertia;
     // Behind what moves nodes in this phase.
     if (const Index n = later.node(centre[&InertiaCards::nodeid]); n != none)
-      later.defer(Phase::sets, [part, n](Builder& last) {
-        last.part_inertia[part].center = last.model.nodes.x[static_cast<std::size_t>(n)];
-      });
+      later.defer(Phase::sets, [part, n](Builder& last) { last.part_inertia[part].center = last.model.nodes.x[n]; });
     Frame3d frame;
     if (!is_local)
       given.inertia = to_global(given.inertia, own);
     else if (inertia_axes(later, axes, x, in_plane, frame))
       given.inertia = to_global(given.inertia, frame);
     later.part_inertia[part] = given;
-    const Index material = later.model.parts[static_cast<std::size_t>(part)].material;
-    if (material != none &&
-        !std::holds_alternative<kernel::Rigid>(later.model.materials[static_cast<std::size_t>(material)].law))
+    const Index material = later.model.parts[part].material;
+    if (material != none && !std::holds_alternative<kernel::Rigid>(later.model.materials[material].law))
       refuse(later, centre[&InertiaCards::mass], "inertia can be given only to parts of *MAT_RIGID", "use *PART");
   });
 }
@@ -243,7 +241,7 @@ std::vector<LayerCard> read_layers(Builder& b, Cursor& cursor, bool one_a_line) 
   }
   if (layers.empty() && !reported) {
     b.findings.error(block.place, block.starred(), "the part has no layers", "give MID1, THICK1 and so on");
-  } else if (layers.size() > static_cast<std::size_t>(kernel::most_layers)) {
+  } else if (layers.size() > at(kernel::most_layers)) {
     b.findings.error(block.place, block.starred(),
                      fmt::format("{} layers; up to {} are built", layers.size(), kernel::most_layers),
                      "join neighbours of the same material");

@@ -93,7 +93,7 @@ void read_rule(Builder& b, const Block& block, const Options& options) {
   b.defer(Phase::systems, [row = read.first, rule = read.law](Builder& later) {
     const Index index = later.find(later.materials, "material", row[&FirstCard<Rule>::mid]);
     if (index == none) return;
-    Material& material = later.model.materials[static_cast<std::size_t>(index)];
+    Material& material = later.model.materials[index];
     std::optional<kernel::LawComponents> law = components_of(material.law);
     if (!law)
       return refuse(later, row[&FirstCard<Rule>::mid], fmt::format("failure cannot be added to *{}", material.keyword),

@@ -214,8 +214,8 @@ std::vector<Index> candidates(Builder& builder, const RowOf<WallCard>& row) {
 }
 
 bool on_rigid_part(const Builder& builder, Index node) {
-  const Index body = builder.body_of_node[static_cast<std::size_t>(node)];
-  return body != none && builder.model.rigid_bodies[static_cast<std::size_t>(body)].origin == RigidBody::Origin::part;
+  const Index body = builder.body_of_node[node];
+  return body != none && builder.model.rigid_bodies[body].origin == RigidBody::Origin::part;
 }
 
 /// How deep a point is in the body of the wall [length]; negative outside. A bounded plane is only a face.
@@ -248,7 +248,7 @@ void report_nodes_behind(Builder& builder, const RowOf<WallCard>& row, const Rig
   Index deepest = none;
   double depth = 0.0;
   for (const Index node : wall.nodes) {
-    const Vec3d& x = builder.model.nodes.x[static_cast<std::size_t>(node)];
+    const Vec3d& x = builder.model.nodes.x[node];
     const double own = depth_in(wall, x);
     if (own <= round_off * (norm(x - wall.origin) + wall.radius)) continue;
     ++behind;
@@ -259,7 +259,7 @@ void report_nodes_behind(Builder& builder, const RowOf<WallCard>& row, const Rig
       builder.findings, Severity::warning,
       fmt::format("{} nodes start behind the wall, node {} the deepest, by {:.4g}: they are kept from going "
                   "deeper, not pushed out",
-                  behind, builder.model.nodes.id[static_cast<std::size_t>(deepest)], depth),
+                  behind, builder.model.nodes.id[deepest], depth),
       "shift the wall, turn its normal, or leave them out by nsidex");
 }
 
@@ -273,7 +273,7 @@ void take_nodes(Builder& builder, const RowOf<WallCard>& row, double reach, Rigi
   const bool by_penalty = builder.model.control.wall_penalty > 0.0;
   std::size_t rigid = 0;
   for (const Index node : candidates(builder, row)) {
-    const Vec3d& x = builder.model.nodes.x[static_cast<std::size_t>(node)];
+    const Vec3d& x = builder.model.nodes.x[node];
     if (std::binary_search(left_out.begin(), left_out.end(), node) || (box && !box->holds(x))) continue;
     if (reach > 0.0 && dot(x - wall.origin, wall.normal) > reach) continue;
     const bool on_rigid = on_rigid_part(builder, node);
@@ -293,7 +293,7 @@ void take_nodes(Builder& builder, const RowOf<WallCard>& row, double reach, Rigi
 void take_curve(Builder& builder, const deck::Entry& lcid, RigidWall& wall) {
   wall.motion_curve = builder.curve(lcid);
   if (!wall.motion_is_displacement || wall.motion_curve == none) return;
-  const Curve& curve = builder.model.curves[static_cast<std::size_t>(wall.motion_curve)];
+  const Curve& curve = builder.model.curves[wall.motion_curve];
   if (const double first = curve.clamped(0.0); first != 0.0)
     lcid.report(builder.findings, Severity::warning,
                 fmt::format("the wall is displaced by {:g} at its start: it starts where its card puts it and moves "
@@ -447,39 +447,36 @@ void read_geometric(Builder& builder, const Block& block, const Options& options
 
 std::vector<Keyword> rigidwall_keywords() {
   const auto geometric = [](std::string_view name, const Card& form, auto read) {
-    return Keyword{name,
-                   {},
-                   {"MOTION", "DISPLAY", "ID"},
-                   KeywordStatus::used,
-                   {},
-                   {{"with _ID", &wall_id_card},
-                    {{}, &geometric_card1},
-                    {{}, &geometric_card2},
-                    {{}, &form},
-                    {"with _MOTION", &motion_card},
-                    {"with _DISPLAY; may be missing", &display_card}},
-                   read};
+    return Keyword{.name = name,
+                   .options = {"MOTION", "DISPLAY", "ID"},
+                   .layout = {{"with _ID", &wall_id_card},
+                              {{}, &geometric_card1},
+                              {{}, &geometric_card2},
+                              {{}, &form},
+                              {"with _MOTION", &motion_card},
+                              {"with _DISPLAY; may be missing", &display_card}},
+                   .read = read};
   };
   Keyword cylinder = geometric("RIGIDWALL_GEOMETRIC_CYLINDER", cylinder_card, read_geometric<Form::cylinder>);
   cylinder.layout.insert(cylinder.layout.begin() + 4, {"nsegs times", &section_card});
   const auto refused = [](std::string_view name, std::string_view why) {
-    return Keyword{name, {},     {"FINITE", "MOVING", "FORCES", "MOTION", "DISPLAY", "ID"}, KeywordStatus::refused, why,
-                   {},   nullptr};
+    return Keyword{.name = name,
+                   .options = {"FINITE", "MOVING", "FORCES", "MOTION", "DISPLAY", "ID"},
+                   .status = KeywordStatus::refused,
+                   .why = why,
+                   .read = nullptr};
   };
   return {
-      {"RIGIDWALL_PLANAR",
-       {},
-       {"FINITE", "MOVING", "FORCES", "DISPLAY", "ID"},
-       KeywordStatus::used,
-       {},
-       {{"with _ID", &wall_id_card},
-        {{}, &planar_card1},
-        {{}, &planar_card2},
-        {"with _FINITE", &finite_card},
-        {"with _MOVING", &moving_card},
-        {"with _FORCES", &forces_card},
-        {"with _DISPLAY; may be missing", &display_card}},
-       read_planar},
+      {.name = "RIGIDWALL_PLANAR",
+       .options = {"FINITE", "MOVING", "FORCES", "DISPLAY", "ID"},
+       .layout = {{"with _ID", &wall_id_card},
+                  {{}, &planar_card1},
+                  {{}, &planar_card2},
+                  {"with _FINITE", &finite_card},
+                  {"with _MOVING", &moving_card},
+                  {"with _FORCES", &forces_card},
+                  {"with _DISPLAY; may be missing", &display_card}},
+       .read = read_planar},
       geometric("RIGIDWALL_GEOMETRIC_FLAT", flat_card, read_geometric<Form::flat>),
       geometric("RIGIDWALL_GEOMETRIC_PRISM", prism_card, read_geometric<Form::prism>),
       cylinder,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/index.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/builder/passes.hpp"
 #include "reading/cards/families.hpp"
@@ -177,7 +178,7 @@ void add_element(Builder& b, const RowOf<DiscreteCard>& row) {
   d.offset = row->offset;
   d.in_deforc = row->pf == 0;
   if (d.part == none || d.node[0] == none || (d.node[1] == none && row->n2 != 0)) return;
-  Part& part = b.model.parts[static_cast<std::size_t>(d.part)];
+  Part& part = b.model.parts[d.part];
   if (part.kind == ElementKind::nothing) part.kind = ElementKind::discrete;
   if (part.kind != ElementKind::discrete)
     return refuse(b, row[&DiscreteCard::pid], "the part already has elements of another kind",
@@ -188,14 +189,14 @@ void add_element(Builder& b, const RowOf<DiscreteCard>& row) {
 /// A line to act along: that of the nodes, unless there is none.
 void link_orientation(Builder& b, const RowOf<DiscreteCard>& row, double length) {
   const Index e = b.discretes.find(row->eid);
-  if (e == none || static_cast<std::size_t>(e) >= b.model.discretes.size()) return;
-  Discrete& d = b.model.discretes[static_cast<std::size_t>(e)];
-  const Part& part = b.model.parts[static_cast<std::size_t>(d.part)];
-  if (part.section != none && b.model.discrete_sections[static_cast<std::size_t>(part.section)].torsional)
+  if (e == none || at(e) >= b.model.discretes.size()) return;
+  Discrete& d = b.model.discretes[e];
+  const Part& part = b.model.parts[d.part];
+  if (part.section != none && b.model.discrete_sections[part.section].torsional)
     d.offset /= length;  // an angle, which the table has for a length
   d.orientation = b.find(b.spring_orientations, "orientation", row[&DiscreteCard::vid]);
   if (row->vid != 0) return;
-  const auto at = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
+  const auto at = [&](Index n) { return b.model.nodes.x[n]; };
   if (!d.grounded() && norm(at(d.node[1]) - at(d.node[0])) > 0.0) return;
   refuse(
       b, row[&DiscreteCard::vid],
@@ -252,7 +253,7 @@ void link_nodes(Builder& b, const RowOf<OrientationCard>& row, std::size_t index
              "give both");
     return;
   }
-  const auto at = [&](Index n) { return b.model.nodes.x[static_cast<std::size_t>(n)]; };
+  const auto at = [&](Index n) { return b.model.nodes.x[n]; };
   if (!(norm(at(o.node[1]) - at(o.node[0])) > 0.0))
     refuse(b, row[&OrientationCard::nid2], "both nodes are at one place, so they give no direction",
            "take two nodes apart");
@@ -290,7 +291,7 @@ void read_orientation(Builder& b, const Block& block, const Options& options) {
 
 Curve curve_of(Builder& b, const deck::Entry& field) {
   const Index c = b.curve(field);
-  return c == none ? Curve{} : b.model.curves[static_cast<std::size_t>(c)];
+  return c == none ? Curve{} : b.model.curves[c];
 }
 
 kernel::ForceCurve force_curve(Builder& b, const deck::Entry& field) {
@@ -452,7 +453,7 @@ double lever_of(Builder& b, const deck::Entry& mid, std::size_t material, double
   std::array<bool, 2> used{};
   for (const Part& part : b.model.parts)
     if (part.kind == ElementKind::discrete && part.material == static_cast<Index>(material) && part.section != none)
-      used[b.model.discrete_sections[static_cast<std::size_t>(part.section)].torsional] = true;
+      used[b.model.discrete_sections[part.section].torsional] = true;
   if (used[0] && used[1])
     refuse(b, mid, "springs along a line and torsional ones share this law, which FCTLEN makes two of",
            "give the torsional springs a law of their own");

@@ -63,10 +63,10 @@ void take_bricks(Builder& b, const RowOf<BricksCard>& row, std::vector<Index>& s
     const Index e = b.solid(field);
     if (e == none) continue;
     const auto& m = b.model;
-    const Index part = m.solids.part[static_cast<std::size_t>(e)];
-    const Index material = m.parts[static_cast<std::size_t>(part)].material;
-    const bool is_weld = material != none && m.materials[static_cast<std::size_t>(material)].weld != none;
-    const bool same_part = solids.empty() || m.solids.part[static_cast<std::size_t>(solids.front())] == part;
+    const Index part = m.solids.part[e];
+    const Index material = m.parts[part].material;
+    const bool is_weld = material != none && m.materials[material].weld != none;
+    const bool same_part = solids.empty() || m.solids.part[solids.front()] == part;
     const auto has = [e](const HexAssembly& a) {
       return std::find(a.solids.begin(), a.solids.end(), e) != a.solids.end();
     };
@@ -115,7 +115,7 @@ bool positive(Builder& b, const deck::Entry& field, const Curve& factor) {
 
 Index size_factor(Builder& b, const deck::Entry& field) {
   const Index c = b.curve(field);
-  return c != none && positive(b, field, b.model.curves[static_cast<std::size_t>(c)]) ? c : none;
+  return c != none && positive(b, field, b.model.curves[c]) ? c : none;
 }
 
 /// LS-DYNA's documents name the two axes of T_ORT but not which is the table's and which the curves': angles go on to

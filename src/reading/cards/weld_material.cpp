@@ -261,7 +261,7 @@ RateValue strength(Builder& b, const deck::Entry& field) {
   if (field.value >= 0.0) return {failure_value(field.value), {}};
   const Index curve = curve_of(b, field);
   if (curve == none) return {};
-  return {1.0, b.model.curves[static_cast<std::size_t>(curve)]};
+  return {1.0, b.model.curves[curve]};
 }
 
 /// A curve, or a table over the strain rate.
@@ -270,7 +270,7 @@ CurveTable direction_strength(Builder& b, const deck::Entry& field) {
   if (id == 0) return {};
   if (const Index t = b.tables.find(id); t != none) return b.table_with_curves(t);
   const Index c = b.find(b.curves, "curve or table", field);
-  return c == none ? CurveTable{} : CurveTable{id, {0.0}, {b.model.curves[static_cast<std::size_t>(c)]}};
+  return c == none ? CurveTable{} : CurveTable{id, {0.0}, {b.model.curves[c]}};
 }
 
 void expect_positive(Builder& b, const deck::Entry& field, std::string_view what) {
@@ -456,9 +456,9 @@ void set_yield_curve(Builder& b, const deck::Entry& sigy, kernel::Spotweld& law)
 Index add_weld(Builder& b, const RowOf<WeldCards>& row, std::string title, std::string_view keyword,
                kernel::Spotweld law, WeldLaw weld) {
   const Index material = add_material(b, row, std::move(title), keyword, law);
-  b.model.materials[static_cast<std::size_t>(material)].weld = static_cast<Index>(b.model.weld_laws.size());
+  b.model.materials[material].weld = static_cast<Index>(b.model.weld_laws.size());
   b.model.weld_laws.push_back(std::move(weld));
-  return b.model.materials[static_cast<std::size_t>(material)].weld;
+  return b.model.materials[material].weld;
 }
 
 kernel::Spotweld point_law(const WeldCards& cards) {
@@ -513,7 +513,7 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
   const std::size_t material = b.model.materials.size() - 1;
   b.defer(Phase::parts, [material, index, sigy = row[&WeldCards::sigy], second, failure,
                          length = block.transform ? block.transform->length : 1.0](Builder& later) {
-    WeldLaw& built = later.model.weld_laws[static_cast<std::size_t>(index)];
+    WeldLaw& built = later.model.weld_laws[index];
     set_yield_curve(later, sigy, std::get<kernel::Spotweld>(later.model.materials[material].law));
     set_strengths(later, built, second);
     if (!failure) return;
@@ -554,8 +554,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
   const Index index = add_weld(b, row, std::move(title), "MAT_SPOTWELD_DAIMLERCHRYSLER", law, std::move(weld));
   b.defer(Phase::parts, [index, con_id = third[&WeldCards::con_id]](Builder& later) {
     if (con_id.integer() > 0)
-      later.model.weld_laws[static_cast<std::size_t>(index)].properties =
-          later.find(later.connections, "connection", con_id);
+      later.model.weld_laws[index].properties = later.find(later.connections, "connection", con_id);
   });
 }
 

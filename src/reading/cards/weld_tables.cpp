@@ -182,7 +182,7 @@ const CardOf<MoreCard> connection_material_more_card{
 
 RateValue rate_value(Builder& b, double value, const deck::Entry& curve) {
   RateValue strength{value, {}};
-  if (const Index c = b.curve(curve); c != none) strength.factor = b.model.curves[static_cast<std::size_t>(c)];
+  if (const Index c = b.curve(curve); c != none) strength.factor = b.model.curves[c];
   return strength;
 }
 
@@ -282,8 +282,7 @@ void read_load_rate_add(Builder& b, const Block& block, const Options& options) 
     const Index table = later.find(later.load_rate_strengths, "*DEFINE_SPOTWELD_FAILURE", first[&LoadRateAddCard::id]);
     if (table == none) return;
     for (const auto& row : rows)
-      later.model.load_rate_strengths[static_cast<std::size_t>(table)].entries.push_back(
-          load_rate_entry(later, row, false));
+      later.model.load_rate_strengths[table].entries.push_back(load_rate_entry(later, row, false));
   });
 }
 
@@ -361,8 +360,7 @@ void read_connection_add(Builder& b, const Block& block, const Options& options)
     const Index table = later.find(later.connections, "*DEFINE_CONNECTION_PROPERTIES", first[&ConnectionCard::con_id]);
     if (table == none) return;
     for (const MaterialRows& row : rows)
-      later.model.connections[static_cast<std::size_t>(table)].records.push_back(
-          record(later, row.strength, row.more, false));
+      later.model.connections[table].records.push_back(record(later, row.strength, row.more, false));
   });
 }
 

@@ -64,8 +64,7 @@ void set_rates(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law) 
   };
   if (cards.c > 0.0 && (table || scaled)) not_obeyed(rows.rate[&YieldCards::c]);
   if (scaled && table) not_obeyed(lcsr);
-  if (const Index scale = b.curve(lcsr); scale != none && !table)
-    law.rate_scale = b.model.curves[static_cast<std::size_t>(scale)];
+  if (const Index scale = b.curve(lcsr); scale != none && !table) law.rate_scale = b.model.curves[scale];
   if (!std::is_sorted(law.rate_scale.y.begin(), law.rate_scale.y.end()))
     warn_of_softening_by_rate(b, lcsr, fmt::format("curve {}", law.rate_scale.id));
   if (!table && !scaled && cards.c > 0.0 && cards.p > 0.0) {
@@ -167,7 +166,7 @@ YieldTable yield_table(Builder& b, const deck::Entry& field, int id, bool log_ra
   y.log_rates = log_rates;
   std::vector<Index> curves;
   if (const Index t = b.tables.find(id); t != none) {
-    const Table& table = b.model.tables[static_cast<std::size_t>(t)];
+    const Table& table = b.model.tables[t];
     if (table.curve.size() != table.value.size() || table.value.empty()) return {};  // reported where it is defined
     curves = table.curve;
     y.rates = table.value;
@@ -183,7 +182,7 @@ YieldTable yield_table(Builder& b, const deck::Entry& field, int id, bool log_ra
     refuse(b, field, fmt::format("curve or table {} is not defined", id), "define it");
   }
   for (const Index c : curves) {
-    y.curves.push_back(b.model.curves[static_cast<std::size_t>(c)]);
+    y.curves.push_back(b.model.curves[c]);
     const Curve& curve = y.curves.back();
     if (!curve.empty() && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
       refuse(b, field, fmt::format("curve {} has a yield stress that is not above 0", curve.id),

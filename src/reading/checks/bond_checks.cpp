@@ -75,10 +75,10 @@ void check_bonds(Builder& b) {
       loose(b.findings, Severity::warning, "*ELEMENT_SOLID");
   std::vector<char> turned(m.nodes.size(), 0);
   for (const auto& nodes : m.shells.node)
-    for (const Index n : nodes) turned[static_cast<std::size_t>(n)] = 1;
+    for (const Index n : nodes) turned[n] = 1;
   const bool tied = std::any_of(m.contacts.begin(), m.contacts.end(), [](const Contact& c) { return c.tie(); });
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
-    const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
+    const Part& part = m.parts[m.solids.part[e]];
     const kernel::CohesiveBond* bond = bond_of(m, part);
     if (bond == nullptr || m.solids.quadratic(e)) continue;
     if (const Fault fault = fault_of(m, e, *bond); !fault.what.empty()) {
@@ -100,7 +100,7 @@ void check_bonds(Builder& b) {
           "number N1 to N4 on one sheet, N5 to N8 over them on the other");
     const bool apart = midway.height > 1e-6 * midway.shortest;
     if (apart && !bond_between_shells(m, e) &&
-        std::ranges::all_of(m.solids.node[e], [&](Index n) { return turned[static_cast<std::size_t>(n)] == 1; }))
+        std::ranges::all_of(m.solids.node[e], [&](Index n) { return turned[n] == 1; }))
       loose.add(
           m.solids.place[e],
           [&] {
@@ -108,7 +108,7 @@ void check_bonds(Builder& b) {
                                m.solids.id[e], midway.height);
           },
           "write ELFORM 20");
-    const auto has_no_shell = [&](Index n) { return turned[static_cast<std::size_t>(n)] == 0; };
+    const auto has_no_shell = [&](Index n) { return turned[n] == 0; };
     const auto& nodes = m.solids.node[e];
     if (!tied && bond_between_shells(m, e) && std::any_of(nodes.begin(), nodes.end(), has_no_shell))
       loose.add(

@@ -16,9 +16,9 @@ std::vector<char> free_nodes(const Builder& b) {
   for (std::size_t n = 0; n < free.size(); ++n)
     if (b.body_of_node[n] != none) free[n] = 0;
   for (const SinglePointConstraint& spc : b.model.spcs)
-    if (spc.node != none) free[static_cast<std::size_t>(spc.node)] = 0;
+    if (spc.node != none) free[spc.node] = 0;
   for (const PrescribedMotion& motion : b.model.motions)
-    for (const Index node : motion.nodes) free[static_cast<std::size_t>(node)] = 0;
+    for (const Index node : motion.nodes) free[node] = 0;
   return free;
 }
 
@@ -33,12 +33,12 @@ class PartlyMovingElements {
     for (std::size_t e = 0; e < elements.size(); ++e) {
       bool moves = false, stands = false;
       for (const Index n : elements.nodes(e)) {
-        if (n == none || free_[static_cast<std::size_t>(n)] == 0) continue;
-        (norm(m_.initial_velocity[static_cast<std::size_t>(n)]) > 0.0 ? moves : stands) = true;
+        if (n == none || free_[n] == 0) continue;
+        (norm(m_.initial_velocity[n]) > 0.0 ? moves : stands) = true;
       }
       if (!moves || !stands) continue;
       if (count_++ == 0) first_ = fmt::format("{} {}", kind, elements.id[e]);
-      if (elements.part[e] != none) in_partly_moving_part_[static_cast<std::size_t>(elements.part[e])] = 1;
+      if (elements.part[e] != none) in_partly_moving_part_[elements.part[e]] = 1;
     }
   }
 

@@ -14,7 +14,7 @@ namespace nugget::reading {
 namespace {
 
 const Vec3d& position(const Model& m, Index node) {
-  return m.nodes.x[static_cast<std::size_t>(node)];
+  return m.nodes.x[node];
 }
 
 /// Largest angle between the normals of the two triangles on either side of a diagonal [degrees].
@@ -37,7 +37,7 @@ void check_shells(Builder& b) {
     const int id = m.shells.id[e];
     const Vec3d across = cross(x[2] - x[0], x[3] - x[1]);
     const double longest = std::max(dot(x[2] - x[0], x[2] - x[0]), dot(x[3] - x[1], x[3] - x[1]));
-    const bool has_section = m.parts[static_cast<std::size_t>(m.shells.part[e])].section != none;
+    const bool has_section = m.parts[m.shells.part[e]].section != none;
     if (has_section && m.shells.thickness[e] <= 0.0)
       thin.add(
           m.shells.place[e],
@@ -103,8 +103,7 @@ double farthest_from_middle(const Model& m, std::size_t e) {
   const std::array<Vec3d, 10> x = ten_places(m, e);
   double most = 0.0;
   for (std::size_t i = 0; i < 6; ++i) {
-    const Vec3d &from = x[static_cast<std::size_t>(kernel::quadratic_tetrahedron_edge[i][0])],
-                &to = x[static_cast<std::size_t>(kernel::quadratic_tetrahedron_edge[i][1])];
+    const Vec3d &from = x[kernel::quadratic_tetrahedron_edge[i][0]], &to = x[kernel::quadratic_tetrahedron_edge[i][1]];
     most = std::max(most, norm(x[4 + i] - 0.5 * (from + to)) / norm(to - from));
   }
   return most;
@@ -112,7 +111,7 @@ double farthest_from_middle(const Model& m, std::size_t e) {
 
 /// Ten nodes belong to formulations 16 and 17, and they to ten nodes; rigid parts have no formulation.
 void check_order(const Model& m, std::size_t e, int elform, Tally& order) {
-  const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
+  const Part& part = m.parts[m.solids.part[e]];
   const bool quadratic = elform == 16 || elform == 17;
   if (m.solids.quadratic(e) == quadratic || part.section == none || part.rigid_body != none) return;
   order.add(
@@ -131,7 +130,7 @@ void check_solids(Builder& b) {
   Tally misshapen(b.findings, Severity::error, "*ELEMENT_SOLID"), order(b.findings, Severity::error, "*ELEMENT_SOLID");
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     const int id = m.solids.id[e];
-    if (bond_of(m, m.parts[static_cast<std::size_t>(m.solids.part[e])])) continue;  // check_bonds
+    if (bond_of(m, m.parts[m.solids.part[e]])) continue;  // check_bonds
     const double volume = m.solids.quadratic(e) ? least_volume(m, e) : solid_volume(m, e);
     if (!(volume > 0.0))
       negative.add(
@@ -156,8 +155,8 @@ void check_solids(Builder& b) {
           m.solids.place[e],
           [&] { return fmt::format("solid {} is turned inside out at a corner (negative Jacobian there)", id); },
           "mend the mesh there; it may fail early");
-    const Index section = m.parts[static_cast<std::size_t>(m.solids.part[e])].section;
-    const int elform = section == none ? 1 : m.solid_sections[static_cast<std::size_t>(section)].elform;
+    const Index section = m.parts[m.solids.part[e]].section;
+    const int elform = section == none ? 1 : m.solid_sections[section].elform;
     check_order(m, e, elform, order);
     const bool tetrahedron = !m.solids.quadratic(e) && (elform == 4 || elform == 10 || elform == 13);
     const std::size_t corners = tetrahedron || elform == 15 ? m.solids.corners(e).size() : 0;
@@ -189,14 +188,14 @@ void check_beams(Builder& b) {
   const Model& m = b.model;
   Tally short_ones(b.findings, Severity::note, "*ELEMENT_BEAM");
   const auto discrete = [&](std::size_t e) {
-    const Index section = m.parts[static_cast<std::size_t>(m.beams.part[e])].section;
-    return section != none && m.beam_sections[static_cast<std::size_t>(section)].elform == 6;
+    const Index section = m.parts[m.beams.part[e]].section;
+    return section != none && m.beam_sections[section].elform == 6;
   };
   Tally without(b.findings, Severity::error, "*ELEMENT_BEAM");
   for (std::size_t e = 0; e < m.beams.size(); ++e) {
     const bool has_length = beam_length(m, e) > 0.0;
-    const Index section = m.parts[static_cast<std::size_t>(m.beams.part[e])].section;
-    const int elform = section == none ? 9 : m.beam_sections[static_cast<std::size_t>(section)].elform;
+    const Index section = m.parts[m.beams.part[e]].section;
+    const int elform = section == none ? 9 : m.beam_sections[section].elform;
     if (!has_length && elform != 6 && elform != 9)
       without.add(
           m.beams.place[e], [&] { return fmt::format("beam {} has no length", m.beams.id[e]); },
@@ -205,7 +204,7 @@ void check_beams(Builder& b) {
       short_ones.add(m.beams.place[e], [&] {
         return fmt::format("beam {} has no length; a weld of no length takes its length from its tie", m.beams.id[e]);
       });
-    else if (elform <= 2 && directed(m.beam_sections[static_cast<std::size_t>(section)]) && !has_side(m, e))
+    else if (elform <= 2 && directed(m.beam_sections[section]) && !has_side(m, e))
       without.add(
           m.beams.place[e],
           [&] {
@@ -220,7 +219,7 @@ void count_free_nodes(Builder& b) {
   const Model& m = b.model;
   std::vector<char> used(m.nodes.size(), 0);
   const auto use = [&](Index n) {
-    if (n != none) used[static_cast<std::size_t>(n)] = 1;
+    if (n != none) used[n] = 1;
   };
   for (const auto& nodes : m.shells.node) std::for_each(nodes.begin(), nodes.end(), use);
   for (std::size_t e = 0; e < m.solids.size(); ++e) std::ranges::for_each(m.solids.nodes(e), use);

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/index.hpp"
 #include "kernel/law/law_components.hpp"
 #include "kernel/law/own_kernels.hpp"
 #include "model/bond.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 template <class L>
 bool is(const Model& m, const Part& part) {
-  return part.material != none && std::holds_alternative<L>(m.materials[static_cast<std::size_t>(part.material)].law);
+  return part.material != none && std::holds_alternative<L>(m.materials[part.material].law);
 }
 
 /// LS-DYNA's other fully integrated quadrilaterals, which 16 stands for.
@@ -32,7 +33,7 @@ bool one_point(int elform) {
 }
 
 void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
-  const auto s = static_cast<std::size_t>(part.section);
+  const auto s = at(part.section);
   SectionShell& section = b.model.shell_sections[s];
   if (section.elform == 0) section.elform = b.model.control.default_shell;
   const bool is_computed = !is<kernel::Rigid>(b.model, part) && !is<kernel::Null>(b.model, part);
@@ -79,7 +80,7 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& re
 
 /// Adhesive has a law of its own, and the law only such bricks.
 void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
-  const auto s = static_cast<std::size_t>(part.section);
+  const auto s = at(part.section);
   const int elform = b.model.solid_sections[s].elform;
   const deck::RowOf<SolidCard>& row = b.solid_section_rows[s];
   const bool is_bond = bond_of(b.model, part) != nullptr;
@@ -106,7 +107,7 @@ void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& rep
 }
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
-  const auto s = static_cast<std::size_t>(part.section);
+  const auto s = at(part.section);
   int& elform = b.model.solid_sections[s].elform;
   if (is_cohesive(elform) || bond_of(b.model, part)) return check_bond_formulation(b, part, reported);
   // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
@@ -158,8 +159,7 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& re
         b.findings, Severity::warning, "wedges are computed as collapsed bricks of eight points (formulation 2)");
   if (elform == 0) {
     const bool own_strains =
-        part.material != none &&
-        b.model.materials[static_cast<std::size_t>(part.material)].keyword == "MAT_MODIFIED_HONEYCOMB";
+        part.material != none && b.model.materials[part.material].keyword == "MAT_MODIFIED_HONEYCOMB";
     b.solid_section_rows[s][&SolidCard::elform].report(
         b.findings, Severity::warning,
         fmt::format("solid formulation 0 is the brick of LS-DYNA's honeycombs (*MAT_126); it is computed as 1, as a "
@@ -181,10 +181,10 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& re
 
 /// A spring needs a mass to have a time step.
 void check_discrete_beam(Builder& b, const Part& part) {
-  const auto s = static_cast<std::size_t>(part.section);
+  const auto s = at(part.section);
   const SectionBeam& section = b.model.beam_sections[s];
   if (!is<kernel::DiscreteBeam>(b.model, part)) return;  // reported by check_law
-  const auto& law = std::get<kernel::DiscreteBeam>(b.model.materials[static_cast<std::size_t>(part.material)].law);
+  const auto& law = std::get<kernel::DiscreteBeam>(b.model.materials[part.material].law);
   const auto works = [&](std::size_t i) {
     const kernel::DiscreteSpring& spring = law.dof[i];
     return spring.greatest_stiffness() > 0.0 || spring.greatest_viscosity(0.0) > 0.0;
@@ -200,7 +200,7 @@ void check_discrete_beam(Builder& b, const Part& part) {
 }
 
 void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
-  const auto s = static_cast<std::size_t>(part.section);
+  const auto s = at(part.section);
   const int elform = b.model.beam_sections[s].elform;
   if (elform == 6) return check_discrete_beam(b, part);
   const bool is_built = elform == 9 || (elform >= 1 && elform <= 3);
@@ -220,8 +220,8 @@ bool has_fibres(const Law& law) {
 /// Spot-weld beams have the weld's law, discrete beams one of springs, others that of a bar.
 void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   const Model& m = b.model;
-  const Material& material = m.materials[static_cast<std::size_t>(part.material)];
-  const int elform = m.beam_sections[static_cast<std::size_t>(part.section)].elform;
+  const Material& material = m.materials[part.material];
+  const int elform = m.beam_sections[part.section].elform;
   if (elform == 6) {
     if (!is<kernel::DiscreteBeam>(m, part))
       refuse(b, row[&PartCard::mid], fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
@@ -269,7 +269,7 @@ void check_cross_axes(Builder& b, const Part& part, const deck::Entry& field, co
       return refuse(b, field, fmt::format("AOPT 3 is for hexahedra, but solid {} is none", m.solids.id[e]),
                     "use AOPT 2 with vectors a and d");
     std::array<Vec3d, 8> x;
-    for (std::size_t i = 0; i < 8; ++i) x[i] = m.nodes.x[static_cast<std::size_t>(corner[i])];
+    for (std::size_t i = 0; i < 8; ++i) x[i] = m.nodes.x[corner[i]];
     const Vec3d normal = kernel::MaterialAxes::midway_normal(x);
     if (norm(cross(axes.a, normal)) > 1e-6 * norm(axes.a) * norm(normal)) continue;
     return refuse(b, field,
@@ -297,7 +297,7 @@ void check_material_axes(Builder& b, const Part& part, const deck::Entry& field,
   for (std::size_t e = 0; e < m.shells.size(); ++e) {
     if (m.shells.part[e] != index) continue;
     std::array<Vec3d, 4> x;
-    for (std::size_t i = 0; i < 4; ++i) x[i] = m.nodes.x[static_cast<std::size_t>(m.shells.node[e][i])];
+    for (std::size_t i = 0; i < 4; ++i) x[i] = m.nodes.x[m.shells.node[e][i]];
     const Vec3d normal = cross(x[2] - x[0], x[3] - x[1]);
     if (!(norm(normal) > 0.0)) continue;  // reported elsewhere
     const Vec3d seen = axes.in_shell(x[1] - x[0], unit(normal), {});
@@ -312,7 +312,7 @@ void check_material_axes(Builder& b, const Part& part, const deck::Entry& field,
 /// Axes of the materials of a part's layers.
 void check_layers(Builder& b, const Part& part) {
   if (part.kind != ElementKind::shell || part.material == none || !is<kernel::Laminate>(b.model, part)) return;
-  const auto& law = std::get<kernel::Laminate>(b.model.materials[static_cast<std::size_t>(part.material)].law);
+  const auto& law = std::get<kernel::Laminate>(b.model.materials[part.material].law);
   const auto& cards = b.layer_stacks.at(part.section).layers;
   for (std::size_t k = 0; k < cards.size(); ++k)
     if (const auto* axes = axes_of((*law.layers)[k].law.components->flow))
@@ -321,7 +321,7 @@ void check_layers(Builder& b, const Part& part) {
 
 /// Some laws are made for shells or bricks only.
 void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
-  const Material& material = b.model.materials[static_cast<std::size_t>(part.material)];
+  const Material& material = b.model.materials[part.material];
   const auto* law = std::get_if<kernel::ComposedLaw>(&material.law);
   if (law == nullptr) return;
   if (part.kind == ElementKind::solid && law->components->directional_damage)
@@ -352,7 +352,7 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
 void check_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   if (part.material == none) return;
   const Model& m = b.model;
-  const Material& material = m.materials[static_cast<std::size_t>(part.material)];
+  const Material& material = m.materials[part.material];
   const bool is_weld = is<kernel::Spotweld>(m, part);
   check_compound(b, part, row);
   const bool is_fluid = part.kind == ElementKind::solid && is<kernel::Null>(m, part);
@@ -363,8 +363,7 @@ void check_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   if (is_weld && part.kind == ElementKind::shell)
     refuse(b, row[&PartCard::mid], "*MAT_SPOTWELD is a law of weld beams, but the part has shells",
            "give it a sheet's law");
-  else if (is_weld && part.kind == ElementKind::beam && material.weld != none &&
-           m.weld_laws[static_cast<std::size_t>(material.weld)].connection)
+  else if (is_weld && part.kind == ElementKind::beam && material.weld != none && m.weld_laws[material.weld].connection)
     refuse(b, row[&PartCard::mid], "*MAT_SPOTWELD_DAIMLERCHRYSLER is a law of welds of bricks, but the part has beams",
            "model the welds by bricks, or use *MAT_SPOTWELD_DAMAGE-FAILURE");
   else if (part.kind == ElementKind::discrete && !is<kernel::Spring>(m, part))
@@ -401,7 +400,7 @@ void check_hourglass(Builder& b) {
     if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
     // Shells 16 have no hourglass modes: type 8 gives them warping stiffness, the others mean nothing to them. Of
     // solids the one-point brick has some, the others have none.
-    const auto section = static_cast<std::size_t>(part.section);
+    const auto section = at(part.section);
     const bool has_modes = part.kind == ElementKind::shell   ? m.shell_sections[section].elform != 16
                            : part.kind == ElementKind::solid ? m.solid_sections[section].elform == 1
                                                              : true;
@@ -409,7 +408,7 @@ void check_hourglass(Builder& b) {
   }
   for (const auto& [user, ids] : parts) {
     const auto [card, kind] = user;
-    Hourglass h = card == none ? m.control.hourglass : m.hourglass[static_cast<std::size_t>(card)];
+    Hourglass h = card == none ? m.control.hourglass : m.hourglass[card];
     const int highest = kind == ElementKind::shell ? 5 : kind == ElementKind::solid ? 6 : 10;
     if (h.type <= highest) continue;
     const bool is_shell = kind == ElementKind::shell, stands_in = card == none && (is_shell || h.type == 8);
@@ -424,7 +423,7 @@ void check_hourglass(Builder& b) {
     h.type = 1;
     const auto index = static_cast<Index>(m.hourglass.size());
     m.hourglass.push_back(h);
-    for (const int id : ids) m.parts[static_cast<std::size_t>(m.part_index(id))].hourglass = index;
+    for (const int id : ids) m.parts[m.part_index(id)].hourglass = index;
   }
 }
 
@@ -433,9 +432,8 @@ void check_weld_hourglass(Builder& b) {
   const Model& m = b.model;
   for (const Part& part : m.parts) {
     if (part.kind != ElementKind::solid || part.section == none || !is<kernel::Spotweld>(m, part)) continue;
-    const Hourglass& h =
-        part.hourglass == none ? m.control.hourglass : m.hourglass[static_cast<std::size_t>(part.hourglass)];
-    const bool one_point = m.solid_sections[static_cast<std::size_t>(part.section)].elform == 1;
+    const Hourglass& h = part.hourglass == none ? m.control.hourglass : m.hourglass[part.hourglass];
+    const bool one_point = m.solid_sections[part.section].elform == 1;
     if (!one_point || (h.type == 6 && h.membrane == 1.0)) continue;
     b.findings.warning(
         part.place, "*PART",
@@ -450,9 +448,9 @@ void check_weld_hourglass(Builder& b) {
 void check_weld_options(Builder& b) {
   const Model& m = b.model;
   for (const Part& part : m.parts) {
-    const Index law = part.material == none ? none : m.materials[static_cast<std::size_t>(part.material)].weld;
+    const Index law = part.material == none ? none : m.materials[part.material].weld;
     if (law == none) continue;
-    const int option = m.weld_laws[static_cast<std::size_t>(law)].option;
+    const int option = m.weld_laws[law].option;
     const bool of_bricks = part.kind == ElementKind::solid, of_beams = part.kind == ElementKind::beam;
     if ((option == 11 && of_bricks) || (option == 7 && of_beams))
       b.findings.warning(part.place, "*PART",
@@ -468,9 +466,9 @@ void check_triangles(Builder& b) {
   const Model& m = b.model;
   Tally quads(b.findings, Severity::error, "*ELEMENT_SHELL");
   for (std::size_t e = 0; e < m.shells.size(); ++e) {
-    const Part& part = m.parts[static_cast<std::size_t>(m.shells.part[e])];
+    const Part& part = m.parts[m.shells.part[e]];
     if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
-    const int elform = m.shell_sections[static_cast<std::size_t>(part.section)].elform;
+    const int elform = m.shell_sections[part.section].elform;
     if ((elform != 4 && elform != 17) || m.shells.triangle(e)) continue;
     quads.add(
         m.shells.place[e],
@@ -487,12 +485,12 @@ void check_laminated_triangles(Builder& b) {
   if (!m.control.laminated_shear) return;
   std::vector<int> triangles(m.parts.size(), 0);
   for (std::size_t e = 0; e < m.shells.size(); ++e)
-    if (m.shells.triangle(e)) ++triangles[static_cast<std::size_t>(m.shells.part[e])];
+    if (m.shells.triangle(e)) ++triangles[m.shells.part[e]];
   for (std::size_t p = 0; p < m.parts.size(); ++p) {
     const Part& part = m.parts[p];
     if (triangles[p] == 0 || part.section == none || part.material == none) continue;
-    const auto* made = std::get_if<kernel::Laminate>(&m.materials[static_cast<std::size_t>(part.material)].law);
-    const int elform = m.shell_sections[static_cast<std::size_t>(part.section)].elform;
+    const auto* made = std::get_if<kernel::Laminate>(&m.materials[part.material].law);
+    const int elform = m.shell_sections[part.section].elform;
     const bool kirchhoff = elform == 17 || (elform != 4 && m.control.sort_triangles == SortTriangles::kirchhoff);
     if (made == nullptr || !kirchhoff || made->shear_factor > 0.8) continue;  // of one material 5/6
     b.findings.warning(part.place, "*PART",
@@ -518,13 +516,13 @@ void check_parts(Builder& b) {
       b.findings.warning(part.place, keyword, fmt::format("part {} has no elements", part.id));
   };
   for (const auto& [index, section, id, hourglass] : b.composite_parts) {
-    const Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    const Part& part = b.model.parts[index];
     warn_of_none(part, index, id.keyword);
     if (part.section != none) check_shell_formulation(b, part, reported_shell);
   }
   for (const Part& part : b.model.parts) check_layers(b, part);
   for (const auto& [index, row] : b.part_rows) {
-    const Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    const Part& part = b.model.parts[index];
     warn_of_none(part, index, row.keyword());
     check_law(b, part, row);
     if (part.section == none) continue;

@@ -39,7 +39,7 @@ void check_relaxation(Builder& b) {
                        "hold the wall, or give it as a rigid part with *BOUNDARY_PRESCRIBED_MOTION_RIGID");
   for (const PrescribedMotion& motion : m.motions) {
     if (motion.curve == none || motion.quantity != PrescribedMotion::Quantity::displacement) continue;
-    const Curve& curve = m.curves[static_cast<std::size_t>(motion.curve)];
+    const Curve& curve = m.curves[motion.curve];
     if (curve.in_run && curve.in_relaxation)
       b.findings.error(
           motion.place, "*BOUNDARY_PRESCRIBED_MOTION",

@@ -8,8 +8,6 @@
 #include <map>
 #include <numbers>
 
-#include "base/index.hpp"
-
 namespace nugget::reading {
 namespace {
 
@@ -46,7 +44,7 @@ ClusterTemplate o_grid(double area) {
 
 /// r along the beam, s towards its third node, else the global axis that is farthest from r: the axes of a weld beam.
 Frame3d beam_axes(const Model& m, std::size_t e) {
-  const Vec3d &x1 = m.nodes.x[at(m.beams.node[e][0])], &x2 = m.nodes.x[at(m.beams.node[e][1])];
+  const Vec3d &x1 = m.nodes.x[m.beams.node[e][0]], &x2 = m.nodes.x[m.beams.node[e][1]];
   const Vec3d r = unit(x2 - x1);
   const auto across = [&](const Vec3d& a) { return a - dot(a, r) * r; };
   const Vec3d side = m.beams.side(e, m.nodes.x);
@@ -99,13 +97,13 @@ void Replacement::choose() {
   chosen_.assign(m_.beams.size(), false);
   replaced_.assign(m_.parts.size(), 0);
   for (std::size_t e = 0; e < m_.beams.size(); ++e) {
-    const Part& part = m_.parts[at(m_.beams.part[e])];
-    const bool is_weld = part.material != none && m_.materials[at(part.material)].weld != none;
+    const Part& part = m_.parts[m_.beams.part[e]];
+    const bool is_weld = part.material != none && m_.materials[part.material].weld != none;
     const bool is_meant = !control_.only_listed || std::find(control_.beams.begin(), control_.beams.end(),
                                                              static_cast<Index>(e)) != control_.beams.end();
     if (!is_weld || !is_meant) continue;
     const auto& n = m_.beams.node[e];
-    if (norm(m_.nodes.x[at(n[1])] - m_.nodes.x[at(n[0])]) == 0.0) {
+    if (norm(m_.nodes.x[n[1]] - m_.nodes.x[n[0]]) == 0.0) {
       findings_.error(
           m_.beams.place[e], "*CONTROL_SPOTWELD_BEAM",
           fmt::format("weld beam {} has no length, so that bricks in its place have no axis", m_.beams.id[e]),
@@ -113,7 +111,7 @@ void Replacement::choose() {
       continue;
     }
     chosen_[e] = true;
-    ++replaced_[at(m_.beams.part[e])];
+    ++replaced_[m_.beams.part[e]];
   }
 }
 
@@ -124,19 +122,19 @@ void Replacement::keep_beams_of_mixed_parts() {
   for (const Part& part : m_.parts) next = std::max(next, part.id + 1);
   for (std::size_t e = 0; e < chosen_.size(); ++e) {
     const Index p = m_.beams.part[e];
-    if (chosen_[e] || replaced_[at(p)] == 0) continue;
+    if (chosen_[e] || replaced_[p] == 0) continue;
     const auto [at_own, is_new] = own.try_emplace(p, static_cast<Index>(m_.parts.size()));
     if (is_new) {
-      Part copy = m_.parts[at(p)];
+      Part copy = m_.parts[p];
       copy.id = control_.part_offset != 0 ? copy.id + control_.part_offset : next++;
       if (m_.part_index(copy.id) != none)
         findings_.error(control_.place, "*CONTROL_SPOTWELD_BEAM",
                         fmt::format("the beams of part {} that stay would get the part id {}, which is taken",
-                                    m_.parts[at(p)].id, copy.id),
+                                    m_.parts[p].id, copy.id),
                         "choose another ID_OFF");
       findings_.note(
           control_.place, "*CONTROL_SPOTWELD_BEAM",
-          fmt::format("the beams of part {} that are not replaced are part {} now", m_.parts[at(p)].id, copy.id));
+          fmt::format("the beams of part {} that are not replaced are part {} now", m_.parts[p].id, copy.id));
       m_.parts.push_back(std::move(copy));
       const auto also = [p, stays = at_own->second](std::vector<Index>& parts) {
         if (std::find(parts.begin(), parts.end(), p) != parts.end()) parts.push_back(stays);
@@ -158,18 +156,18 @@ Index Replacement::add_node(const Vec3d& x, Index like) {
   m_.nodes.x.push_back(x);
   // It starts as a point of a body that moves and turns with the beam's node.
   if (!m_.initial_velocity.empty()) {
-    Vec3d v = m_.initial_velocity[at(like)];
-    if (!m_.initial_spin.empty()) v += cross(m_.initial_spin[at(like)], x - m_.nodes.x[at(like)]);
+    Vec3d v = m_.initial_velocity[like];
+    if (!m_.initial_spin.empty()) v += cross(m_.initial_spin[like], x - m_.nodes.x[like]);
     m_.initial_velocity.push_back(v);
   }
-  if (!m_.initial_spin.empty()) m_.initial_spin.push_back(m_.initial_spin[at(like)]);
+  if (!m_.initial_spin.empty()) m_.initial_spin.push_back(m_.initial_spin[like]);
   nodes_at_[like].push_back(node);
   return node;
 }
 
 void Replacement::replace(std::size_t e) {
   const Index part = m_.beams.part[e];
-  const SectionBeam& section = m_.beam_sections[at(m_.parts[at(part)].section)];
+  const SectionBeam& section = m_.beam_sections[m_.parts[part].section];
   torsion_off_ += !section.torsion;
   double area = 0.0;
   for (std::size_t end = 0; end < 2; ++end)
@@ -179,7 +177,7 @@ void Replacement::replace(std::size_t e) {
   std::array<std::vector<Index>, 2> nodes;
   for (std::size_t end = 0; end < 2; ++end) {
     const Index like = m_.beams.node[e][end];
-    const Vec3d centre = m_.nodes.x[at(like)];
+    const Vec3d centre = m_.nodes.x[like];
     for (const auto& [s, t] : shape.nodes) nodes[end].push_back(add_node(centre + s * axes.e2 + t * axes.e3, like));
   }
   HexAssembly weld{m_.beams.id[e], {}, axes.e2, m_.beams.tied_parts[e], m_.beams.place[e]};
@@ -189,8 +187,8 @@ void Replacement::replace(std::size_t e) {
     m_.solids.part.push_back(part);
     std::array<Index, 8>& corner = m_.solids.node.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) {
-      corner[i] = nodes[0][at(quad[i])];
-      corner[4 + i] = nodes[1][at(quad[i])];
+      corner[i] = nodes[0][quad[i]];
+      corner[4 + i] = nodes[1][quad[i]];
     }
     m_.solids.place.append(m_.beams.place, e);
   }
@@ -198,7 +196,7 @@ void Replacement::replace(std::size_t e) {
 }
 
 void Replacement::make_solid(Part& part) {
-  const SectionBeam& beam = m_.beam_sections[at(part.section)];
+  const SectionBeam& beam = m_.beam_sections[part.section];
   part.kind = ElementKind::solid;
   part.section = static_cast<Index>(m_.solid_sections.size());
   SectionSolid solid;
@@ -246,14 +244,14 @@ void Replacement::remove_beams() {
   }
   m_.beams = std::move(kept);
   for (Set<Index>& set : m_.sets.beams) {
-    for (Index& e : set.members) e = now[at(e)];
+    for (Index& e : set.members) e = now[e];
     std::erase(set.members, none);
   }
-  for (NamedEntity& n : m_.requests.history_beams) n.index = now[at(n.index)];
+  for (NamedEntity& n : m_.requests.history_beams) n.index = now[n.index];
   std::erase_if(m_.requests.history_beams, [](const NamedEntity& n) { return n.index == none; });
   for (CrossSection& section : m_.requests.cross_sections) {
     for (CrossSection::Facet& facet : section.facets)
-      if (facet.kind == ElementKind::beam) facet.element = now[at(facet.element)];
+      if (facet.kind == ElementKind::beam) facet.element = now[facet.element];
     std::erase_if(section.facets, [](const CrossSection::Facet& facet) { return facet.element == none; });
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/index.hpp"
 #include "reading/builder/passes.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace nugget::reading {
 namespace {
 
 Material& material_at(Builder& b, Index material) {
-  return b.model.materials[static_cast<std::size_t>(material)];
+  return b.model.materials[material];
 }
 
 /// The material that a layer's card names, or none and a finding.
@@ -28,7 +29,7 @@ Index material_of(Builder& b, const LayerCard& layer, const Part& part) {
   if (layer.names == LayerCard::Names::nothing) return part.material;
   const Index other = b.part(layer.id);
   if (other == none) return none;
-  const Index material = b.model.parts[static_cast<std::size_t>(other)].material;
+  const Index material = b.model.parts[other].material;
   if (material == none || std::holds_alternative<kernel::Laminate>(material_at(b, material).law))
     refuse(b, layer.id, fmt::format("part {} has no single material for the layer", layer.id.integer()),
            "name a part whose *PART gives a material");
@@ -126,7 +127,7 @@ void report_failure(Builder& b, const Part& part, const std::vector<kernel::Lami
       part.place, "*PART_COMPOSITE",
       fmt::format("part {}: a shell is deleted when the last of its layers that can fail has failed; the "
                   "{} whose material knows no failure do not keep it",
-                  part.id, layers.size() - static_cast<std::size_t>(failing)),
+                  part.id, layers.size() - at(failing)),
       "give these a failure of their own, or use *INTEGRATION_SHELL with FAILOPT 1");
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/index.hpp"
 #include "kernel/element/quadratic_tetrahedron.hpp"
 #include "model/segments.hpp"
 #include "reading/builder/passes.hpp"
@@ -17,7 +18,7 @@ namespace nugget::reading {
 namespace {
 
 Place place_of(const Builder& b, int file, int line) {
-  return {b.deck.files[static_cast<std::size_t>(file)], line, 0};
+  return {b.deck.files[file], line, 0};
 }
 
 /// Rows of a table in ascending order of id, each id once; a second one is a finding.
@@ -97,7 +98,7 @@ class Elements {
       missing_ = missing == missing_parts_.end() ? nullptr : &missing->second;
     }
     if (missing_ != nullptr) ++missing_->count;
-    Part& p = b_.model.parts[static_cast<std::size_t>(last_)];
+    Part& p = b_.model.parts[last_];
     if (p.kind == ElementKind::nothing) p.kind = kind_;
     if (p.kind == kind_) return last_;
     mixed_.add(
@@ -121,13 +122,13 @@ class Elements {
   }
 
   int node_id(std::size_t row, std::size_t i) const {
-    const auto per = static_cast<std::size_t>(table_.nodes_per_element);
+    const auto per = at(table_.nodes_per_element);
     return i < per ? table_.node[row * per + i] : 0;
   }
 
   /// True where a node beyond the first `count` is given: an element of higher order.
   bool has_more_nodes_than(std::size_t count, std::size_t row) const {
-    for (auto i = count; i < static_cast<std::size_t>(table_.nodes_per_element); ++i)
+    for (auto i = count; i < at(table_.nodes_per_element); ++i)
       if (node_id(row, i) != 0) return true;
     return false;
   }
@@ -227,14 +228,14 @@ void add_midside_nodes(Builder& b, Elements& elements, const std::vector<std::si
   std::map<std::pair<Index, Index>, Index> amid;
   const auto edge = [](const std::array<Index, 10>& n, std::size_t i) -> std::pair<Index, Index> {
     const auto& ends = kernel::quadratic_tetrahedron_edge[i];
-    return std::minmax(n[static_cast<std::size_t>(ends[0])], n[static_cast<std::size_t>(ends[1])]);
+    return std::minmax(n[ends[0]], n[ends[1]]);
   };
   for (const std::array<Index, 10>& n : solids.ten_nodes)
     for (std::size_t i = 0; i < 6; ++i) amid.emplace(edge(n, i), n[4 + i]);
   const std::size_t given = nodes.size();
   solids.ten_row.resize(solids.size(), none);
   for (const std::size_t r : to_ten) {
-    const auto e = static_cast<std::size_t>(b.solids.find(b.solid_table.id[r]));
+    const auto e = at(b.solids.find(b.solid_table.id[r]));
     const std::vector<Index> corners = solids.corners(e);
     if (corners.size() != 4) {
       elements.refuse(r, fmt::format("has {} different nodes, expected the four of a tetrahedron", corners.size()),
@@ -249,7 +250,7 @@ void add_midside_nodes(Builder& b, Elements& elements, const std::vector<std::si
       if (!is_new) continue;
       const auto [from, to] = it->first;
       nodes.id.push_back(nodes.id.back() + 1);
-      nodes.x.push_back(0.5 * (nodes.x[static_cast<std::size_t>(from)] + nodes.x[static_cast<std::size_t>(to)]));
+      nodes.x.push_back(0.5 * (nodes.x[from] + nodes.x[at(to)]));
     }
     solids.node[e] = {ten[0], ten[1], ten[2], ten[3], ten[3], ten[3], ten[3], ten[3]};
     solids.ten_row[e] = static_cast<Index>(solids.ten_nodes.size());
@@ -352,7 +353,7 @@ std::vector<std::size_t> make_beams(Builder& b) {
 /// Mean of the nodal thicknesses; where one is not given, that of the section stands in.
 double mean_thickness(const std::array<double, 4>& nodal, double section, int corners) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(corners); ++i) sum += nodal[i] > 0.0 ? nodal[i] : section;
+  for (std::size_t i = 0; i < at(corners); ++i) sum += nodal[i] > 0.0 ? nodal[i] : section;
   return sum / corners;
 }
 
@@ -371,9 +372,9 @@ void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
     for (std::size_t e = 0; e < shells.size(); ++e)
       shells.angle.push_back(table.angle[rows[e]] * (std::numbers::pi / 180.0));
   for (std::size_t e = 0; e < shells.size(); ++e) {
-    const Part& part = b.model.parts[static_cast<std::size_t>(shells.part[e])];
+    const Part& part = b.model.parts[shells.part[e]];
     if (part.section == none) continue;
-    const SectionShell& section = b.model.shell_sections[static_cast<std::size_t>(part.section)];
+    const SectionShell& section = b.model.shell_sections[part.section];
     shells.thickness[e] = table.thickness.empty()
                               ? section.thickness
                               : mean_thickness(table.thickness[rows[e]], section.thickness, shells.triangle(e) ? 3 : 4);
@@ -400,10 +401,7 @@ std::array<SectionValue, 5> values_of(const SectionBeam& s, const Model& m) {
       return {
           {{"A", s.area}, {"ISS", s.moment_s}, {"ITT", s.moment_t}, {"J", s.torsion_constant}, {"SA", s.shear_area}}};
     case 3: return {{{"A", s.area}}};
-    case 6:
-      return {{{"VOL", s.volume},
-               {"INER", s.inertia},
-               {"CID", s.system == none ? 0.0 : m.systems[static_cast<std::size_t>(s.system)].id}}};
+    case 6: return {{{"VOL", s.volume}, {"INER", s.inertia}, {"CID", s.system == none ? 0.0 : m.systems[s.system].id}}};
     default: return {{{"TS1", s.outer[0]}, {"TS2", s.outer[1]}, {"TT1", s.inner[0]}, {"TT2", s.inner[1]}}};
   }
 }
@@ -415,9 +413,9 @@ void check_single_sections(Builder& b, const std::vector<std::size_t>& rows) {
   Tally differing(b.findings, Severity::error, "*ELEMENT_BEAM_THICKNESS");
   const auto differs = [](double value, double own) { return std::abs(value - own) > 1e-6 * std::abs(own); };
   for (std::size_t e = 0; e < rows.size(); ++e) {
-    const Part& part = b.model.parts[static_cast<std::size_t>(b.model.beams.part[e])];
+    const Part& part = b.model.parts[b.model.beams.part[e]];
     if (part.section == none) continue;
-    const SectionBeam& s = b.model.beam_sections[static_cast<std::size_t>(part.section)];
+    const SectionBeam& s = b.model.beam_sections[part.section];
     const std::array<SectionValue, 5> own = values_of(s, b.model);
     for (std::size_t i = 0; i < own.size(); ++i) {
       const double value = table.section[rows[e]][i];
@@ -492,9 +490,9 @@ void fold_tetrahedra(Model& m) {
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     auto& n = m.solids.node[e];
     if (n[3] != n[4] || m.solids.quadratic(e) || m.solids.corners(e).size() != 4) continue;
-    const Part& part = m.parts[static_cast<std::size_t>(m.solids.part[e])];
+    const Part& part = m.parts[m.solids.part[e]];
     if (part.kind != ElementKind::solid || part.section == none) continue;
-    const int elform = m.solid_sections[static_cast<std::size_t>(part.section)].elform;
+    const int elform = m.solid_sections[part.section].elform;
     if (elform < 10 && elform != 4) n[3] = n[2];
   }
 }
@@ -509,14 +507,14 @@ void make_mesh(Builder& b) {
   make_discretes(b);
   Tally incomplete(b.findings, Severity::error, "*PART");
   for (const auto& [index, row] : b.part_rows) {
-    Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    Part& part = b.model.parts[index];
     link_section(b, part, row);
     part.material = b.find(b.materials, "material", row[&PartCard::mid]);
     require_section_and_material(part, row, incomplete);
     part.hourglass = b.find(b.hourglass, "hourglass control", row[&PartCard::hgid]);
   }
   for (const auto& [index, section, id, hourglass] : b.composite_parts) {
-    Part& part = b.model.parts[static_cast<std::size_t>(index)];
+    Part& part = b.model.parts[index];
     if (part.kind == ElementKind::shell) part.section = section;
     if (part.kind != ElementKind::shell && part.kind != ElementKind::nothing)
       refuse(b, id, fmt::format("*PART_COMPOSITE is of shells; the part has {} elements", name_of(part.kind)),

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/index.hpp"
 #include "model/segments.hpp"
 #include "reading/builder/passes.hpp"
 
@@ -26,8 +27,7 @@ std::string_view name_of(SetKind kind) {
 template <class Elements>
 std::vector<std::vector<Index>> by_part(const Elements& elements, std::size_t parts) {
   std::vector<std::vector<Index>> lists(parts);
-  for (std::size_t e = 0; e < elements.size(); ++e)
-    lists[static_cast<std::size_t>(elements.part[e])].push_back(static_cast<Index>(e));
+  for (std::size_t e = 0; e < elements.size(); ++e) lists[elements.part[e]].push_back(static_cast<Index>(e));
   return lists;
 }
 
@@ -188,7 +188,7 @@ class Resolver {
     std::vector<char>& inside = inside_[static_cast<std::size_t>(kind)];  // all 0 between two sets
     inside.resize(count_of(kind), 0);
     for (const SetStep& step : set.recipe.steps) apply(step.action, gather(step, kind, unknown), set.members, inside);
-    for (const Index i : set.members) inside[static_cast<std::size_t>(i)] = 0;
+    for (const Index i : set.members) inside[i] = 0;
     if (kind == SetKind::part) set.own_attributes = attributes_by_part(set.recipe);
   }
 
@@ -216,14 +216,14 @@ class Resolver {
                     std::vector<char>& inside) {
     if (action == Action::add) {
       for (const Index i : found)
-        if (!std::exchange(inside[static_cast<std::size_t>(i)], char{1})) members.push_back(i);
+        if (!std::exchange(inside[i], char{1})) members.push_back(i);
       return;
     }
     std::vector<char> named(inside.size(), 0);
-    for (const Index i : found) named[static_cast<std::size_t>(i)] = 1;
+    for (const Index i : found) named[i] = 1;
     std::erase_if(members, [&](Index i) {
-      const bool goes = (named[static_cast<std::size_t>(i)] != 0) == (action == Action::remove);
-      if (goes) inside[static_cast<std::size_t>(i)] = 0;
+      const bool goes = (named[i] != 0) == (action == Action::remove);
+      if (goes) inside[i] = 0;
       return goes;
     });
   }
@@ -267,14 +267,14 @@ class Resolver {
     std::vector<Index> out;
     const auto add_nodes = [&](const auto& elements, const std::vector<Index>& list) {
       for (const Index e : list)
-        for (const Index n : elements.nodes(static_cast<std::size_t>(e))) out.push_back(n);
+        for (const Index n : elements.nodes(at(e))) out.push_back(n);
     };
     if (kind == SetKind::shell) add_nodes(m_.shells, from);
     if (kind == SetKind::solid) add_nodes(m_.solids, from);
     if (kind == SetKind::beam) add_nodes(m_.beams, from);
     if (!are_parts) return out;
     for (const Index part : from) {
-      const auto p = static_cast<std::size_t>(part);
+      const auto p = at(part);
       if (own == SetKind::shell) append(out, shells_of_[p]);
       if (own == SetKind::solid) append(out, solids_of_[p]);
       if (own == SetKind::beam) append(out, beams_of_[p]);
@@ -289,12 +289,12 @@ class Resolver {
 
   const Box* box_of(const SetStep& step, int id, Tally& unknown) const {
     const Index i = b_.boxes.find(id);
-    if (i != none) return &b_.box_list[static_cast<std::size_t>(i)];
+    if (i != none) return &b_.box_list[i];
     unknown.add(step.place, [&] { return fmt::format("box {} is not defined", id); });
     return nullptr;
   }
 
-  bool is_inside(const Box& box, Index node) const { return box.holds(m_.nodes.x[static_cast<std::size_t>(node)]); }
+  bool is_inside(const Box& box, Index node) const { return box.holds(m_.nodes.x[node]); }
 
   /// Nodes inside; elements with all their nodes inside.
   std::vector<Index> inside_box(const Box& box, SetKind own) const {
@@ -368,7 +368,7 @@ class Resolver {
   }
 
   void add_faces(std::vector<Segment>& out, const std::vector<Index>& shells, const std::vector<Index>& solids) const {
-    for (const Index e : shells) out.push_back(m_.shells.node[static_cast<std::size_t>(e)]);
+    for (const Index e : shells) out.push_back(m_.shells.node[e]);
     const auto faces = exterior_faces(m_, solids);
     out.insert(out.end(), faces.begin(), faces.end());
   }
@@ -377,8 +377,7 @@ class Resolver {
     if (kind == SetKind::shell) add_faces(out, things, {});
     if (kind == SetKind::solid) add_faces(out, {}, things);
     if (kind == SetKind::part || kind == SetKind::branch)
-      for (const Index p : things)
-        add_faces(out, shells_of_[static_cast<std::size_t>(p)], solids_of_[static_cast<std::size_t>(p)]);
+      for (const Index p : things) add_faces(out, shells_of_[p], solids_of_[p]);
   }
 
   void add_faces_in(std::vector<Segment>& out, const Box& box, const SetStep& step) const {

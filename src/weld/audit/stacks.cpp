@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/bvh.hpp"
+#include "base/index.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -35,7 +36,7 @@ Stacks::Stacks(const Ties& ties, std::size_t nodes) : root_(ties.welds.size()), 
         const Weld& other = ties.welds[item / 2];
         const double reach = 0.5 * std::min(weld.diameter, other.diameter);
         if (other.sheets[item % 2] == sheet && !other.deleted && norm(boxes[item].low - here) <= reach)
-          join(w, static_cast<std::size_t>(item / 2));
+          join(w, at(item / 2));
       });
     }
   for (std::size_t w = 0; w < root_.size(); ++w) {

@@ -32,7 +32,7 @@ BrickSection::BrickSection(const Weld& weld, const std::vector<Vec3d>& x) {
   }
   if (weld.kind != Weld::Kind::assembly) return;
   std::vector<Vec3d> start;
-  for (Index n : nodes_) start.push_back(x[static_cast<std::size_t>(n)]);
+  for (Index n : nodes_) start.push_back(x[n]);
   const Frame3d edges = shape(start).axes;
   const bool given = norm(across(edges.e1, weld.orientation)) > 0.0;
   const Vec3d s = unit(across(edges.e1, given ? weld.orientation : axis_away_from(edges.e1)));

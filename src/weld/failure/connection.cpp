@@ -31,7 +31,7 @@ const ConnectionRecord& connection_record(const model::Model& model, const model
                                           std::array<model::Index, 2> sheets) {
   std::array<model::Index, 2> material{model::none, model::none};
   for (std::size_t k = 0; k < 2; ++k)
-    if (sheets[k] != model::none) material[k] = model.parts[static_cast<std::size_t>(sheets[k])].material;
+    if (sheets[k] != model::none) material[k] = model.parts[sheets[k]].material;
   return connection_record(properties, material);
 }
 
@@ -55,7 +55,7 @@ kernel::Spotweld connection_points(const kernel::Spotweld& law, const Connection
 kernel::Spotweld points_of(const model::Model& model, const Weld& weld, const kernel::Spotweld& law) {
   const model::WeldLaw& whole = law_of(model, weld);
   if (!whole.connection || whole.properties == model::none) return law;
-  const model::ConnectionProperties& properties = model.connections[static_cast<std::size_t>(whole.properties)];
+  const model::ConnectionProperties& properties = model.connections[whole.properties];
   const failure::Geometry g = failure::geometry_of(model, weld);
   const double area = connection_area(properties.area_rule, g.area, g.thinner());
   return connection_points(law, connection_record(model, properties, weld.sheets), area, g.area);

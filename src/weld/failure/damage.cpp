@@ -15,7 +15,7 @@ DamageLaw damage_law(const model::Model& model, const Weld& weld) {
   const model::WeldLaw& law = law_of(model, weld);
   if (!law.connection) return damage_law(law.damage);
   if (law.properties == model::none) return {};
-  const model::ConnectionProperties& properties = model.connections[static_cast<std::size_t>(law.properties)];
+  const model::ConnectionProperties& properties = model.connections[law.properties];
   return damage_law(properties, connection_record(model, properties, weld.sheets), law.damage);
 }
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
+
 namespace nugget::weld {
 
 failure::Load Filter::operator()(const failure::Load& load) {
   if (length_ <= 1) return load;
-  if (kept_.size() < static_cast<std::size_t>(length_)) {
+  if (kept_.size() < at(length_)) {
     kept_.push_back(load);
   } else {
     kept_[next_] = load;
@@ -78,7 +80,7 @@ bool History::update(const failure::Load& load) {
 Damage::State History::advance_damage(const failure::Load& load) {
   Damage::WeldState now{load.time, load.plastic_strain, load.energy, surface_reached(), value_.value, 0.0, 0.0};
   for (int i = 0; i < value_.terms; ++i) {
-    const failure::Value::Term& term = value_.term[static_cast<std::size_t>(i)];
+    const failure::Value::Term& term = value_.term[i];
     const bool slides = term.mode == FailureMode::shear || term.mode == FailureMode::torsion;
     if (slides && term.value > 0.0) now.sliding += term.value / value_.value;
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "weld/failure/connection.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -20,7 +21,7 @@ const std::string keyword = "*MAT_SPOTWELD";
 
 /// Cowper-Symonds constants of a sheet's material, where its law has them.
 void take_rate_constants(const model::Model& model, Index part, SheetStrength& sheet) {
-  const Index material = model.parts[static_cast<std::size_t>(part)].material;
+  const Index material = model.parts[part].material;
   if (material == none) return;
   const auto take = [&](const auto& law) {
     if constexpr (requires { law.rate_c; }) {
@@ -28,7 +29,7 @@ void take_rate_constants(const model::Model& model, Index part, SheetStrength& s
       sheet.rate_p = law.rate_p;
     }
   };
-  std::visit(take, model.materials[static_cast<std::size_t>(material)].law);
+  std::visit(take, model.materials[material].law);
 }
 
 std::unique_ptr<Function> by_sheet(const model::Model& model, const Geometry& weld, const Place& place,
@@ -52,7 +53,7 @@ std::unique_ptr<Function> by_sheet(const model::Model& model, const Geometry& we
 
 /// `part 7`, or `no part` of an end on no sheet.
 std::string sheet_name(const model::Model& model, Index part) {
-  return part == none ? "no part" : fmt::format("part {}", model.parts[static_cast<std::size_t>(part)].id);
+  return part == none ? "no part" : fmt::format("part {}", model.parts[part].id);
 }
 
 /// A criterion without a strength fails nothing: that is hardly meant.
@@ -101,7 +102,7 @@ std::unique_ptr<Function> by_load_rate(const model::Model& model, const model::L
   };
   for (std::size_t k = 0; k < 2; ++k) {
     const Index part = weld.sheet[k];
-    const Index material = part == none ? none : model.parts[static_cast<std::size_t>(part)].material;
+    const Index material = part == none ? none : model.parts[part].material;
     const auto fits = [&](const model::LoadRateStrengths::Entry& e) {
       if (e.parts[0] == none) return material != none && e.material == material;
       return (e.parts[0] == part && e.parts[1] == weld.sheet[1 - k]) ||
@@ -139,7 +140,7 @@ std::unique_ptr<Function> without_terms() {
 std::unique_ptr<Function> by_connection(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
                                         const Place& place, Findings& findings) {
   if (law.properties == none) return without_terms();
-  const model::ConnectionProperties& properties = model.connections[static_cast<std::size_t>(law.properties)];
+  const model::ConnectionProperties& properties = model.connections[law.properties];
   if (properties.area_rule != 0 && !(weld.thinner() > 0.0))
     findings.warning(place, keyword, "AREAEQ needs the thickness of the sheets, but the weld is tied to no shell",
                      "tie the weld to its sheets; until then its area is that of its bricks");
@@ -164,9 +165,9 @@ Geometry disc(double diameter) {
 
 Geometry geometry_of(const model::Model& model, const Weld& weld) {
   Geometry g = disc(weld.diameter);
-  const Index section = weld.part == none ? none : model.parts[static_cast<std::size_t>(weld.part)].section;
+  const Index section = weld.part == none ? none : model.parts[weld.part].section;
   if (weld.kind == Weld::Kind::beam && section != none) {
-    const model::SectionBeam& s = model.beam_sections[static_cast<std::size_t>(section)];
+    const model::SectionBeam& s = model.beam_sections[section];
     const double d = g.diameter, inner = 0.5 * (s.inner[0] + s.inner[1]), pi = std::numbers::pi;
     g.area = 0.25 * pi * (d * d - inner * inner);
     if (d > 0.0) g.section_modulus = pi / 32.0 * (d * d * d * d - inner * inner * inner * inner) / d;
@@ -181,7 +182,7 @@ Geometry geometry_of(const model::Model& model, const Weld& weld) {
   std::array<int, 2> shells{};
   for (const Projection& end : weld.ends) {
     if (!end.tied || end.tie.shell == none) continue;
-    const auto shell = static_cast<std::size_t>(end.tie.shell);
+    const auto shell = at(end.tie.shell);
     for (std::size_t k = 0; k < 2; ++k) {
       if (model.shells.part[shell] != g.sheet[k]) continue;
       g.thickness[k] += model.shells.thickness[shell];
@@ -219,9 +220,8 @@ std::unique_ptr<Function> plain_function(const model::Model& model, const model:
       return structural_stress(own_or(law.diameter, weld.diameter), t, law.limit);
     }
     case 6: return by_sheet(model, weld, place, findings);
-    case 7: return by_pair(model, model.pair_strengths[static_cast<std::size_t>(law.table)], weld, place, findings);
-    case 10:
-      return by_load_rate(model, model.load_rate_strengths[static_cast<std::size_t>(law.table)], weld, place, findings);
+    case 7: return by_pair(model, model.pair_strengths[law.table], weld, place, findings);
+    case 10: return by_load_rate(model, model.load_rate_strengths[law.table], weld, place, findings);
     case 11: return direction(law);
     default: return resultant_surface(law);
   }

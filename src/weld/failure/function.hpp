@@ -66,7 +66,7 @@ struct Value {
   double rate = 0.0;        ///< smoothed strain rate [1/time]
 
   void add(FailureMode mode, double share) {
-    term[static_cast<std::size_t>(terms++)] = {mode, share};
+    term[terms++] = {mode, share};
     value += share;
   }
   /// The largest term; meaningful if there is one.

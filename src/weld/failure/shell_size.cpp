@@ -26,7 +26,7 @@ class ShellSize final : public Function {
     for (const Geometry::ShellFactor& end : ends_) {
       Value f;
       for (int i = 0; i < plain.terms; ++i) {
-        const Value::Term& term = plain.term[static_cast<std::size_t>(i)];
+        const Value::Term& term = plain.term[i];
         f.add(term.mode, term.value / (is_tension(term.mode) ? end.tension : end.shear));
       }
       if (f.value >= worse.value) worse = f;
@@ -45,8 +45,8 @@ class ShellSize final : public Function {
 };
 
 double shell_size(const model::Model& model, model::Index shell) {
-  const auto& n = model.shells.node[static_cast<std::size_t>(shell)];
-  const auto x = [&](std::size_t i) { return model.nodes.x[static_cast<std::size_t>(n[i])]; };
+  const auto& n = model.shells.node[shell];
+  const auto x = [&](std::size_t i) { return model.nodes.x[n[i]]; };
   return std::sqrt(0.5 * norm(cross(x(2) - x(0), x(3) - x(1))));
 }
 
@@ -82,7 +82,7 @@ std::array<Geometry::ShellFactor, 2> shell_factors(const model::Model& model, co
     if (shells == 0) continue;
     ends[k].size = sum / shells;
     const auto factor = [&](model::Index curve) {
-      return curve == model::none ? 1.0 : model.curves[static_cast<std::size_t>(curve)].clamped(ends[k].size);
+      return curve == model::none ? 1.0 : model.curves[curve].clamped(ends[k].size);
     };
     ends[k].tension = factor(control.tension_curve) * control.tension_place.at(ends[k].place, ends[k].angle);
     ends[k].shear = factor(control.shear_curve) * control.shear_place.at(ends[k].place, ends[k].angle);

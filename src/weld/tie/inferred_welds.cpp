@@ -19,9 +19,9 @@ class ElementClusters {
     std::iota(root_.begin(), root_.end(), Index{0});
     std::vector<Index> first_at(model.nodes.size(), none);
     for (Index e = 0; e < static_cast<Index>(elements.size()); ++e) {
-      if (!unknown[at(e)]) continue;
-      for (const Index n : elements.node[at(e)]) {
-        Index& first = first_at[at(n)];
+      if (!unknown[e]) continue;
+      for (const Index n : elements.node[e]) {
+        Index& first = first_at[n];
         if (first == none) first = e;
         join(first, e);
       }
@@ -29,16 +29,15 @@ class ElementClusters {
   }
 
   /// No lump with this element stands alone.
-  void touch(Index element) { alone_[at(root(element))] = 0; }
+  void touch(Index element) { alone_[root(element)] = 0; }
   bool stands_alone(Index element, int most) const {
     const Index r = root(element);
-    return alone_[at(r)] != 0 && size_[at(r)] <= most;
+    return alone_[r] != 0 && size_[r] <= most;
   }
 
  private:
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   Index root(Index e) const {
-    while (root_[at(e)] != e) e = root_[at(e)];
+    while (root_[e] != e) e = root_[e];
     return e;
   }
   void join(Index a, Index b) {
@@ -46,8 +45,8 @@ class ElementClusters {
     b = root(b);
     if (a == b) return;
     if (b < a) std::swap(a, b);
-    root_[at(b)] = a;
-    size_[at(a)] += size_[at(b)];
+    root_[b] = a;
+    size_[a] += size_[b];
   }
 
   std::vector<Index> root_;
@@ -62,7 +61,7 @@ std::vector<char> without_material(const model::Model& model, model::ElementKind
     const model::Part& part = model.parts[p];
     if (part.kind != kind || part.material != none) continue;
     const bool beam = kind == model::ElementKind::beam && part.section != none;
-    const int elform = beam ? model.beam_sections[static_cast<std::size_t>(part.section)].elform : 9;
+    const int elform = beam ? model.beam_sections[part.section].elform : 9;
     unknown[p] = elform == 9 || elform == 6;
   }
   return unknown;
@@ -72,7 +71,7 @@ template <class Elements>
 void mark_nodes(const Elements& elements, const std::vector<char>& left_out, std::vector<char>& marked) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (e < left_out.size() && left_out[e]) continue;
-    for (const Index n : elements.nodes(e)) marked[static_cast<std::size_t>(n)] = 1;
+    for (const Index n : elements.nodes(e)) marked[n] = 1;
   }
 }
 
@@ -82,7 +81,7 @@ std::vector<Index> standing_alone(const model::Model& model, const Elements& ele
   const std::vector<char> parts = without_material(model, kind);
   if (std::find(parts.begin(), parts.end(), char{1}) == parts.end()) return {};
   std::vector<char> unknown(elements.size(), 0), taken(model.nodes.size(), 0);
-  for (std::size_t e = 0; e < elements.size(); ++e) unknown[e] = parts[static_cast<std::size_t>(elements.part[e])];
+  for (std::size_t e = 0; e < elements.size(); ++e) unknown[e] = parts[elements.part[e]];
   const bool beams = kind == model::ElementKind::beam;
   mark_nodes(model.shells, {}, taken);
   mark_nodes(model.solids, beams ? std::vector<char>{} : unknown, taken);
@@ -91,12 +90,11 @@ std::vector<Index> standing_alone(const model::Model& model, const Elements& ele
   ElementClusters clusters(model, elements, unknown);
   const auto each = [&](auto with) {
     for (Index e = 0; e < static_cast<Index>(elements.size()); ++e)
-      if (unknown[static_cast<std::size_t>(e)]) with(e);
+      if (unknown[e]) with(e);
   };
   each([&](Index e) {
-    const auto& nodes = elements.node[static_cast<std::size_t>(e)];
-    if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return taken[static_cast<std::size_t>(n)] != 0; }))
-      clusters.touch(e);
+    const auto& nodes = elements.node[e];
+    if (std::any_of(nodes.begin(), nodes.end(), [&](Index n) { return taken[n] != 0; })) clusters.touch(e);
   });
   std::vector<Index> found;
   each([&](Index e) {
@@ -118,7 +116,7 @@ std::vector<Index> inferred_bricks(const model::Model& model) {
 }
 
 bool is_inferred(const model::Model& model, const Weld& weld) {
-  return weld.part != none && model.parts[static_cast<std::size_t>(weld.part)].material == none;
+  return weld.part != none && model.parts[weld.part].material == none;
 }
 
 }  // namespace nugget::weld

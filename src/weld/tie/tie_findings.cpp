@@ -130,7 +130,7 @@ void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, con
       if (--waits_for[t] == 0) free.push_back(t);
   if (free.size() == ties.size()) return;
   const auto first = std::find_if(waits_for.begin(), waits_for.end(), [](int count) { return count > 0; });
-  const Tie& tie = ties[static_cast<std::size_t>(first - waits_for.begin())];
+  const Tie& tie = ties[first - waits_for.begin()];
   const model::Contact& contact = model.contacts[tie.contact];
   findings.error(
       contact.place, name_contact(contact),
@@ -215,7 +215,7 @@ void report_hinges(const model::Model& model, const Surroundings& around, const 
 /// the ties have moved their nodes.
 void report_tied_adhesive(const model::Model& model, const std::vector<Tie>& ties, Findings& findings) {
   std::vector<const Tie*> tie_of(model.nodes.size(), nullptr);
-  for (const Tie& tie : ties) tie_of[static_cast<std::size_t>(tie.node)] = &tie;
+  for (const Tie& tie : ties) tie_of[tie.node] = &tie;
   struct Told {
     int sprung = 0, bricks = 0;
     double before = 0.0, after = 0.0;  // thickness of the first brick
@@ -230,12 +230,12 @@ void report_tied_adhesive(const model::Model& model, const std::vector<Tie>& tie
     const Tie* moved = nullptr;
     for (std::size_t i = 0; i < 8; ++i) {
       const Index n = model.solids.node[e][i];
-      const Tie* tie = tie_of[static_cast<std::size_t>(n)];
+      const Tie* tie = tie_of[n];
       const double side = i < 4 ? -0.25 : 0.25;
-      before += side * model.nodes.x[static_cast<std::size_t>(n)];
-      after += side * (tie && tie->moved > 0.0 ? tie->point : model.nodes.x[static_cast<std::size_t>(n)]);
+      before += side * model.nodes.x[n];
+      after += side * (tie && tie->moved > 0.0 ? tie->point : model.nodes.x[n]);
       if (tie && tie->moved > 0.0) moved = tie;
-      if (tie && tie->spring && !std::exchange(seen[static_cast<std::size_t>(n)], 1)) ++reported[tie->contact].sprung;
+      if (tie && tie->spring && !std::exchange(seen[n], 1)) ++reported[tie->contact].sprung;
     }
     if (moved == nullptr || std::abs(norm(after) - norm(before)) <= 0.1 * std::max(norm(after), norm(before))) continue;
     Told& t = reported[moved->contact];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "base/index.hpp"
 #include "reading.hpp"
 
 // Tables of nodes and elements: the fast path, and the careful path for every line that is not plain.
@@ -24,7 +25,7 @@ struct Elements : Reading {
     }
   }
   std::vector<int> nodes(std::size_t row) const {
-    const auto n = static_cast<std::size_t>(table.nodes_per_element);
+    const auto n = at(table.nodes_per_element);
     return {table.node.begin() + static_cast<std::ptrdiff_t>(row * n),
             table.node.begin() + static_cast<std::ptrdiff_t>((row + 1) * n)};
   }

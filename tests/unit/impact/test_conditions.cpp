@@ -41,7 +41,7 @@ class Trial : public Recorder {
     worst = std::max(worst, std::abs(now.energy.total() - now.energy.initial - now.energy.external));
     if (watch_) watch_(now);
   }
-  std::size_t node(int id) const { return at(system->node_of[at(model->node_index(id))]); }
+  std::size_t node(int id) const { return at(system->node_of[model->node_index(id)]); }
   const Energy& energy() const { return simulation->energy(); }
 
   Findings findings;

@@ -139,7 +139,7 @@ struct Driven {
       nodes.w[i] = random.vector(turning);
     }
   }
-  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
+  double at(int field) const { return state[field]; }
 };
 
 inline void expect_same(const Vec3d& a, const Vec3d& b) {
@@ -169,7 +169,7 @@ void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& par
   for (int cycle = 0; cycle < 60; ++cycle) {
     NodalMotion<NativeBatch, Kind::corners> nodes;
     for (int l = 0; l < W; ++l) {
-      Driven<Law, Kind>& one = single[static_cast<std::size_t>(l)];
+      Driven<Law, Kind>& one = single[l];
       const double wild = speed * (l + 1);
       const Vec3d spin = random.vector(500.0);
       for (int i = 0; i < Kind::corners; ++i) {
@@ -181,14 +181,14 @@ void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& par
     }
     const auto force = Kind::template cycle<NativeBatch>(shell, law, nodes, dt, together.data());
     for (int l = 0; l < W; ++l) {
-      const Driven<Law, Kind>& one = single[static_cast<std::size_t>(l)];
+      const Driven<Law, Kind>& one = single[l];
       for (int i = 0; i < Kind::corners; ++i) {
         expect_same(get(force.f[i], l), one.force.f[i]);
         expect_same(get(force.m[i], l), one.force.m[i]);
       }
       EXPECT_EQ(lane(force.stable_step, l), one.force.stable_step);
       for (int i = 0; i < layout.size(); ++i)
-        ASSERT_EQ(together[static_cast<std::size_t>(i * W + l)], one.at(i)) << "field " << i << " cycle " << cycle;
+        ASSERT_EQ(together[i * W + l], one.at(i)) << "field " << i << " cycle " << cycle;
       if constexpr (LawKernel<Law>::has_plastic_strain) {
         yielded += one.at(layout.history_of(0)) > 0.0;
       }
@@ -292,7 +292,7 @@ std::vector<double> stiffness_by_dual(const ShellProperties& shell, const NodalM
 
 /// The stiffness is symmetric and lets `free` motions go.
 inline void expect_free_motions(const std::vector<double>& K, int size, int free) {
-  const auto n = static_cast<std::size_t>(size);
+  const auto n = at(size);
   double largest = 0.0, skew = 0.0;
   for (const double k : K) largest = std::max(largest, std::abs(k));
   for (std::size_t i = 0; i < n; ++i)

@@ -39,7 +39,7 @@ struct DrivenSolid {
     for (std::size_t i = 0; i < Element::corners; ++i) nodes.x[i] += dt * nodes.v[i];
     return force = Element::template cycle<double>(properties, law, layout, nodes, dt, state.data());
   }
-  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
+  double at(int field) const { return state[field]; }
 };
 
 template <class Forces>
@@ -63,9 +63,9 @@ void batch_gives_the_bits_of_double(const HexahedronProperties& properties, cons
   const std::size_t size = single[0].state.size();
   std::vector<double> together(size * W);
   for (int l = 0; l < W; ++l) {
-    DrivenSolid<Element, Law>& one = single[static_cast<std::size_t>(l)];
+    DrivenSolid<Element, Law>& one = single[l];
     if (l == dead) one.state[Layout::alive] = 0.0;
-    for (std::size_t i = 0; i < size; ++i) together[i * W + static_cast<std::size_t>(l)] = one.state[i];
+    for (std::size_t i = 0; i < size; ++i) together[i * W + at(l)] = one.state[i];
   }
   for (int cycle = 0; cycle < 60; ++cycle) {
     typename Element::template Motion<NativeBatch> nodes;
@@ -75,7 +75,7 @@ void batch_gives_the_bits_of_double(const HexahedronProperties& properties, cons
       set_lane(to.z, l, from.z);
     };
     for (int l = 0; l < W; ++l) {
-      DrivenSolid<Element, Law>& one = single[static_cast<std::size_t>(l)];
+      DrivenSolid<Element, Law>& one = single[l];
       const Vec3d spin = random.vector(1e4);
       for (std::size_t i = 0; i < Element::corners; ++i)
         one.nodes.v[i] = cross(spin, one.nodes.x[i]) + random.vector(20000.0 * (l + 1));
@@ -88,14 +88,13 @@ void batch_gives_the_bits_of_double(const HexahedronProperties& properties, cons
     const auto force =
         Element::template cycle<NativeBatch>(properties, single[0].law, single[0].layout, nodes, dt, together.data());
     for (int l = 0; l < W; ++l) {
-      const DrivenSolid<Element, Law>& one = single[static_cast<std::size_t>(l)];
+      const DrivenSolid<Element, Law>& one = single[l];
       for (std::size_t i = 0; i < Element::corners; ++i) {
         const Vec3d f = get(force.f[i], l);
         ASSERT_EQ(0, std::memcmp(&f, &one.force.f[i], sizeof f)) << cycle;
       }
       ASSERT_EQ(lane(force.stable_step, l), one.force.stable_step);
-      for (std::size_t i = 0; i < size; ++i)
-        ASSERT_EQ(together[i * W + static_cast<std::size_t>(l)], one.state[i]) << i;
+      for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(together[i * W + at(l)], one.state[i]) << i;
     }
   }
   if constexpr (LawKernel<Law>::has_plastic_strain) {

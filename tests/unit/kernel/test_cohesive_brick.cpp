@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/index.hpp"
 #include "kernel/element/cohesive_brick.hpp"
 #include "motion.hpp"
 
@@ -102,7 +103,7 @@ TEST(CohesiveBrick, PowerOfTheForcesIsThatOfTheTractions) {
     d.step(v, w, dt);
     for (int p = 0; p < L::points; ++p)
       for (int i = 0; i < 3; ++i) {
-        const auto at = static_cast<std::size_t>(L::point(p));
+        const auto place = at(L::point(p));
         of_tractions += before[at] * before[at + L::traction + i] *
                         (d.state[at + L::separation + i] - before[at + L::separation + i]) / dt;
       }
@@ -138,7 +139,7 @@ TEST(CohesiveBrick, RotationAsARigidBodyMakesNoForce) {
     }
     for (int p = 0; p < L::points; ++p)
       for (int i = 0; i < 3; ++i) {
-        const auto at = static_cast<std::size_t>(L::point(p) + L::separation + i);
+        const auto place = at(L::point(p) + L::separation + i);
         EXPECT_NEAR(d.state[at], held[at], 1e-8);
       }
     EXPECT_NEAR(greatest(out), before, 1e-5 * before);
@@ -209,7 +210,7 @@ TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
   for (const bool between_shells : {false, true}) {
     Random random;
     std::vector<Driven> single;
-    std::vector<double> state(static_cast<std::size_t>(L::count * width));
+    std::vector<double> state(at(L::count * width));
     NodalMotion<NativeBatch, 8> batch{};
     for (int l = 0; l < width; ++l) {
       const Corners x = distorted(random, 0.8);
@@ -226,9 +227,9 @@ TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
           if (a > 3) v[a] += Vec3d{0.3, 0.2, 0.4};
           w[a] = random.vector(0.1);
         }
-        expected.push_back(single[static_cast<std::size_t>(l)].step(v, w, 0.005));
+        expected.push_back(single[l].step(v, w, 0.005));
         for (std::size_t a = 0; a < 8; ++a) {
-          const auto& nodes = single[static_cast<std::size_t>(l)].nodes;
+          const auto& nodes = single[l].nodes;
           const auto put = [l](Vec3<NativeBatch>& to, const Vec3d& from) {
             set_lane(to.x, l, from.x), set_lane(to.y, l, from.y), set_lane(to.z, l, from.z);
           };
@@ -238,7 +239,7 @@ TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
       const auto out = cohesive_brick_cycle(single[0].brick, bond, batch, 0.005, state.data());
       dead = 0;
       for (int l = 0; l < width; ++l) {
-        const auto& e = expected[static_cast<std::size_t>(l)];
+        const auto& e = expected[l];
         EXPECT_EQ(lane(out.stable_step, l), e.stable_step);
         dead += std::isinf(e.stable_step);
         for (int a = 0; a < 8; ++a) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "base/index.hpp"
 #include "kernel/law/law_components.hpp"
 #include "law_point.hpp"
 #include "motion.hpp"
@@ -206,9 +207,9 @@ TEST(ComposedLaw, BatchesDoWhatSinglePointsDo) {
   const ComposedLaw law = composed_law(failing(0.05));
   const LawKernel<ComposedLaw> prepared(law);
   constexpr int width = native_width;
-  std::vector<double> history(static_cast<std::size_t>(width * prepared.layer_history()));
+  std::vector<double> history(at(width * prepared.layer_history()));
   LayerTensor<NativeBatch> s;
-  std::vector<LayerPoint<ComposedLaw>> single(static_cast<std::size_t>(width), LayerPoint<ComposedLaw>(law));
+  std::vector<LayerPoint<ComposedLaw>> single(at(width), LayerPoint<ComposedLaw>(law));
   Random random;
   for (int i = 0; i < 200; ++i) {
     LayerTensor<NativeBatch> rate;
@@ -216,14 +217,14 @@ TEST(ComposedLaw, BatchesDoWhatSinglePointsDo) {
       const double a = 1e-3 * (l + 1) * random(), b = 1e-3 * random();
       set_lane(rate.xx, l, a);
       set_lane(rate.xy, l, b);
-      single[static_cast<std::size_t>(l)].strain({a, 0, b, 0, 0});
+      single[l].strain({a, 0, b, 0, 0});
     }
     prepared.layer(s, rate, 1.0, history.data());
     for (int l = 0; l < width; ++l) {
-      const auto& one = single[static_cast<std::size_t>(l)];
+      const auto& one = single[l];
       ASSERT_EQ(lane(s.xx, l), one.s.xx) << i;
       ASSERT_EQ(lane(s.xy, l), one.s.xy) << i;
-      ASSERT_EQ(history[static_cast<std::size_t>(l)], one.plastic_strain()) << i;
+      ASSERT_EQ(history[l], one.plastic_strain()) << i;
     }
   }
 }

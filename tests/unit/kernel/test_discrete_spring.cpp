@@ -201,7 +201,7 @@ TEST(DiscreteBeam, StiffnessIsTheDerivativeOfTheForces) {
     for (int i = 0; i < 12; ++i) {
       const Vec3d& f = force[i / 3];
       const double got = (i % 3 == 0 ? f.x : i % 3 == 1 ? f.y : f.z) / small;
-      EXPECT_NEAR(got, k[static_cast<std::size_t>(12 * i + j)], 1e-2) << i << ' ' << j;
+      EXPECT_NEAR(got, k[12 * i + j], 1e-2) << i << ' ' << j;
     }
   }
 }

@@ -128,7 +128,7 @@ void constant_stress_is_passed_on_exactly() {
   const Corners x = distorted(random);
   Driven<Elastic, strains> d(inviscid(), steel, x);
   for (int p = 0; p < L::points; ++p)
-    for (int i = 0; i < 3; ++i) d.state[static_cast<std::size_t>(d.layout.point(p) + i)] = 1.0;
+    for (int i = 0; i < 3; ++i) d.state[d.layout.point(p) + i] = 1.0;
   d.step(0.0);
   for (std::size_t i = 0; i < 8; ++i)
     for (double Vec3d::*c : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {

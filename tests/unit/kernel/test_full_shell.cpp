@@ -49,7 +49,7 @@ TEST(FullShell, ForcesAreInEquilibriumAndDoTheWorkOfTheStresses) {
     for (int column = 0; column < 4; ++column)
       for (int k = 0; k < 2; ++k) {
         const int first = d.layout.layer(k, column);
-        const auto change = [&](int c) { return d.at(first + c) - start[static_cast<std::size_t>(first + c)]; };
+        const auto change = [&](int c) { return d.at(first + c) - start[first + c]; };
         const auto mean = [&](int c) { return d.at(first + c) - 0.5 * change(c); };
         const double xx = (change(0) - nu * change(1)) / E, yy = (change(1) - nu * change(0)) / E;
         expected += 0.125 * volume / dt *

@@ -37,7 +37,7 @@ ComposedLaw steel(const Gissmo& g) {
 template <class Point>
 Point point(const Gissmo& g, double size = 1.0) {
   Point p(steel(g));
-  p.history[static_cast<std::size_t>(p.law.size_field())] = size;
+  p.history[p.law.size_field()] = size;
   return p;
 }
 

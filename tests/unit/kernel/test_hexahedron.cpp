@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "base/index.hpp"
 #include "driven_solid.hpp"
 #include "kernel/element/hexahedron.hpp"
 
@@ -169,8 +170,8 @@ TEST(Hexahedron, ForcesDoTheWorkOfTheStresses) {
   const double dt = 1e-13;
   for (const int hourglass : {1, 3, 5, 6}) {
     Driven<Elastic> d(brick(hourglass), steel, distorted(random));
-    for (int i = 0; i < 12; ++i) d.state[static_cast<std::size_t>(L::hourglass + i)] = 100 * random();
-    for (int i = 0; i < 6; ++i) d.state[static_cast<std::size_t>(L::stress + i)] = 100 * random();
+    for (int i = 0; i < 12; ++i) d.state[L::hourglass + i] = 100 * random();
+    for (int i = 0; i < 6; ++i) d.state[L::stress + i] = 100 * random();
     for (int i = 0; i < 8; ++i)
       d.nodes.v[i] = random.vector(1000.0) + 3000.0 * d.nodes.x[i];  // it expands: no bulk viscosity
     d.step(dt);
@@ -403,7 +404,7 @@ std::vector<double> solved(Dense a, std::vector<double> b) {
 
 /// Tip deflection of the brick cantilever with n bricks: end couple of 100000 N mm, or end shear of 1000 N.
 double tip(int n, double coefficient, bool couple) {
-  const std::size_t size = 12 * (static_cast<std::size_t>(n) + 1);
+  const std::size_t size = 12 * (at(n) + 1);
   Dense K(size, std::vector<double>(size));
   // Bricks along x; the element's nodes 1 4 8 5 lie on its left face, 2 3 7 6 on its right.
   const std::size_t left[4] = {0, 3, 7, 4}, right[4] = {1, 2, 6, 5};
@@ -411,8 +412,8 @@ double tip(int n, double coefficient, bool couple) {
     const Dense k = stiffness(brick(6, coefficient), box(100.0 / n, 10, 10));
     std::size_t place[8];
     for (std::size_t i = 0; i < 4; ++i) {
-      place[left[i]] = 4 * static_cast<std::size_t>(e) + i;
-      place[right[i]] = 4 * static_cast<std::size_t>(e) + 4 + i;
+      place[left[i]] = 4 * at(e) + i;
+      place[right[i]] = 4 * at(e) + 4 + i;
     }
     for (std::size_t i = 0; i < 24; ++i)
       for (std::size_t j = 0; j < 24; ++j) K[3 * place[i / 3] + i % 3][3 * place[j / 3] + j % 3] += k[i][j];

@@ -34,7 +34,7 @@ TEST(KirchhoffTriangle, ForcesDoTheWorkOfTheStresses) {
   Driven<Elastic, Kirchhoff> d(shell, steel, triangle(random));
   for (int column = 0; column < kirchhoff_columns; ++column)
     for (int k = 0; k < 2; ++k)
-      for (int c = 0; c < 3; ++c) d.state[static_cast<std::size_t>(d.layout.layer(k, column) + c)] = 300.0 * random();
+      for (int c = 0; c < 3; ++c) d.state[d.layout.layer(k, column) + c] = 300.0 * random();
   const std::vector<double> start = d.state;
   d.shake(random, 1000.0, 1000.0);
   d.step(dt);
@@ -45,7 +45,7 @@ TEST(KirchhoffTriangle, ForcesDoTheWorkOfTheStresses) {
     for (int k = 0; k < 2; ++k) {
       const int layer = d.layout.layer(k, column);
       const auto s = [&](int c) { return d.at(layer + c); };
-      const auto change = [&](int c) { return s(c) - start[static_cast<std::size_t>(layer + c)]; };
+      const auto change = [&](int c) { return s(c) - start[layer + c]; };
       EXPECT_EQ(s(3), 0.0);
       EXPECT_EQ(s(4), 0.0);
       expected +=
@@ -150,8 +150,7 @@ TEST(KirchhoffTriangle, MeanBendingIsThatOfThePoints) {
     double sum = 0.0;
     for (int p = 0; p < kirchhoff_columns; ++p)
       sum += (d.at(d.layout.layer(1, p) + c) - d.at(d.layout.layer(0, p) + c)) / 3.0;
-    return sum -
-           (state[static_cast<std::size_t>(one.layer(1) + c)] - state[static_cast<std::size_t>(one.layer(0) + c)]);
+    return sum - (state[one.layer(1) + c] - state[one.layer(0) + c]);
   };
   const double between = thickness / std::sqrt(3.0) * dt, E = steel_E, nu = steel_nu;
   const auto array = [](const Vec3d(&a)[3]) { return std::array<Vec3d, 3>{a[0], a[1], a[2]}; };

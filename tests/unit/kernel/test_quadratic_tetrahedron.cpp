@@ -69,7 +69,7 @@ struct Driven {
   void shake(Random& random, double size) {
     for (Vec3d& v : nodes.v) v = random.vector(size);
   }
-  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
+  double at(int field) const { return state[field]; }
 };
 
 template <class Law>
@@ -80,8 +80,7 @@ void batch_gives_the_bits_of_double(const Law& parameters) {
   for (int l = 0; l < W; ++l) single.emplace_back(parameters, tetrahedron(random, 0.4, 0.2));
   const L layout = single[0].layout;
   std::vector<double> together(static_cast<std::size_t>(layout.size() * W));
-  for (int l = 0; l < W; ++l)
-    start_quadratic_tetrahedron(layout, places(single[static_cast<std::size_t>(l)].nodes), together.data(), W, l);
+  for (int l = 0; l < W; ++l) start_quadratic_tetrahedron(layout, places(single[l].nodes), together.data(), W, l);
   const auto put = [](Vec3<NativeBatch>& to, int l, const Vec3d& from) {
     set_lane(to.x, l, from.x);
     set_lane(to.y, l, from.y);
@@ -90,7 +89,7 @@ void batch_gives_the_bits_of_double(const Law& parameters) {
   for (int cycle = 0; cycle < 60; ++cycle) {
     QuadraticTetrahedronMotion<NativeBatch> nodes;
     for (int l = 0; l < W; ++l) {
-      Driven<Law>& one = single[static_cast<std::size_t>(l)];
+      Driven<Law>& one = single[l];
       one.shake(random, 1000.0 * (l + 1));
       one.step(1e-6);
       for (int i = 0; i < 10; ++i) {
@@ -101,14 +100,14 @@ void batch_gives_the_bits_of_double(const Law& parameters) {
     const auto force =
         quadratic_tetrahedron_cycle<NativeBatch>(single[0].solid, single[0].law, nodes, 1e-6, together.data());
     for (int l = 0; l < W; ++l) {
-      const Driven<Law>& one = single[static_cast<std::size_t>(l)];
+      const Driven<Law>& one = single[l];
       for (int i = 0; i < 10; ++i) {
         const Vec3d f{lane(force.f[i].x, l), lane(force.f[i].y, l), lane(force.f[i].z, l)};
         ASSERT_EQ(0, std::memcmp(&f, &one.force.f[i], sizeof f)) << cycle;
       }
       ASSERT_EQ(lane(force.stable_step, l), one.force.stable_step);
       ASSERT_EQ(lane(force.volume, l), one.force.volume);
-      for (int i = 0; i < layout.size(); ++i) ASSERT_EQ(together[static_cast<std::size_t>(i * W + l)], one.at(i));
+      for (int i = 0; i < layout.size(); ++i) ASSERT_EQ(together[i * W + l], one.at(i));
     }
   }
 }
@@ -131,7 +130,7 @@ TEST(QuadraticTetrahedron, RigidRotationStrainsNothing) {
   }
   const std::vector<double> before = d.state;
   const auto start = d.force;
-  ASSERT_GT(before[static_cast<std::size_t>(d.layout.history_of(0))], 0.0);
+  ASSERT_GT(before[d.layout.history_of(0)], 0.0);
   const Vec3d axis = unit(Vec3d{1, 2, 3});
   const double dt = 1e-6, angle = 2 * M_PI / 36;
   for (int cycle = 0; cycle < 36; ++cycle) {

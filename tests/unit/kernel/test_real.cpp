@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/dual.hpp"
+#include "base/index.hpp"
 #include "base/row.hpp"
 
 namespace nugget {
@@ -62,7 +63,7 @@ void rows_go_and_come() {
     EXPECT_EQ(lane(v.x, l), id[l]);
     EXPECT_EQ(lane(v.y, l), 100.0 + id[l]);
     EXPECT_EQ(lane(v.z, l), 200.0 + id[l]);
-    for (const std::size_t at : {static_cast<std::size_t>(to[l]), static_cast<std::size_t>(12 + l)}) {
+    for (const std::size_t at : {at(to[l]), at(12 + l)}) {
       EXPECT_EQ(out[at].x, id[l]);
       EXPECT_EQ(out[at].y, 100.0 + id[l]);
       EXPECT_EQ(out[at].z, 200.0 + id[l]);

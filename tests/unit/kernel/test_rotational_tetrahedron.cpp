@@ -61,7 +61,7 @@ struct Driven {
       nodes.w[i] = random.vector(size);
     }
   }
-  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
+  double at(int field) const { return state[field]; }
   double power() const {
     double sum = 0.0;
     for (int i = 0; i < 4; ++i) sum += dot(force.f[i], nodes.v[i]) + dot(force.m[i], nodes.w[i]);
@@ -77,12 +77,11 @@ void batch_gives_the_bits_of_double(const Law& parameters) {
   for (int l = 0; l < W; ++l) single.emplace_back(parameters, tetrahedron(random));
   const L layout = single[0].layout;
   std::vector<double> together(static_cast<std::size_t>(layout.size() * W));
-  for (int l = 0; l < W; ++l)
-    start_rotational_tetrahedron(layout, places(single[static_cast<std::size_t>(l)].nodes), together.data(), W, l);
+  for (int l = 0; l < W; ++l) start_rotational_tetrahedron(layout, places(single[l].nodes), together.data(), W, l);
   for (int cycle = 0; cycle < 60; ++cycle) {
     NodalMotion<NativeBatch, 4> nodes;
     for (int l = 0; l < W; ++l) {
-      Driven<Law>& one = single[static_cast<std::size_t>(l)];
+      Driven<Law>& one = single[l];
       one.shake(random, 2000.0 * (l + 1));
       one.step(1e-6);
       put(nodes, l, one.nodes);
@@ -90,14 +89,14 @@ void batch_gives_the_bits_of_double(const Law& parameters) {
     const auto force =
         rotational_tetrahedron_cycle<NativeBatch>(single[0].solid, single[0].law, nodes, 1e-6, together.data());
     for (int l = 0; l < W; ++l) {
-      const Driven<Law>& one = single[static_cast<std::size_t>(l)];
+      const Driven<Law>& one = single[l];
       for (int i = 0; i < 4; ++i) {
         const Vec3d f = get(force.f[i], l), m = get(force.m[i], l);
         ASSERT_EQ(0, std::memcmp(&f, &one.force.f[i], sizeof f)) << cycle;
         ASSERT_EQ(0, std::memcmp(&m, &one.force.m[i], sizeof m)) << cycle;
       }
       ASSERT_EQ(lane(force.stable_step, l), one.force.stable_step);
-      for (int i = 0; i < layout.size(); ++i) ASSERT_EQ(together[static_cast<std::size_t>(i * W + l)], one.at(i));
+      for (int i = 0; i < layout.size(); ++i) ASSERT_EQ(together[i * W + l], one.at(i));
     }
   }
 }
@@ -120,7 +119,7 @@ TEST(RotationalTetrahedron, RigidRotationStrainsNothing) {
   }
   const std::vector<double> before = d.state;
   const auto start = d.force;
-  ASSERT_GT(before[static_cast<std::size_t>(d.layout.history_of(0))], 0.0);
+  ASSERT_GT(before[d.layout.history_of(0)], 0.0);
   const Vec3d axis = unit(Vec3d{1, 2, 3});
   for (int cycle = 0; cycle < 36; ++cycle) {
     d.nodes = rotation_step(d.nodes, axis, 2 * M_PI / 36, 1e-6);
@@ -164,7 +163,7 @@ double energy_of_ten_nodes(const Motion& m) {
   const auto add = [&](int p, const Vec3d& v, const Vec3d& n) {
     const double vs[3] = {v.x, v.y, v.z}, ns[3] = {n.x, n.y, n.z};
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) gradient[static_cast<std::size_t>(p)][i][j] += vs[i] * ns[j];
+      for (std::size_t j = 0; j < 3; ++j) gradient[p][i][j] += vs[i] * ns[j];
   };
   double divergence = 0.0, edge2 = 0.0;
   Vec3d spin{};

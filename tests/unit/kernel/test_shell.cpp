@@ -96,9 +96,7 @@ TEST(Shell, ForcesDoTheWorkOfTheStresses) {
     const double E = steel_E, nu = steel_nu, G = E / (2 * (1 + nu)), volume = 1.2 * shell_area(positions(d.nodes));
     double expected = (d.at(ShellLayout::hourglass_energy) - 0.0) / dt;
     for (int k = 0; k < 2; ++k) {
-      const auto change = [&](int c) {
-        return d.at(d.layout.layer(k) + c) - start[static_cast<std::size_t>(d.layout.layer(k) + c)];
-      };
+      const auto change = [&](int c) { return d.at(d.layout.layer(k) + c) - start[d.layout.layer(k) + c]; };
       const auto mean = [&](int c) { return d.at(d.layout.layer(k) + c) - 0.5 * change(c); };
       const double xx = (change(0) - nu * change(1)) / E, yy = (change(1) - nu * change(0)) / E;
       const double per_dt = 0.5 * volume / dt, kappa = shell.shear_factor;
@@ -242,11 +240,10 @@ TEST(Shell, HourglassStiffnessOfAYieldedShellIsThatOfTheTangent) {
       d.nodes.w[i] = {h, h, 0};
     }
     std::array<double, 5> before{};
-    for (int k = 0; k < 5; ++k) before[static_cast<std::size_t>(k)] = d.at(L::hourglass + k);
+    for (int k = 0; k < 5; ++k) before[k] = d.at(L::hourglass + k);
     d.cycle(dt);  // at rest but for the rates, so that the shape stays a square
     std::array<double, 5> change{};
-    for (int k = 0; k < 5; ++k)
-      change[static_cast<std::size_t>(k)] = d.at(L::hourglass + k) - before[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 5; ++k) change[k] = d.at(L::hourglass + k) - before[k];
     return change;
   };
   Driven<PiecewiseLinear> elastic(shell, bilinear(250, 1000), square()), yielded = elastic;
@@ -254,10 +251,7 @@ TEST(Shell, HourglassStiffnessOfAYieldedShellIsThatOfTheTangent) {
   pattern(yielded);
   for (int i = 0; i < 4; ++i) yielded.nodes.v[i] = {2000.0 * yielded.nodes.x[i].x, 0, 0}, yielded.nodes.w[i] = {};
   yielded.cycle(dt);  // a strain of 0.002: beyond 250/210000
-  for (int k : {0, 1, 3, 4})
-    EXPECT_NEAR(yielded.at(L::hourglass + k), 0.01 * stiff[static_cast<std::size_t>(k)],
-                1e-9 * std::abs(stiff[static_cast<std::size_t>(k)]))
-        << k;
+  for (int k : {0, 1, 3, 4}) EXPECT_NEAR(yielded.at(L::hourglass + k), 0.01 * stiff[k], 1e-9 * std::abs(stiff[k])) << k;
   EXPECT_NEAR(yielded.at(L::hourglass + 2), stiff[2], 1e-9 * std::abs(stiff[2]));
   const std::array<double, 5> soft = pattern(yielded);
   for (std::size_t k = 0; k < 5; ++k)

@@ -33,7 +33,7 @@ TEST(Triangle, ForcesDoTheWorkOfTheStresses) {
   double expected = 0.0;
   for (int k = 0; k < 2; ++k) {
     const auto s = [&](int c) { return d.at(d.layout.layer(k) + c); };
-    const auto change = [&](int c) { return s(c) - start[static_cast<std::size_t>(d.layout.layer(k) + c)]; };
+    const auto change = [&](int c) { return s(c) - start[d.layout.layer(k) + c]; };
     expected += 0.5 * volume / dt *
                 (s(0) * (change(0) - nu * change(1)) / E + s(1) * (change(1) - nu * change(0)) / E +
                  (s(2) * change(2) + shell.shear_factor * (s(3) * change(3) + s(4) * change(4))) / G);
@@ -55,7 +55,7 @@ TEST(Triangle, MembraneAndBendingPatch) {
   }
   d.step(1.0);
   for (int k = 0; k < 2; ++k) {
-    const double z = 0.6 * d.shell.layers.zeta[static_cast<std::size_t>(k)];
+    const double z = 0.6 * d.shell.layers.zeta[k];
     const double mean = 0.5 * (d.at(d.layout.layer(k)) + d.at(d.layout.layer(k) + 1));
     EXPECT_NEAR(mean, 1333.3333e-6 * (1 + z), 1e-9);
     EXPECT_NEAR(d.at(d.layout.layer(k) + 3), 0.0, 1e-10);

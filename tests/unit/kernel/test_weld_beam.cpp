@@ -45,7 +45,7 @@ struct Driven {
     advance(nodes, dt);
     return force = weld_beam_cycle<double>(beam, law, nodes, dt, state.data());
   }
-  double at(int field) const { return state[static_cast<std::size_t>(field)]; }
+  double at(int field) const { return state[field]; }
   double resultant(int i) const { return at(L::resultant + i); }
   double plastic_strain(int k = 0) const { return at(layout.history_of(k)); }
   Frame3d frame() const {
@@ -154,7 +154,7 @@ TEST(WeldBeam, Fibres) {
   for (const int quadrature : {1, 2, 3, 4, 5}) {
     const FibreRule rule = disc_fibres(6.0, 2.0, quadrature);
     double area = 0, ss = 0, tt = 0, st = 0, s = 0, t = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(rule.count); ++k) {
+    for (std::size_t k = 0; k < at(rule.count); ++k) {
       area += rule.area[k];
       s += rule.area[k] * rule.s[k];
       t += rule.area[k] * rule.t[k];
@@ -187,7 +187,7 @@ TEST(WeldBeam, YieldConditionHolds) {
       const FibreTensor<double> a = load_fibre<double>(d.state.data() + d.layout.fibre(k));
       const double effective = std::sqrt(a.rr * a.rr + 3 * (a.rs * a.rs + a.rt * a.rt));
       const double yield = 400.0 + 1000.0 * d.plastic_strain(k);
-      if (d.plastic_strain(k) > ep[static_cast<std::size_t>(k)]) {
+      if (d.plastic_strain(k) > ep[k]) {
         EXPECT_NEAR(effective, yield, 1e-10 * yield);
         ++plastic;
       } else {
@@ -267,7 +267,7 @@ void batch_gives_the_bits_of_double(const Spotweld& law) {
   std::vector<Driven<>> single(W, Driven<>(law, 3));
   std::vector<double> together(single[0].state.size() * W);
   for (int l = 0; l < W; ++l) {
-    Driven<>& one = single[static_cast<std::size_t>(l)];
+    Driven<>& one = single[l];
     one.nodes.x[1] += random.vector(0.5);
     one.start();
     start_weld_beam(one.layout, one.nodes.x[0], one.nodes.x[1], {1, 0, 0}, together.data(), W, l);
@@ -275,7 +275,7 @@ void batch_gives_the_bits_of_double(const Spotweld& law) {
   for (int cycle = 0; cycle < 200; ++cycle) {
     NodalMotion<NativeBatch, 2> nodes;
     for (int l = 0; l < W; ++l) {
-      Driven<>& one = single[static_cast<std::size_t>(l)];
+      Driven<>& one = single[l];
       for (int i = 0; i < 2; ++i) {
         one.nodes.v[i] = random.vector(0.01 * l) + (l == 0 && i == 1 ? Vec3d{0, 0, 0.01} : Vec3d{});
         one.nodes.w[i] = random.vector(0.01 * l);
@@ -285,14 +285,13 @@ void batch_gives_the_bits_of_double(const Spotweld& law) {
     }
     const auto force = weld_beam_cycle<NativeBatch>(single[0].beam, single[0].law, nodes, 1.0, together.data());
     for (int l = 0; l < W; ++l) {
-      const Driven<>& one = single[static_cast<std::size_t>(l)];
+      const Driven<>& one = single[l];
       for (int i = 0; i < 2; ++i) {
         const Vec3d f = get(force.f[i], l), m = get(force.m[i], l);
         ASSERT_EQ(0, std::memcmp(&f, &one.force.f[i], sizeof f)) << cycle;
         ASSERT_EQ(0, std::memcmp(&m, &one.force.m[i], sizeof m)) << cycle;
       }
-      for (std::size_t i = 0; i < one.state.size(); ++i)
-        ASSERT_EQ(together[i * W + static_cast<std::size_t>(l)], one.state[i]);
+      for (std::size_t i = 0; i < one.state.size(); ++i) ASSERT_EQ(together[i * W + at(l)], one.state[i]);
     }
   }
   EXPECT_GT(single[0].plastic_strain(), 0.3);

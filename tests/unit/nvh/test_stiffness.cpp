@@ -96,8 +96,8 @@ TEST(Stiffness, OfABrickIsTheDerivativeByDualNumbers) {
   std::array<Vec3d, 8> x;
   kernel::SolidMotion<D> motion;
   for (int i = 0; i < 8; ++i) {
-    x[at(i)] = a.model.nodes.x[at(i)];
-    motion.x[i] = {D(x[at(i)].x), D(x[at(i)].y), D(x[at(i)].z)};
+    x[i] = a.model.nodes.x[i];
+    motion.x[i] = {D(x[i].x), D(x[i].y), D(x[i].z)};
     motion.v[i] = {D::variable(0.0, 3 * i), D::variable(0.0, 3 * i + 1), D::variable(0.0, 3 * i + 2)};
   }
   const kernel::HexahedronLayout layout = kernel::hexahedron_layout(law);
@@ -107,7 +107,7 @@ TEST(Stiffness, OfABrickIsTheDerivativeByDualNumbers) {
   std::vector<double> k;
   for (const Vec3<D>& f : out.f)
     for (const D* c : {&f.x, &f.y, &f.z}) k.insert(k.end(), c->d.begin(), c->d.end());
-  expect_equal(stiffness(a, *a.system.groups[at(a.system.solid_location[0].group)]), k);
+  expect_equal(stiffness(a, *a.system.groups[a.system.solid_location[0].group]), k);
 }
 
 TEST(Stiffness, OfAWeldBeamIsTheDerivativeByDualNumbers) {
@@ -120,7 +120,7 @@ TEST(Stiffness, OfAWeldBeamIsTheDerivativeByDualNumbers) {
   beam.fibres = kernel::disc_fibres(6.0, 0.0, 2);
   kernel::NodalMotion<D, 2> motion;
   for (int i = 0; i < 2; ++i) {
-    const Vec3d x = a.model.nodes.x[at(8 + i)];
+    const Vec3d x = a.model.nodes.x[8 + i];
     motion.x[i] = {D(x.x), D(x.y), D(x.z)};
     motion.v[i] = {D::variable(0.0, 6 * i), D::variable(0.0, 6 * i + 1), D::variable(0.0, 6 * i + 2)};
     motion.w[i] = {D::variable(0.0, 6 * i + 3), D::variable(0.0, 6 * i + 4), D::variable(0.0, 6 * i + 5)};
@@ -133,7 +133,7 @@ TEST(Stiffness, OfAWeldBeamIsTheDerivativeByDualNumbers) {
   for (int i = 0; i < 2; ++i)
     for (const Vec3<D>& f : {out.f[i], out.m[i]})
       for (const D* c : {&f.x, &f.y, &f.z}) k.insert(k.end(), c->d.begin(), c->d.end());
-  expect_equal(stiffness(a, *a.system.groups[at(a.system.beam_location[0].group)]), k);
+  expect_equal(stiffness(a, *a.system.groups[a.system.beam_location[0].group]), k);
 }
 
 // The brick and the beam are free: T^t K T has no force for any rigid motion of either.
@@ -143,11 +143,11 @@ TEST(Stiffness, HasNoForceInARigidRotation) {
   std::vector<double> q(a.matrices.size()), f(q.size());
   for (int e = 0; e < a.matrices.equations.size(); ++e) {
     const int node = a.matrices.equations.node_of(e);
-    const Vec3d v = cross(spin, vec(a.matrices.rest.x[at(node)]));
+    const Vec3d v = cross(spin, vec(a.matrices.rest.x[node]));
     const double u[6] = {v.x, v.y, v.z, spin.x, spin.y, spin.z};
     for (int i = 0; i < 6; ++i)
       for (const Equations::Term& t : a.matrices.equations.terms(node, i))
-        if (t.equation == e) q[at(e)] += t.factor * u[i];
+        if (t.equation == e) q[e] += t.factor * u[i];
   }
   a.matrices.stiffness.multiply(q, f);
   double largest = 0.0;

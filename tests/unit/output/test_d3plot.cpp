@@ -39,8 +39,8 @@ D3plotState small_state(const D3plotGeometry& g, double time) {
   s.time = time;
   s.kinetic = 10.0, s.internal = 20.0, s.total = 30.0;
   s.velocity = {1.0, 2.0, 3.0};
-  s.parts.resize(g.parts.size() + static_cast<std::size_t>(g.nodal_rigid_bodies));
-  s.wall_forces.assign(static_cast<std::size_t>(g.rigid_walls), 77.0);
+  s.parts.resize(g.parts.size() + at(g.nodal_rigid_bodies));
+  s.wall_forces.assign(at(g.rigid_walls), 77.0);
   for (const Vec3d& x : g.x) s.x.push_back(x + Vec3d{time, 0.0, -time});
   for (int id : g.node_ids) s.v.push_back({static_cast<double>(id), 0.5, -0.25});
   s.a.assign(g.x.size(), {4.0, 5.0, 6.0});
@@ -49,9 +49,9 @@ D3plotState small_state(const D3plotGeometry& g, double time) {
   s.solids[0].plastic_strain = 0.125;
   s.solids[0].strain = six(0.5);
   s.beams = {{1000.0, 1.0, 2.0, 3.0, 4.0, 5.0}};
-  s.beam_points.assign(g.beams.size() * static_cast<std::size_t>(g.beam_points), {1.5, 2.5, 3.5, 0.25, 0.75});
+  s.beam_points.assign(g.beams.size() * at(g.beam_points), {1.5, 2.5, 3.5, 0.25, 0.75});
   s.shells.resize(g.shells.size());
-  const auto layers = static_cast<std::size_t>(g.layers);
+  const auto layers = at(g.layers);
   s.shell_layers.resize(g.shells.size() * layers);
   for (std::size_t e = 0; e < g.shells.size(); ++e) {
     for (std::size_t i = 0; i < layers; ++i) {
@@ -178,8 +178,8 @@ TEST(D3plot, StatesShareAFileAndEndWithTheMark) {
     file.write(small_state(g, i));
     const WordsOf w(scratch / "d3plot01");
     EXPECT_EQ(w.size() % 512, 0u);
-    for (std::size_t k = 0; k <= static_cast<std::size_t>(i); ++k) EXPECT_EQ(w.real(k * state), static_cast<float>(k));
-    EXPECT_EQ(w.real((static_cast<std::size_t>(i) + 1) * state), -999999.0F);
+    for (std::size_t k = 0; k <= at(i); ++k) EXPECT_EQ(w.real(k * state), static_cast<float>(k));
+    EXPECT_EQ(w.real((at(i) + 1) * state), -999999.0F);
   }
   EXPECT_FALSE(std::filesystem::exists(scratch / "d3plot02"));
 }

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 
 std::vector<int> user_ids(const Model& model, const std::vector<Index>& nodes) {
   std::vector<int> ids;
-  for (const Index n : nodes) ids.push_back(model.nodes.id[static_cast<std::size_t>(n)]);
+  for (const Index n : nodes) ids.push_back(model.nodes.id[n]);
   return ids;
 }
 
@@ -105,7 +105,7 @@ TEST(RigidBodies, ReferenceNodeStandsAtTheCentre) {
   ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
   const Model& m = built.model;
   EXPECT_THAT(user_ids(m, m.rigid_bodies.back().nodes), ElementsAre(1, 2, 3, 21));
-  expect_vector(m.nodes.x[static_cast<std::size_t>(m.node_index(21))], 0.5, 0.5, 2.0);
+  expect_vector(m.nodes.x[m.node_index(21)], 0.5, 0.5, 2.0);
   EXPECT_TRUE(built.find(Severity::note, "is moved by 6.8", "pnode"));
 }
 
@@ -170,7 +170,7 @@ TEST(RigidBodies, WeldsThatFail) {
   const RigidWeld& weld = spot.model.rigid_welds[0];
   EXPECT_EQ(weld.kind, RigidWeld::Kind::generalized);
   EXPECT_EQ(weld.id, 11);
-  EXPECT_EQ(spot.model.rigid_bodies[static_cast<std::size_t>(weld.body)].origin, RigidBody::Origin::weld);
+  EXPECT_EQ(spot.model.rigid_bodies[weld.body].origin, RigidBody::Origin::weld);
   EXPECT_EQ(weld.filter, 5);
   EXPECT_EQ(weld.window, 0.2);
   EXPECT_EQ(weld.failure_time, 0.1);

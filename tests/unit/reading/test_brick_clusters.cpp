@@ -20,8 +20,8 @@ constexpr double pi = std::numbers::pi;
 double area(const ClusterTemplate& c, const std::array<int, 4>& q) {
   double sum = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto& a = c.nodes[static_cast<std::size_t>(q[i])];
-    const auto& b = c.nodes[static_cast<std::size_t>(q[(i + 1) % 4])];
+    const auto& a = c.nodes[q[i]];
+    const auto& b = c.nodes[q[(i + 1) % 4]];
     sum += 0.5 * (a[0] * b[1] - a[1] * b[0]);
   }
   return sum;
@@ -69,10 +69,10 @@ TEST(BrickClusters, ReplaceWeldBeams) {
   EXPECT_EQ(m.hex_assemblies[1].id, 72);
   EXPECT_THAT(m.hex_assemblies[1].solids, ElementsAre(4, 5, 6, 7));
   EXPECT_EQ(m.hex_assemblies[0].orientation.x, 1.0);
-  const Part& part = m.parts[static_cast<std::size_t>(m.part_index(9))];
+  const Part& part = m.parts[m.part_index(9)];
   EXPECT_EQ(part.kind, ElementKind::solid);
-  EXPECT_EQ(m.solid_sections[static_cast<std::size_t>(part.section)].elform, 1);
-  const Hourglass& h = m.hourglass[static_cast<std::size_t>(part.hourglass)];
+  EXPECT_EQ(m.solid_sections[part.section].elform, 1);
+  const Hourglass& h = m.hourglass[part.hourglass];
   EXPECT_EQ(h.type, 6);
   EXPECT_EQ(h.membrane, 1.0);
   EXPECT_NE(
@@ -81,9 +81,9 @@ TEST(BrickClusters, ReplaceWeldBeams) {
       << b.all_findings();
   // The first brick: centre of the octagon below, above in the same order.
   const auto& n = m.solids.node[0];
-  EXPECT_EQ(m.nodes.x[static_cast<std::size_t>(n[0])].z, 0.0);
-  EXPECT_EQ(m.nodes.x[static_cast<std::size_t>(n[4])].z, 2.0);
-  EXPECT_EQ(m.nodes.x[static_cast<std::size_t>(n[4])].x, 0.5);
+  EXPECT_EQ(m.nodes.x[n[0]].z, 0.0);
+  EXPECT_EQ(m.nodes.x[n[4]].z, 2.0);
+  EXPECT_EQ(m.nodes.x[n[4]].x, 0.5);
 }
 
 TEST(BrickClusters, BeamsThatAreNotInTheSetStayInAPartOfTheirOwn) {
@@ -97,7 +97,7 @@ TEST(BrickClusters, BeamsThatAreNotInTheSetStayInAPartOfTheirOwn) {
   const Index own = m.part_index(1009);
   ASSERT_NE(own, none);
   EXPECT_EQ(m.beams.part[0], own);
-  EXPECT_EQ(m.parts[static_cast<std::size_t>(own)].kind, ElementKind::beam);
+  EXPECT_EQ(m.parts[own].kind, ElementKind::beam);
   EXPECT_THAT(m.contacts.at(0).a.parts, ElementsAre(m.part_index(9), own));
   EXPECT_EQ(m.solids.size(), 1u);
   EXPECT_TRUE(m.sets.beams.at(0).members.empty());

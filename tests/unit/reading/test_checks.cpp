@@ -282,9 +282,8 @@ TEST(Checks, LawsAndElementsMustGoTogether) {
 
 /// The hourglass type that a part is computed with.
 int type_of_part(const Built& b, int id) {
-  const Part& part = b.model.parts[static_cast<std::size_t>(b.model.part_index(id))];
-  return part.hourglass == none ? b.model.control.hourglass.type
-                                : b.model.hourglass[static_cast<std::size_t>(part.hourglass)].type;
+  const Part& part = b.model.parts[b.model.part_index(id)];
+  return part.hourglass == none ? b.model.control.hourglass.type : b.model.hourglass[part.hourglass].type;
 }
 
 TEST(Checks, HourglassTypesByElement) {

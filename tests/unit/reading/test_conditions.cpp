@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/index.hpp"
 #include "model/history_files.hpp"
 #include "small_model.hpp"
 
@@ -24,7 +25,7 @@ TEST(Constraints, NodesInAPlane) {
   const auto held = [](const Built& b) {
     std::vector<int> ids;
     for (const SinglePointConstraint& s : b.model.spcs)
-      if (const int id = b.model.nodes.id[static_cast<std::size_t>(s.node)]; id > 800) ids.push_back(id);
+      if (const int id = b.model.nodes.id[s.node]; id > 800) ids.push_back(id);
     return ids;
   };
   const Built exact(small_deck(more + "*CONSTRAINED_GLOBAL\n1,5,1,5.0,0.0,0.0\n"));
@@ -97,8 +98,7 @@ TEST(Database, HistoriesOfNodesSetsAndHeadings) {
 )"));
   ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
   std::vector<int> ids;
-  for (const auto& e : built.model.requests.history_nodes)
-    ids.push_back(built.model.nodes.id[static_cast<std::size_t>(e.index)]);
+  for (const auto& e : built.model.requests.history_nodes) ids.push_back(built.model.nodes.id[e.index]);
   EXPECT_THAT(ids, ElementsAre(4, 1, 20, 2, 3)) << "each node once, in the deck's order";
   ASSERT_EQ(built.model.requests.history_shells.size(), 1u);
   EXPECT_EQ(built.model.requests.history_shells[0].heading, "the block");
@@ -277,10 +277,10 @@ TEST(Boundary, LocalMotionFollowsTheAxesOfItsBody) {
 // ---- *INITIAL_VELOCITY
 
 Vec3d velocity(const Built& built, int node) {
-  return built.model.initial_velocity.at(static_cast<std::size_t>(built.model.node_index(node)));
+  return built.model.initial_velocity.at(at(built.model.node_index(node)));
 }
 Vec3d spin(const Built& built, int node) {
-  return built.model.initial_spin.at(static_cast<std::size_t>(built.model.node_index(node)));
+  return built.model.initial_spin.at(at(built.model.node_index(node)));
 }
 
 TEST(InitialVelocity, LastDefinitionWinsAndExemptNodesGetTheirOwn) {

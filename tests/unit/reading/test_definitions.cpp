@@ -184,7 +184,7 @@ c
 
 std::vector<int> ids(const Built& b, const std::vector<Index>& members) {
   std::vector<int> out;
-  for (const Index n : members) out.push_back(b.model.nodes.id[static_cast<std::size_t>(n)]);
+  for (const Index n : members) out.push_back(b.model.nodes.id[n]);
   return out;
 }
 
@@ -240,7 +240,7 @@ TEST(Sets, SegmentsOfShellsAndOfTheSkinOfSolids) {
   EXPECT_EQ(s[0].members.size(), 6u);
   // Outward: the top of the brick looks up, the bottom down.
   for (const Segment& f : s[0].members) {
-    const auto x = [&](std::size_t i) { return b.model.nodes.x[static_cast<std::size_t>(f[i])]; };
+    const auto x = [&](std::size_t i) { return b.model.nodes.x[f[i]]; };
     const Vec3d normal = cross(x(2) - x(0), x(3) - x(1)), centre = 0.25 * (x(0) + x(1) + x(2) + x(3));
     EXPECT_GT(dot(normal, centre - Vec3d{2.5, 0.5, 0.5}), 0.0);
   }

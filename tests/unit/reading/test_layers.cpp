@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "base/index.hpp"
 #include "kernel/law/law_components.hpp"
 #include "small_model.hpp"
 
@@ -27,7 +28,7 @@ TEST(Layers, OfAComposite) {
   const auto b = composite("1,2.1,,,2,0.8\n1,2.1\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
   const Part& part = b.model.parts.at(0);
-  const SectionShell& section = b.model.shell_sections.at(static_cast<std::size_t>(part.section));
+  const SectionShell& section = b.model.shell_sections.at(at(part.section));
   EXPECT_DOUBLE_EQ(section.thickness, 5.0);
   EXPECT_DOUBLE_EQ(section.extra_mass, 4e-9);
   ASSERT_EQ(section.rule.size(), 3u);
@@ -35,7 +36,7 @@ TEST(Layers, OfAComposite) {
   EXPECT_NEAR(section.rule[1][0], 0.0, 1e-15);
   EXPECT_NEAR(section.rule[1][1], 0.16, 1e-15);
   EXPECT_DOUBLE_EQ(b.model.shells.thickness.at(0), 5.0);
-  const Material& m = b.model.materials.at(static_cast<std::size_t>(part.material));
+  const Material& m = b.model.materials.at(at(part.material));
   EXPECT_NEAR(m.density, 0.84 * 2.5e-9 + 0.16 * 1.1e-9, 1e-21);
   const double glass = 0.84 * 70000.0 / 0.96, interlayer = 0.16 * 500.0 / 0.84;
   EXPECT_NEAR(m.poisson(), (0.2 * glass + 0.4 * interlayer) / (glass + interlayer), 1e-14);
@@ -48,8 +49,7 @@ TEST(Layers, OneALineWithContact) {
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
   const Part& part = b.model.parts.at(0);
   EXPECT_DOUBLE_EQ(part.contact_thickness, 1.5);
-  const auto& layers =
-      *std::get<kernel::Laminate>(b.model.materials.at(static_cast<std::size_t>(part.material)).law).layers;
+  const auto& layers = *std::get<kernel::Laminate>(b.model.materials.at(at(part.material)).law).layers;
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_DOUBLE_EQ(layers[0].angle, std::numbers::pi / 6.0);
   EXPECT_DOUBLE_EQ(layers[0].shear_scale, 0.9);
@@ -95,8 +95,7 @@ TEST(Layers, OfParts) {
   const std::string section = "*SECTION_SHELL\n1,2,,3,,-7\n5.0\n*PART\npane\n1,1,1\n*PART\nfilm\n8,1,2\n";
   const auto b = built(section + "*INTEGRATION_SHELL\n7,3,0,1\n-0.6,0.4\n0.0,0.2,8\n0.6,0.4\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  const auto& law =
-      std::get<kernel::Laminate>(b.model.materials.at(static_cast<std::size_t>(b.model.parts.at(0).material)).law);
+  const auto& law = std::get<kernel::Laminate>(b.model.materials.at(at(b.model.parts.at(0).material)).law);
   EXPECT_TRUE(law.kept_by_unfailing_layers);
   ASSERT_EQ(law.layers->size(), 3u);
   EXPECT_DOUBLE_EQ((*law.layers)[1].law.E, 500.0);
@@ -105,8 +104,7 @@ TEST(Layers, OfParts) {
   // Without parts the shell keeps its own law; with LAMSHT it has layers.
   const std::string plain = section + "*INTEGRATION_SHELL\n7,3,1\n";
   const auto own = [](const Built& of) {
-    return std::holds_alternative<kernel::Elastic>(
-        of.model.materials.at(static_cast<std::size_t>(of.model.parts.at(0).material)).law);
+    return std::holds_alternative<kernel::Elastic>(of.model.materials.at(at(of.model.parts.at(0).material)).law);
   };
   EXPECT_TRUE(own(built(plain)));
   EXPECT_FALSE(own(built(plain + "*CONTROL_SHELL\n\n,,1\n")));
@@ -125,8 +123,7 @@ TEST(Layers, AxesAreThoseOfTheShellsOwnPart) {
                  "\n*PART\nply\n8,1,6\n*INTEGRATION_SHELL\n7,2\n-0.5,0.5\n0.5,0.5,8\n");
   };
   const auto layer = [](const Built& b) {
-    const auto& law =
-        std::get<kernel::Laminate>(b.model.materials.at(static_cast<std::size_t>(b.model.parts.at(0).material)).law);
+    const auto& law = std::get<kernel::Laminate>(b.model.materials.at(at(b.model.parts.at(0).material)).law);
     return std::get<kernel::Orthotropic>((*law.layers)[1].law.components->flow);
   };
   const auto crossed = stacked("0,1,0", 5);

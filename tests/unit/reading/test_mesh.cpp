@@ -152,8 +152,7 @@ TEST(Mesh, SidesOfBeams) {
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
   const Beams& beams = b.model.beams;
   const auto side = [&](std::size_t e) { return beams.side(e, b.model.nodes.x); };
-  const Vec3d third = b.model.nodes.x[static_cast<std::size_t>(b.model.node_index(2))] -
-                      b.model.nodes.x[static_cast<std::size_t>(b.model.node_index(5))];
+  const Vec3d third = b.model.nodes.x[b.model.node_index(2)] - b.model.nodes.x[b.model.node_index(5)];
   EXPECT_EQ(norm(side(0)), 0.0);
   EXPECT_EQ(norm(side(1) - third), 0.0);
   EXPECT_EQ(norm(side(2) - Vec3d{0.0, 1.0, 0.5}), 0.0);
@@ -208,7 +207,7 @@ TEST(Mesh, PartForms) {
   const Built b(cube_deck(
       "*PART_CONTACT\nbumper\n5,1,1\n0.1,0.1,0.0,0.0,1.5,0.8,2.0\n*ELEMENT_SHELL\n1,5,1,2,3,4\n*PART\nnothing\n6\n"));
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
-  const Part& p = b.model.parts[static_cast<std::size_t>(b.model.part_index(5))];
+  const Part& p = b.model.parts[b.model.part_index(5)];
   EXPECT_EQ(p.title, "bumper");
   EXPECT_DOUBLE_EQ(p.contact_thickness, 1.5);
   EXPECT_DOUBLE_EQ(p.contact_scale, 0.8);

@@ -63,8 +63,7 @@ TEST(RealDecks, Car6) {
   ASSERT_EQ(model.contacts.size(), 1u);
   EXPECT_EQ(model.contacts[0].a.parts.size(), 5u);
   ASSERT_FALSE(model.initial_velocity.empty());
-  for (const Index node : model.walls[1].nodes)
-    EXPECT_EQ(model.initial_velocity[static_cast<std::size_t>(node)].x, -8333.0);
+  for (const Index node : model.walls[1].nodes) EXPECT_EQ(model.initial_velocity[node].x, -8333.0);
 }
 
 TEST(RealDecks, SingleHex) {

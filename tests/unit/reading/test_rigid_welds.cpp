@@ -12,7 +12,7 @@ using testing::ElementsAre;
 
 std::vector<int> user_ids(const Model& model, const std::vector<Index>& nodes) {
   std::vector<int> ids;
-  for (const Index n : nodes) ids.push_back(model.nodes.id[static_cast<std::size_t>(n)]);
+  for (const Index n : nodes) ids.push_back(model.nodes.id[n]);
   return ids;
 }
 

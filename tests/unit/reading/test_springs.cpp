@@ -34,7 +34,7 @@ TEST(Springs, ElementSectionAndOrientation) {
   EXPECT_FALSE(first.grounded());
   EXPECT_TRUE(m.discretes[1].grounded());
   EXPECT_EQ(m.discretes[1].scale, 1.0);
-  const SpringOrientation& plane = m.spring_orientations[static_cast<std::size_t>(first.orientation)];
+  const SpringOrientation& plane = m.spring_orientations[first.orientation];
   EXPECT_TRUE(plane.in_plane);
   EXPECT_EQ(plane.direction.z, 1.0);
   EXPECT_EQ(m.spring_orientations[1].node[1], m.node_index(2));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/index.hpp"
 #include "small_model.hpp"
 
 // *MAT_SPOTWELD in all its forms, and the *DEFINE_ tables that belong to it.
@@ -18,7 +19,7 @@ const kernel::Spotweld& point(const Built& b) {
   return std::get<kernel::Spotweld>(b.model.materials.at(2).law);
 }
 const WeldLaw& weld(const Built& b) {
-  return b.model.weld_laws.at(static_cast<std::size_t>(b.model.materials.at(2).weld));
+  return b.model.weld_laws.at(at(b.model.materials.at(2).weld));
 }
 
 const std::string first = "9,7.85e-9,210000.0,0.3,400.0,1000.0,1.0e-6,2.0\n";

@@ -44,14 +44,14 @@ ConstraintMap some_map(Random& random, std::vector<Vec3d>& x) {
   x.assign(all, {});
   for (std::size_t i = 0; i < 6; ++i) x[i] = random.vector();
   const auto put = [&](std::size_t d, bool rotations, const std::vector<Term>& terms) {
-    for (const Term& t : terms) x[d] += t.weight * (x[static_cast<std::size_t>(t.node)] + t.arm);
+    for (const Term& t : terms) x[d] += t.weight * (x[t.node] + t.arm);
     map.add(static_cast<int>(d), rotations, terms);
   };
   const auto put_turned = [&](std::size_t d, const std::vector<Term>& terms, Turn turn,
                               std::initializer_list<int> nodes, const Vec3d& own_arm) {
     std::vector<Corner> corners;
-    for (int n : nodes) corners.push_back({n, 1.0, x[static_cast<std::size_t>(n)]});
-    for (const Term& t : terms) x[d] += t.weight * (x[static_cast<std::size_t>(t.node)] + t.arm);
+    for (int n : nodes) corners.push_back({n, 1.0, x[n]});
+    for (const Term& t : terms) x[d] += t.weight * (x[t.node] + t.arm);
     x[d] += own_arm;
     map.add(static_cast<int>(d), true, terms, turn, corners, own_arm);
   };
@@ -101,7 +101,7 @@ TEST(ConstraintMap, BlocksAreTheMapItself) {
   for (std::size_t d : dependents) {
     double sum[6] = {};
     for (const ConstraintMap::Block& b : map.blocks(static_cast<int>(d))) {
-      const Row &bv = qv[static_cast<std::size_t>(b.node)], &bw = qw[static_cast<std::size_t>(b.node)];
+      const Row &bv = qv[b.node], &bw = qw[b.node];
       const double q[6] = {bv.x, bv.y, bv.z, bw.x, bw.y, bw.z};
       EXPECT_TRUE(b.node == 8 || !map.dependent(b.node));
       for (std::size_t i = 0; i < 6; ++i)

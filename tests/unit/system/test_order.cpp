@@ -28,13 +28,13 @@ TEST(MortonOrder, IsAPermutationThatKeepsNeighboursClose) {
   EXPECT_EQ(sorted, all);
   double along = 0.0, shuffled = 0.0;
   for (std::size_t i = 1; i < order.size(); ++i) {
-    along += norm(points[static_cast<std::size_t>(order[i])] - points[static_cast<std::size_t>(order[i - 1])]);
+    along += norm(points[order[i]] - points[order[i - 1]]);
     shuffled += norm(points[(i * 211) % 512] - points[((i - 1) * 211) % 512]);
   }
   EXPECT_LT(along / 511.0, 20.0);
   EXPECT_GT(shuffled / 511.0, 35.0);
   // The first eight are the corner's cube.
-  for (std::size_t i = 0; i < 8; ++i) EXPECT_LE(norm(points[static_cast<std::size_t>(order[i])]), 18.0);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_LE(norm(points[order[i]]), 18.0);
 }
 
 TEST(MortonOrder, EqualPointsKeepTheirOrderAndFlatOnesAreFine) {

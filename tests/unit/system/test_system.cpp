@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "deck/deck.hpp"
 #include "reading/build.hpp"
@@ -83,7 +82,7 @@ TEST(System, HandingOverKeepsTheTotalMass) {
 TEST(System, NodesAreRenumberedBothWays) {
   const Assembled a;
   for (std::size_t k = 0; k < a.system.nodes; ++k)
-    EXPECT_EQ(a.system.node_of[at(a.system.model_node[k])], static_cast<int>(k));
+    EXPECT_EQ(a.system.node_of[a.system.model_node[k]], static_cast<int>(k));
   EXPECT_EQ(a.system.all_nodes(), a.system.nodes + 1);
   EXPECT_EQ(a.system.shell_location[0].group >= 0, true);
   EXPECT_EQ(a.system.shell_location.back().group, -1);  // rigid

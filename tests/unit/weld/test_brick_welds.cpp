@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assembly.hpp"
+#include "base/index.hpp"
 #include "weld/failure/brick_section.hpp"
 #include "weld/tie/ties.hpp"
 
@@ -29,9 +30,7 @@ struct Stack : Assembly {
     for (double height : z)
       for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i) grid.push_back(node({13.0 + 2 * i, 13.0 + 2 * j, height}));
-    const auto at = [&](std::size_t k, int i, int j) {
-      return grid[k * static_cast<std::size_t>((n + 1) * (n + 1)) + static_cast<std::size_t>(j * (n + 1) + i)];
-    };
+    const auto at = [&](std::size_t k, int i, int j) { return grid[k * at((n + 1) * (n + 1)) + at(j * (n + 1) + i)]; };
     for (std::size_t k = 0; k + 1 < z.size(); ++k)
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
@@ -79,7 +78,7 @@ TEST(BrickWelds, TwoLayersBetweenTwoSheetsAreOneWeld) {
   auto& n = a.model.solids.node[0];
   std::array<Index, 4> middle{};
   for (std::size_t i = 0; i < 4; ++i) {
-    Vec3d x = a.model.nodes.x[static_cast<std::size_t>(n[i])];
+    Vec3d x = a.model.nodes.x[n[i]];
     x.z = 0.5;
     middle[i] = a.node(x);
   }
@@ -125,7 +124,7 @@ template <class Force>
 BrickSection::Load loaded(const BrickSection& section, const std::vector<Vec3d>& x, const Force& force) {
   std::vector<Vec3d> place, f;
   for (Index n : section.nodes()) {
-    place.push_back(x[static_cast<std::size_t>(n)]);
+    place.push_back(x[n]);
     f.push_back(force(place.back()));
   }
   return section.load(section.shape(place), place, f);
@@ -137,7 +136,7 @@ TEST(BrickSection, AxesLengthAndArea) {
   const BrickSection section(ties.welds[0], ties.x);
   std::vector<Vec3d> x;
   for (Index n : section.nodes()) {
-    x.push_back(ties.x[static_cast<std::size_t>(n)]);
+    x.push_back(ties.x[n]);
     x.back() += 0.2 * x.back().z * Vec3d{1, 0, 0};  // sheared: r stays, the line of centres does not
   }
   const BrickSection::Shape shape = section.shape(x);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/abstat.hpp"
 
-#include "base/index.hpp"
 #include "impact/recording/histories.hpp"
 
 namespace nugget::impact {
@@ -36,8 +35,8 @@ output::AbstatState abstat_state(const Snapshot& now) {
     } else {
       row.internal_energy = -volume.work;
     }
-    row.surface_area = model::surface_area(
-        source.segments, [&](model::Index n) { return vec(now.state.x[at(now.system.node_of[at(n)])]); });
+    row.surface_area =
+        model::surface_area(source.segments, [&](model::Index n) { return vec(now.state.x[now.system.node_of[n]]); });
     s.rows.push_back(row);
   }
   return s;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/bndout.hpp"
 
-#include "base/index.hpp"
 #include "impact/recording/histories.hpp"
 
 namespace nugget::impact {
@@ -12,11 +11,11 @@ output::BndoutState bndout_state(const Snapshot& now) {
   output::BndoutState s;
   s.time = now.state.time;
   for (const Supports::Reaction& r : now.components.supports.motion_reactions()) {
-    const model::PrescribedMotion& motion = model.motions[at(r.source)];
+    const model::PrescribedMotion& motion = model.motions[r.source];
     if (motion.target == model::PrescribedMotion::Target::nodes)
       s.nodes.push_back({now.system.node_id(r.node), r.force, r.energy, motion.id});
     else
-      s.bodies.push_back({model.rigid_bodies[at(motion.rigid_body)].id, r.force, r.moment, r.energy});
+      s.bodies.push_back({model.rigid_bodies[motion.rigid_body].id, r.force, r.moment, r.energy});
   }
   return s;
 }

@@ -17,7 +17,7 @@ output::DeforcState deforc_state(const Snapshot& now) {
   for (std::size_t e = 0; e < model.discretes.size(); ++e) {
     if (!model.discretes[e].in_deforc) continue;
     const system::System::ElementLocation location = now.system.discrete_location[e];
-    const auto& group = static_cast<const system::SpringGroup&>(*now.system.groups[at(location.group)]);
+    const auto& group = static_cast<const system::SpringGroup&>(*now.system.groups[location.group]);
     const std::size_t i = at(location.element);
     const double force = group.force(i);
     s.rows.push_back({model.discretes[e].id, group.torsional(), force * group.line(i), force, group.elongation(i)});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/elout.hpp"
 
-#include "base/index.hpp"
 #include "impact/recording/element_histories.hpp"
 #include "impact/recording/histories.hpp"
 
@@ -11,7 +10,7 @@ namespace {
 Legend headings(const char* branch, const std::vector<model::NamedEntity>& entities, const std::vector<int>& ids) {
   Legend legend{branch, {}};
   for (const model::NamedEntity& e : entities)
-    if (!e.heading.empty()) legend.entries.push_back({ids[at(e.index)], e.heading});
+    if (!e.heading.empty()) legend.entries.push_back({ids[e.index], e.heading});
   return legend;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/glstat.hpp"
 
-#include "base/index.hpp"
 #include "impact/energy/energy.hpp"
 #include "impact/recording/histories.hpp"
 
@@ -23,10 +22,10 @@ output::GlstatState glstat_state(const Snapshot& now) {
   output::GlstatState s;
   s.cycle = now.state.cycle + 1;  // LS-DYNA counts from 1
   if (now.controlling.group >= 0) {
-    const system::ElementGroup& group = *now.system.groups[at(now.controlling.group)];
-    const model::Index element = now.controlling.element >= 0 ? group.element[at(now.controlling.element)] : 0;
-    s.controlling = output::ControllingElement{kind(group.kind), now.system.element_id(group, element),
-                                               model.parts[at(group.part)].id};
+    const system::ElementGroup& group = *now.system.groups[now.controlling.group];
+    const model::Index element = now.controlling.element >= 0 ? group.element[now.controlling.element] : 0;
+    s.controlling =
+        output::ControllingElement{kind(group.kind), now.system.element_id(group, element), model.parts[group.part].id};
   }
   s.time = now.state.time;
   s.time_step = now.state.dt;

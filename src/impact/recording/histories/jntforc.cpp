@@ -3,7 +3,6 @@
 
 #include <numbers>
 
-#include "base/index.hpp"
 #include "impact/recording/histories.hpp"
 
 namespace nugget::impact {
@@ -16,7 +15,7 @@ output::JntforcState jntforc_state(const Snapshot& now) {
     output::JntforcRow row{source.id, now.components.joints.force(i), now.components.joints.moment(i),
                            now.components.joints.energy(i)};
     if (source.output) {
-      const Frame3d& turned = now.system.bodies[at(now.system.body_of[at(source.output->body)])].axes;
+      const Frame3d& turned = now.system.bodies[now.system.body_of[source.output->body]].axes;
       row.local = true;
       for (Vec3d* load : {&row.force, &row.moment}) *load = source.output->axes.local(turned.local(*load));
     }

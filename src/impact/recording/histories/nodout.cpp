@@ -18,7 +18,7 @@ Vec3d gravity(const Snapshot& now) {
   Vec3d sum;
   for (const model::BodyLoad& load : model.body_loads) {
     if (!load.parts.empty() || !load.nodes.empty() || load.centrifugal) continue;
-    const Curve& curve = model.curves[at(load.curve)];
+    const Curve& curve = model.curves[load.curve];
     if (curve.in_run) sum -= load.scale * curve.zero_outside(now.state.time) * load.direction;
   }
   return sum;
@@ -27,7 +27,7 @@ Vec3d gravity(const Snapshot& now) {
 /// Bits of the global accelerations of body loads that an accelerometer leaves out now.
 unsigned without_gravity(const Snapshot& now, const model::Accelerometer& a) {
   if (a.gravity_curve == model::none) return a.without_gravity;
-  const double flag = now.system.model.curves[at(a.gravity_curve)].clamped(now.state.time);
+  const double flag = now.system.model.curves[a.gravity_curve].clamped(now.state.time);
   return model::gravity_left_out(static_cast<int>(std::lround(flag)));
 }
 
@@ -46,7 +46,7 @@ void turn_into_accelerometer(const Snapshot& now, model::Index node, output::Nod
                    &row.rotational_acceleration})
     *v = axes.local(*v);
   if (!found->sums_local) return;
-  const auto k = at(now.system.node_of[at(node)]);
+  const auto k = at(now.system.node_of[node]);
   const Vec3d change = vec(now.state.v[k]) - vec(now.v_before[k]);
   row.velocity =
       now.components.accelerometers.velocity(static_cast<std::size_t>(found - model.accelerometers.begin())) +
@@ -56,9 +56,9 @@ void turn_into_accelerometer(const Snapshot& now, model::Index node, output::Nod
 /// The motion of a node in the axes that its history asks for; coordinates stay global.
 void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity, output::NodoutRow& row) {
   if (entity.system == model::none) return;
-  const model::CoordinateSystem& system = now.system.model.systems[at(entity.system)];
+  const model::CoordinateSystem& system = now.system.model.systems[entity.system];
   Frame3d axes = system.axes;
-  const auto index = [&](model::Index n) { return at(now.system.node_of[at(n)]); };
+  const auto index = [&](model::Index n) { return at(now.system.node_of[n]); };
   const auto place = [&](model::Index n) { return vec(now.state.x[index(n)]); };
   if (entity.turning)
     model::frame_of_points(place(system.nodes->origin), place(system.nodes->on_axis), place(system.nodes->in_plane),
@@ -68,7 +68,7 @@ void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity,
     const NodeMotion of_origin = node_motion(now, index(origin));
     row.velocity -= of_origin.velocity;
     row.acceleration -= of_origin.acceleration;
-    const auto start = [&](model::Index n) { return now.system.model.nodes.x[at(n)]; };
+    const auto start = [&](model::Index n) { return now.system.model.nodes.x[n]; };
     row.displacement =
         row.coordinate - place(origin) - axes.global(system.axes.local(start(entity.index) - start(origin)));
   }
@@ -87,11 +87,11 @@ output::NodoutState nodout_state(const Snapshot& now) {
   s.rotations = model.shells.size() > 0 || model.beams.size() > 0;
   for (std::size_t i = 0; i < model.requests.history_nodes.size(); ++i) {
     const model::NamedEntity& entity = model.requests.history_nodes[i];
-    const auto k = at(now.system.node_of[at(entity.index)]);
+    const auto k = at(now.system.node_of[entity.index]);
     output::NodoutRow row;
-    row.node = model.nodes.id[at(entity.index)];
+    row.node = model.nodes.id[entity.index];
     row.coordinate = vec(now.state.x[k]);
-    row.displacement = row.coordinate - model.nodes.x[at(entity.index)];
+    row.displacement = row.coordinate - model.nodes.x[entity.index];
     const NodeMotion motion = node_motion(now, k);
     row.velocity = motion.velocity;
     row.acceleration = motion.acceleration;
@@ -114,7 +114,7 @@ HistoryFile history<"nodout">() {
            [](const model::Model& model) {
              std::vector<output::LegendEntry> headings;
              for (const model::NamedEntity& n : model.requests.history_nodes)
-               if (!n.heading.empty()) headings.push_back({model.nodes.id[at(n.index)], n.heading});
+               if (!n.heading.empty()) headings.push_back({model.nodes.id[n.index], n.heading});
              return std::vector<Legend>{{"nodout", headings}};
            }});
 }

@@ -14,7 +14,7 @@ output::RbdoutState rbdout_state(const Snapshot& now) {
   s.time = now.state.time;
   for (std::size_t b = 0; b < now.system.bodies.size(); ++b) {
     const system::RigidBody& body = now.system.bodies[b];
-    const model::RigidBody::Origin origin = model.rigid_bodies[at(body.source)].origin;
+    const model::RigidBody::Origin origin = model.rigid_bodies[body.source].origin;
     if (origin == model::RigidBody::Origin::weld) continue;
     const auto k = at(body.node);
     output::RbdoutRow row;
@@ -26,7 +26,7 @@ output::RbdoutState rbdout_state(const Snapshot& now) {
     row.angular_velocity = now.spin(k);
     row.acceleration = now.acceleration(k);
     row.angular_acceleration = now.rotary_acceleration(k);
-    const Frame3d& own = model.rigid_bodies[at(body.source)].own_axes;
+    const Frame3d& own = model.rigid_bodies[body.source].own_axes;
     row.axes = {body.axes.global(own.e1), body.axes.global(own.e2), body.axes.global(own.e3)};
     (origin == model::RigidBody::Origin::part ? s.parts : s.nodal).push_back(row);
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "base/index.hpp"
 #include "impact/recording/histories.hpp"
 
 namespace nugget::impact {
@@ -14,9 +13,9 @@ output::SpcforcState spcforc_state(const Snapshot& now) {
   output::SpcforcState s;
   s.time = now.state.time;
   for (const Supports::Reaction& r : now.components.supports.spc_reactions()) {
-    const model::SinglePointConstraint& spc = model.spcs[at(r.source)];
+    const model::SinglePointConstraint& spc = model.spcs[r.source];
     const Frame3d axes =
-        spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[at(spc.system)].axes;
+        spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[spc.system].axes;
     if (spc.fixed & 7u) {
       s.forces.push_back({now.system.node_id(r.node), axes.local(r.force), spc.id});
       s.resultant += r.force;
