@@ -14,7 +14,7 @@
 namespace nugget::app {
 namespace {
 
-constexpr std::size_t few = 25, shown_of_many = 15;
+constexpr std::size_t most_rows = 25, shown_of_many = 15;
 
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : std::string("-");
@@ -129,7 +129,7 @@ std::string weld_table(const model::Model& model, const weld::Ties& ties, const 
   if (ties.welds.empty()) return {};
   std::vector<std::size_t> order(ties.welds.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const bool all = order.size() <= few;
+  const bool all = order.size() <= most_rows;
   if (!all) {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return worst_excess(reports[a]) > worst_excess(reports[b]); });
@@ -181,7 +181,7 @@ std::string target_table(const model::Model& model, const weld::Ties& ties, cons
                    [&](std::size_t a, std::size_t b) { return reports[a].cost.time_step < reports[b].cost.time_step; });
   s += fmt::format("{:>10} {:>11} {:>11} {:>11} {:>8}  {:>11} {:>11}\n", "weld", "time step", "mass", "mass added",
                    "factor", "or E", "instead of");
-  const std::size_t shown = below.size() <= few ? below.size() : shown_of_many;
+  const std::size_t shown = below.size() <= most_rows ? below.size() : shown_of_many;
   for (std::size_t i = 0; i < shown; ++i) {
     const weld::MassScalingCost& cost = reports[below[i]].cost;
     const weld::StepCost target = weld::cost_of_step(cost, step);

@@ -45,7 +45,7 @@ std::vector<std::string> translated(int argc, char** argv) {
 }
 
 /// Refuses what is not a number above zero, in words (CLI11's own check prints the largest double there is).
-CLI::Validator above_zero(const char* expected, bool whole) {
+CLI::Validator number_above_zero(const char* expected, bool whole) {
   return CLI::Validator(
       [=](const std::string& text) {
         char* end = nullptr;
@@ -85,8 +85,8 @@ int nugget::app::command_line(int argc, char** argv) {
   cli.set_version_flag("--version", fmt::format("nugget {}", NUGGET_VERSION));
   cli.require_subcommand(1);
 
-  const CLI::Validator count = above_zero("a whole number of 1 or more", true),
-                       time = above_zero("a time above 0", false);
+  const CLI::Validator count = number_above_zero("a whole number of 1 or more", true),
+                       time = number_above_zero("a time above 0", false);
   nugget::app::RunArguments run;
   CLI::App* run_command = cli.add_subcommand("run", "read, check, tie and run a deck");
   run_command->add_option("model", run.deck, "the deck; also i=MODEL.k");
@@ -110,7 +110,7 @@ int nugget::app::command_line(int argc, char** argv) {
       ->excludes(run_output)
       ->excludes(run_skip);
 
-  const CLI::Validator frequency = above_zero("a frequency above 0", false);
+  const CLI::Validator frequency = number_above_zero("a frequency above 0", false);
   nugget::app::ModesArguments modes;
   CLI::App* modes_command = cli.add_subcommand("modes", "natural modes of a deck");
   modes_command->add_option("model", modes.run.deck, "the deck; also i=MODEL.k")->required();
@@ -163,7 +163,7 @@ int nugget::app::command_line(int argc, char** argv) {
   weld_command->add_option("-o,--output", weld.output, "the deck to be written: it includes the model")->required();
   weld_command->add_option("--as", form, "beam, solid, solid4 or solid8: one beam, or 1, 4, 8 bricks a weld")
       ->check(CLI::IsMember({"beam", "solid", "solid4", "solid8"}));
-  const CLI::Validator length = above_zero("a length above 0", false);
+  const CLI::Validator length = number_above_zero("a length above 0", false);
   weld_command->add_option("--diameter", weld.diameter, "where the list gives none (default: 5 sqrt(t))")
       ->check(length);
   weld_command->add_option("--reach", weld.search_distance, "how far a sheet may be from a point (default: 3 t)")

@@ -9,7 +9,7 @@
 namespace nugget::app {
 namespace {
 
-constexpr std::size_t shown_of_many = 3, places_of_many = 8;
+constexpr std::size_t shown_alike = 3, places_of_many = 8;
 
 /// Text with each number in it replaced by one sign.
 std::string without_numbers(const std::string& text) {
@@ -49,11 +49,11 @@ std::string places(const std::vector<const Finding*>& alike, std::size_t begin) 
 }
 
 std::string rest(const std::vector<const Finding*>& alike) {
-  Finding line = *alike[shown_of_many];
+  Finding line = *alike[shown_alike];
   line.value.clear();
   line.keyword += line.field.empty() ? "" : ' ' + line.field;
   line.field.clear();
-  line.text = fmt::format("and {} more of this kind{}", alike.size() - shown_of_many, places(alike, shown_of_many));
+  line.text = fmt::format("and {} more of this kind{}", alike.size() - shown_alike, places(alike, shown_alike));
   line.remedy = "findings.json has each";
   return to_string(line);
 }
@@ -70,8 +70,8 @@ std::vector<std::string> list_findings(const std::vector<Finding>& findings) {
       lines.push_back(to_string(f));
       continue;
     }
-    for (std::size_t i = 0; i <= shown_of_many; ++i)
-      if (alike[i] == &f) lines.push_back(i < shown_of_many ? to_string(f) : rest(alike));
+    for (std::size_t i = 0; i <= shown_alike; ++i)
+      if (alike[i] == &f) lines.push_back(i < shown_alike ? to_string(f) : rest(alike));
   }
   return lines;
 }

@@ -40,6 +40,8 @@ inline constexpr Dimension inertia{1, 2, 0};
 inline constexpr Dimension second_moment{0, 4, 0};
 inline constexpr Dimension mass_per_area{1, -2, 0};
 inline constexpr Dimension mass_per_length{1, -1, 0};
+inline constexpr Dimension force_per_length{1, 0, -2};
+inline constexpr Dimension damping_constant{1, 0, -1};
 }  // namespace dimension
 
 /// The name spaces of ids; *INCLUDE_TRANSFORM has an offset for each.

@@ -13,9 +13,8 @@
 namespace nugget::contact {
 namespace {
 
-constexpr int block_size = 64;
+constexpr int edges_per_block = 64;
 constexpr double parallel = 1e-5;           // sine below which edges have no common normal of their own
-constexpr double pressing_depth = 0.3;      // of a brick's depth
 constexpr double beyond_normals = 0.1;      // angle by which a common normal may leave those of the faces
 constexpr double flat = 0.05;               // sine of an inward angle between faces that still counts as none
 constexpr double ridge = 0.3;               // angle from the middle of the normals beyond which faces form a ridge
@@ -24,10 +23,6 @@ constexpr double straight = 0.85;           // cosine of the angle up to which a
 constexpr double blunt = 0.05;              // half the angle between faces up to which their edge does not stand out
 constexpr double sharp = 0.15;              // and from which on it does so fully
 constexpr double near_end = 0.06;  // of an edge: nearer to an end than this it meets at the node, see closer(), share()
-
-bool finite(const Row& r) {
-  return std::isfinite(r.x + r.y + r.z);
-}
 
 bool share_a_node(const Edge& a, const Edge& b) {
   return a.has(b.node[0]) || a.has(b.node[1]);
@@ -45,7 +40,7 @@ Vec3d along(const Edge& e, std::span<const Row> x) {
   return vec(x[e.node[1]]) - vec(x[e.node[0]]);
 }
 
-Vec3d at(const Edge& e, double place, std::span<const Row> rows) {
+Vec3d point_of(const Edge& e, double place, std::span<const Row> rows) {
   return (1.0 - place) * vec(rows[e.node[0]]) + place * vec(rows[e.node[1]]);
 }
 
@@ -68,7 +63,7 @@ struct Outward {
       const int corners = face[f]->corners();
       for (int i = 0; i < corners; ++i) centre[f] += (1.0 / corners) * c[i];
     }
-    const Vec3d to_other = kernel::detail::unit_or_zero(centre[1] - at(e, 0.5, step.x));
+    const Vec3d to_other = kernel::detail::unit_or_zero(centre[1] - point_of(e, 0.5, step.x));
     if (dot(normal[0], to_other) > flat) return;
     middle = kernel::detail::unit_or_zero(normal[0] + normal[1]);
     half_angle = angle_to(normal[0]);
@@ -177,8 +172,8 @@ EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
 
   margin_ = edges.empty() ? 0.0 : 0.25 * length / static_cast<double>(edges.size());
   const int count = static_cast<int>(edges.size());
-  for (int begin = 0; begin < count; begin += block_size)
-    blocks_.push_back({begin, std::min(count, begin + block_size), {}, {}});
+  for (int begin = 0; begin < count; begin += edges_per_block)
+    blocks_.push_back({begin, std::min(count, begin + edges_per_block), {}, {}});
 }
 
 void EdgeContact::apply(const Step& step, std::span<Row> force) {
@@ -533,11 +528,11 @@ Vec3d EdgeContact::friction(const kernel::Friction& law, const Pair& pair, const
   const double area = setup_.edges[pair.a].thickness * setup_.edges[pair.b].thickness;
   if (!before.touching) {
     const Vec3d velocity =
-        at(setup_.edges[pair.a], pair.feet.s, step.v) - at(setup_.edges[pair.b], pair.feet.t, step.v);
+        point_of(setup_.edges[pair.a], pair.feet.s, step.v) - point_of(setup_.edges[pair.b], pair.feet.t, step.v);
     return kernel::touch_friction(law, {velocity, pair.direction, pair.depth, stiffness, normal_force, area});
   }
-  const Vec3d over_a = pair.feet.a - at(setup_.edges[before.a], before.feet.s, step.x);
-  const Vec3d over_b = pair.feet.b - at(setup_.edges[before.b], before.feet.t, step.x);
+  const Vec3d over_a = pair.feet.a - point_of(setup_.edges[before.a], before.feet.s, step.x);
+  const Vec3d over_b = pair.feet.b - point_of(setup_.edges[before.b], before.feet.t, step.x);
   const auto tangential = [&pair](const Vec3d& a) { return a - dot(a, pair.direction) * pair.direction; };
   const Vec3d slip = tangential(over_b - over_a);
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
@@ -558,7 +553,7 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
   const double s = pair.feet.s, t = pair.feet.t;
   const Vec3d r = pair.feet.a - pair.feet.b;
-  const Vec3d velocity = at(e, s, step.v) - at(f, t, step.v);
+  const Vec3d velocity = point_of(e, s, step.v) - point_of(f, t, step.v);
   const Pair before = predecessor(candidate);
   if (!of_bricks(pair)) pair.direction = direction(pair, before, r - step.dt * velocity, step.x);
   const double overlap = contact_distance(pair.a, pair.b) - dot(r, pair.direction);

@@ -9,7 +9,7 @@
 namespace nugget::contact {
 namespace {
 
-constexpr std::size_t group_size = 1024;
+constexpr std::size_t nodes_per_sum = 1024;
 constexpr std::size_t nodes_ahead = 16;
 
 kernel::WallShape shape_of(const model::RigidWall& wall) {
@@ -42,7 +42,7 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
       bodies_(std::move(bodies)) {
   if (motion != nullptr) motion_ = *motion;
   for (int n : nodes) tracked_.push_back({n, kernel::WallAttachment::none, {}});
-  sums_.resize((tracked_.size() + group_size - 1) / group_size);
+  sums_.resize((tracked_.size() + nodes_per_sum - 1) / nodes_per_sum);
 }
 
 /// In the step `dt` from `time` on. The curve's time counts from the birth of the wall (keyword manual, BIRTH).
@@ -149,7 +149,7 @@ void RigidWall::stop(const Shape& shape, const Step& step) {
   parallel_for(sums_.size(), 1, [this, &shape, &step](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       sums_[g] = {};
-      for (std::size_t i = g * group_size; i < std::min(tracked_.size(), (g + 1) * group_size); ++i) {
+      for (std::size_t i = g * nodes_per_sum; i < std::min(tracked_.size(), (g + 1) * nodes_per_sum); ++i) {
         // The nodes of a wall are in the order of the deck, not of memory: not asked for ahead, each is waited for.
         const int soon = tracked_[std::min(i + nodes_ahead, tracked_.size() - 1)].node;
         __builtin_prefetch(&step.x[soon]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,14 @@ struct Segment {
   int corners() const { return triangle() ? 3 : 4; }
   bool has(int n) const { return node[0] == n || node[1] == n || node[2] == n || node[3] == n; }
 };
+
+/// How deep into a brick its face presses a node out again, as a share of the brick's depth.
+inline constexpr double pressing_depth = 0.3;
+
+/// Whether a place is still a number (that of a run that diverges is none).
+inline bool finite(const Row& r) {
+  return std::isfinite(r.x + r.y + r.z);
+}
 
 /// Whether the segment is there. `element_alive`: by element; empty: all are active.
 inline bool is_exposed(const Segment& s, std::span<const unsigned char> element_alive) {

@@ -15,13 +15,8 @@
 namespace nugget::contact {
 namespace {
 
-constexpr int block_size = 64;
-constexpr std::size_t group_size = 4096;
-constexpr double pressing_depth = 0.3;  // of a brick's depth
-
-bool finite(const Row& r) {
-  return std::isfinite(r.x + r.y + r.z);
-}
+constexpr int nodes_per_block = 64;
+constexpr std::size_t nodes_per_group = 4096;
 
 double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
   double sum = 0.0;
@@ -63,10 +58,10 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
   margin_ = 0.25 * mean_edge(setup_.segments, x);
 
   const int tracked = static_cast<int>(setup_.nodes.size());
-  for (int begin = 0; begin < tracked; begin += block_size) {
+  for (int begin = 0; begin < tracked; begin += nodes_per_block) {
     Block block;
     block.begin = begin;
-    block.end = std::min(tracked, begin + block_size);
+    block.end = std::min(tracked, begin + nodes_per_block);
     block.first.assign(block.end - begin + 1, 0);
     block.old_first = block.first;
     block.next_check_travel.assign(block.end - block.begin, 0.0);
@@ -108,7 +103,7 @@ double SurfaceContact::approach(const Displacement& displacement) {
   parallel_for(moved_.size(), 1, [this, &displacement](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       Box box;
-      for (std::size_t i = g * group_size; i < std::min(active_nodes_.size(), (g + 1) * group_size); ++i)
+      for (std::size_t i = g * nodes_per_group; i < std::min(active_nodes_.size(), (g + 1) * nodes_per_group); ++i)
         box.add(displacement(i));
       moved_[g] = box;
     }
@@ -139,7 +134,7 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
     searched_at_.push_back(x[n]);
   }
   seen_at_ = searched_at_;
-  moved_.resize((active_nodes_.size() + group_size - 1) / group_size);
+  moved_.resize((active_nodes_.size() + nodes_per_group - 1) / nodes_per_group);
 
   active_segments_.clear();
   boxes_.clear();

@@ -10,7 +10,7 @@
 namespace nugget::contact {
 namespace {
 
-constexpr std::size_t group_size = 1024;
+constexpr std::size_t touches_per_group = 1024;
 
 /// Inverse mass that a body shows along unit vector `n` at `arm` from its centre [1/mass].
 double inverse_mass_along(const system::RigidBody& body, const Vec3d& arm, const Vec3d& n) {
@@ -75,7 +75,7 @@ void WallPenalty::share_out(double wall_mass) {
 /// Which nodes are behind the face, and how deep.
 template <class Shape>
 void WallPenalty::find(const Step& step, const Shape& shape, const Vec3d& origin, const Vec3d& velocity) {
-  parallel_for(touches_.size(), group_size, [&](std::size_t begin, std::size_t end) {
+  parallel_for(touches_.size(), touches_per_group, [&](std::size_t begin, std::size_t end) {
     for (Touch& t : std::span(touches_).subspan(begin, end - begin)) {
       const Vec3d to = vec(step.x[t.node]) - origin;
       const Vec3d from = t.touching ? t.place : to - step.dt * (vec(step.v[t.node]) - velocity);

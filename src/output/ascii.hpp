@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/vec3.hpp"
 #include "output/result_file.hpp"
 
 namespace nugget::output {
@@ -57,6 +58,7 @@ class AsciiFile {
   void print(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(file_.buffer()), format, std::forward<Args>(args)...);
   }
+  void print_vector(const Vec3d& v) { print("{:12.4E}{:12.4E}{:12.4E}", column(v.x), column(v.y), column(v.z)); }
   void print_text(std::string_view text) { file_.buffer() += text; }
   void end_state() { file_.commit(); }
   void archive(Archive& a) { a(file_); }

@@ -19,10 +19,10 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "readers detect the byte order, but the tests know only this one");
 
-constexpr std::size_t word = 4;                              // bytes
-constexpr std::size_t block = 512 * word;                    // files are filled up to whole blocks
-constexpr std::size_t family_member = 7 * 512 * 512 * word;  // LS-DYNA's default size of a file
-constexpr float end_mark = -999999.0F;
+constexpr std::size_t bytes_per_word = 4;                              // bytes
+constexpr std::size_t block = 512 * bytes_per_word;                    // files are filled up to whole blocks
+constexpr std::size_t family_member = 7 * 512 * 512 * bytes_per_word;  // LS-DYNA's default size of a file
+constexpr float end_of_states = -999999.0F;
 constexpr float format_version = 960.0F;  // below 971: one word a rigid wall
 constexpr int layer_words = 7;
 
@@ -39,7 +39,7 @@ bool modes(const D3plotGeometry& g) {
 /// A stretch of 4-byte words.
 class Words {
  public:
-  void reserve(std::size_t count) { bytes_.reserve(count * word); }
+  void reserve(std::size_t count) { bytes_.reserve(count * bytes_per_word); }
   void integer(std::int64_t value) { raw(static_cast<std::int32_t>(value)); }
   void real(double value) {
     constexpr double largest = std::numeric_limits<float>::max();
@@ -62,10 +62,10 @@ class Words {
  private:
   template <class T>
   void raw(T value) {
-    static_assert(sizeof(T) == word);
-    char bytes[word];
-    std::memcpy(bytes, &value, word);
-    bytes_.append(bytes, word);
+    static_assert(sizeof(T) == bytes_per_word);
+    char bytes[bytes_per_word];
+    std::memcpy(bytes, &value, bytes_per_word);
+    bytes_.append(bytes, bytes_per_word);
   }
   std::string bytes_;
 };
@@ -116,7 +116,7 @@ void control(Words& out, const D3plotGeometry& g) {
   out.integer(g.seconds_since_1970);
   out.integer(file_type(g.family));
   out.integer(0);  // source version
-  out.text("R11", word);
+  out.text("R11", bytes_per_word);
   out.real(format_version);
   out.integer(4);  // NDIM: three dimensions, connectivity unpacked
   out.integer(static_cast<std::int64_t>(g.node_ids.size()));
@@ -201,7 +201,7 @@ void numbering(Words& out, const D3plotGeometry& g) {
 }
 
 void titles(Words& out, const D3plotGeometry& g) {
-  out.real(end_mark);
+  out.real(end_of_states);
   out.integer(90001);
   out.integer(static_cast<std::int64_t>(g.parts.size()));
   for (const D3plotPart& part : g.parts) {
@@ -210,7 +210,7 @@ void titles(Words& out, const D3plotGeometry& g) {
   }
   out.integer(90000);
   out.text(g.title, 72);
-  out.real(end_mark);
+  out.real(end_of_states);
 }
 
 template <class Elements>
@@ -380,25 +380,25 @@ void D3plot::write(const D3plotState& s) {
 /// A state goes behind the last one, over its end mark, and never across two files. All but its first word is written
 /// before that word replaces the mark: until then readers stop where they did.
 void D3plot::append_state(std::string_view words) {
-  const bool full = end_mark_ + words.size() + word > family_member;
+  const bool full = end_mark_ + words.size() + bytes_per_word > family_member;
   if (!member_ || full || geometry_.one_state_a_file) {
     if (member_) member_->sync();  // a restart file counts on it, and looks after the last one only
     member_.emplace(member_path(++members_));
     end_mark_ = 0;
   }
-  std::string tail(words.substr(word));
+  std::string tail(words.substr(bytes_per_word));
   Words mark;
-  mark.real(end_mark);
+  mark.real(end_of_states);
   tail += mark.bytes();
-  const std::uint64_t used = end_mark_ + word + tail.size();
+  const std::uint64_t used = end_mark_ + bytes_per_word + tail.size();
   tail.resize(tail.size() + (block - used % block) % block, '\0');
   if (end_mark_ == 0) {
-    member_->write_at(0, std::string(words.substr(0, word)) + tail);
+    member_->write_at(0, std::string(words.substr(0, bytes_per_word)) + tail);
   } else {
-    member_->write_at(end_mark_ + word, tail);
-    member_->write_at(end_mark_, words.substr(0, word));
+    member_->write_at(end_mark_ + bytes_per_word, tail);
+    member_->write_at(end_mark_, words.substr(0, bytes_per_word));
   }
-  end_mark_ = used - word;
+  end_mark_ = used - bytes_per_word;
 }
 
 std::filesystem::path D3plot::member_path(int number) const {
@@ -418,7 +418,7 @@ void D3plot::archive(Archive& a) {
   if (!a.reading()) return;
   // A later state may have begun over the mark, and in the rest of its block.
   Words mark;
-  mark.real(end_mark);
+  mark.real(end_of_states);
   std::string tail(mark.bytes());
   tail.resize(member_->size() - end_mark_, '\0');
   member_->write_at(end_mark_, tail);

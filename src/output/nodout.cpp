@@ -4,14 +4,10 @@
 namespace nugget::output {
 namespace {
 
-void vector(AsciiFile& file, const Vec3d& v) {
-  file.print("{:12.4E}{:12.4E}{:12.4E}", column(v.x), column(v.y), column(v.z));
-}
-
 /// The node's number and the first vector, whose first component has one column more.
 void node_and_vector(AsciiFile& file, int node, const Vec3d& v) {
   file.print("{:9} ", node);
-  vector(file, v);
+  file.print_vector(v);
 }
 
 void table_head(AsciiFile& file, const NodoutState& state) {
@@ -28,9 +24,9 @@ void print(AsciiFile& file, const NodoutState& state) {
       "z-accl      x-coor      y-coor      z-coor\n");
   for (const NodoutRow& row : state.rows) {
     node_and_vector(file, row.node, row.displacement);
-    vector(file, row.velocity);
-    vector(file, row.acceleration);
-    vector(file, row.coordinate);
+    file.print_vector(row.velocity);
+    file.print_vector(row.acceleration);
+    file.print_vector(row.coordinate);
     file.print("\n");
   }
   if (state.rotations) {
@@ -41,8 +37,8 @@ void print(AsciiFile& file, const NodoutState& state) {
         "z-rot acc\n");
     for (const NodoutRow& row : state.rows) {
       node_and_vector(file, row.node, row.rotation);
-      vector(file, row.rotational_velocity);
-      vector(file, row.rotational_acceleration);
+      file.print_vector(row.rotational_velocity);
+      file.print_vector(row.rotational_acceleration);
       file.print("\n");
     }
   }

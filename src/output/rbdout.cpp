@@ -4,14 +4,10 @@
 namespace nugget::output {
 namespace {
 
-void vector(AsciiFile& file, const Vec3d& v) {
-  file.print("{:12.4E}{:12.4E}{:12.4E}", column(v.x), column(v.y), column(v.z));
-}
-
 void motion(AsciiFile& file, const char* name, const Vec3d& translation, const Vec3d& rotation) {
   file.print("{:>14}:  ", name);
-  vector(file, translation);
-  vector(file, rotation);
+  file.print_vector(translation);
+  file.print_vector(rotation);
   file.print("\n");
 }
 
@@ -23,7 +19,7 @@ void body(AsciiFile& file, const char* kind, const RbdoutRow& row) {
   file.print("\n {}{:8}\n", kind, row.id);
   file.print("   global             x           y           z          x-rot       y-rot       z-rot\n");
   file.print("   coordinates:  ");
-  vector(file, row.coordinate);
+  file.print_vector(row.coordinate);
   file.print("\n");
   motion(file, "displacements", row.displacement, row.rotation);
   motion(file, "velocities", row.velocity, row.angular_velocity);

@@ -9,8 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "base/index.hpp"
-
 namespace nugget::output {
 namespace {
 
@@ -60,9 +58,9 @@ void ResultFile::commit() {
 }
 
 void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
-  std::uint64_t at = offset;
+  std::uint64_t position = offset;
   for (std::string_view rest = bytes; !rest.empty();) {
-    const ssize_t written = ::pwrite(descriptor_, rest.data(), rest.size(), static_cast<off_t>(at));
+    const ssize_t written = ::pwrite(descriptor_, rest.data(), rest.size(), static_cast<off_t>(position));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
       const std::string reason = written < 0 ? last_error() : "nothing was written";
@@ -70,10 +68,10 @@ void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
       if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) errno = 0;
       throw WriteError(path_, reason);
     }
-    rest.remove_prefix(at(written));
-    at += static_cast<std::uint64_t>(written);
+    rest.remove_prefix(static_cast<std::size_t>(written));
+    position += static_cast<std::uint64_t>(written);
   }
-  if (at > size_) size_ = at;
+  if (position > size_) size_ = position;
 }
 
 void ResultFile::sync() {

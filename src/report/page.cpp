@@ -40,10 +40,6 @@ figure { margin: 0; } svg { width: 100%; height: auto; } svg text { fill: curren
 ul { padding-left: 1.2rem; } li { overflow-wrap: anywhere; }
 )";
 
-std::string number(double value) {
-  return fmt::format("{:.6g}", value);
-}
-
 /// A value of summary.json as text: numbers in six digits.
 std::string text_of(const Json& value) {
   if (value.is_number_float()) return number(value.get<double>());

@@ -69,7 +69,7 @@ struct Range {
   }
 };
 
-std::string number(double value) {
+std::string label(double value) {
   return fmt::format("{:.4g}", value);
 }
 
@@ -84,12 +84,12 @@ class Canvas {
       text_ += fmt::format(
           "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>"
           "<text x=\"{0:.1f}\" y=\"{3:.1f}\" text-anchor=\"middle\">{4}</text>\n",
-          px(x), top, height - bottom, height - bottom + 16.0, number(x));
+          px(x), top, height - bottom, height - bottom + 16.0, label(x));
     for (const double y : y_.marks)
       text_ += fmt::format(
           "<line class=\"grid\" y1=\"{0:.1f}\" y2=\"{0:.1f}\" x1=\"{1:.1f}\" x2=\"{2:.1f}\"/>"
           "<text x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>\n",
-          py(y), left, width - right, left - 6.0, py(y) + 4.0, number(y));
+          py(y), left, width - right, left - 6.0, py(y) + 4.0, label(y));
     text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>\n",
                          0.5 * (left + width - right), height - 8.0, escaped(plot.abscissa));
     text_ += fmt::format("<text transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
@@ -134,6 +134,10 @@ class Canvas {
 };
 
 }  // namespace
+
+std::string number(double value) {
+  return fmt::format("{:.6g}", value);
+}
 
 std::string escaped(const std::string& text) {
   std::string out;

@@ -19,6 +19,9 @@ struct Plot {
 /// a curve, peaks among them. Empty without points. Colours follow the page's (currentColor for lines and text).
 std::string to_svg(const Plot& plot);
 
+/// A number in six digits, as the page shows it.
+std::string number(double value);
+
 /// Text with what HTML and SVG take for markup replaced.
 std::string escaped(const std::string& text);
 

@@ -15,11 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string number(double value) {
-  return fmt::format("{:.6g}", value);
-}
-
-double real(const Json& value) {
+double value_or_zero(const Json& value) {
   return value.is_number() ? value.get<double>() : 0.0;
 }
 
@@ -44,14 +40,15 @@ std::string holders(const RunData& run, std::string_view kind, std::size_t mode)
 
 std::string mode_table(const RunData& run) {
   const Json& modes = run.summary["modes"];
-  const double mass = run.summary.contains("mass") ? real(run.summary["mass"]["physical"]) : 0.0;
+  const double mass = run.summary.contains("mass") ? value_or_zero(run.summary["mass"]["physical"]) : 0.0;
   std::string s =
       "<table id=\"modes\"><tr><th>mode</th><th>frequency</th><th>mass x</th><th>mass y</th><th>mass z</th>"
       "<th class=\"text\">strain energy of parts</th><th class=\"text\">of welds</th></tr>\n";
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    s += fmt::format("<tr class=\"mode\"><td>{}</td><td>{}</td>", i + 1, number(real(modes[i]["frequency_hz"])));
+    s += fmt::format("<tr class=\"mode\"><td>{}</td><td>{}</td>", i + 1,
+                     number(value_or_zero(modes[i]["frequency_hz"])));
     for (std::size_t k = 0; k < 3; ++k)
-      s += fmt::format("<td>{:.4f}</td>", mass > 0.0 ? real(modes[i]["effective_mass"][k]) / mass : 0.0);
+      s += fmt::format("<td>{:.4f}</td>", mass > 0.0 ? value_or_zero(modes[i]["effective_mass"][k]) / mass : 0.0);
     s += fmt::format("<td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n", escaped(holders(run, "part", i)),
                      escaped(holders(run, "weld", i)));
   }
@@ -104,7 +101,7 @@ std::string drop_ranking(const Json& summary) {
     for (const Json& weld : drop["welds"]) welds += fmt::format("{}{}", welds.empty() ? "" : " ", weld.dump());
     s += fmt::format("<tr><td class=\"text\">{}</td><td>{}</td>", escaped(welds), drop.value("mode", 0));
     for (const char* key : {"frequency_hz", "first_order_hz", "without_hz", "solved_hz"})
-      s += fmt::format("<td>{}</td>", drop[key].is_number() ? number(real(drop[key])) : "");
+      s += fmt::format("<td>{}</td>", drop[key].is_number() ? number(value_or_zero(drop[key])) : "");
     s += "</tr>\n";
   }
   return s + "</table>\n";
@@ -155,8 +152,8 @@ std::string section(const RunData& run, const std::vector<ResponseCurve>& curves
         "<tr class=\"{}\"><td>{}{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td>"
         "<td>{:.2f}</td></tr>\n",
         kind, r.contains("case") ? fmt::format("case {}, ", r.value("case", 0)) : "", r.value("node", 0),
-        escaped(r.value("direction", "")), escaped(r.value("response", "")), number(real(peak["amplitude"])),
-        number(real(peak["frequency"])), real(peak["phase"]));
+        escaped(r.value("direction", "")), escaped(r.value("response", "")), number(value_or_zero(peak["amplitude"])),
+        number(value_or_zero(peak["frequency"])), value_or_zero(peak["phase"]));
   }
   s += "</table>\n";
   if (shown > most) s += fmt::format("<p>and {} more; {} has all.</p>\n", shown - most, file);
@@ -177,8 +174,8 @@ std::string power_section(const RunData& run) {
   for (const Json& r : run.summary["responses"])
     if (r.value("kind", "") == "erp")
       s += fmt::format("<tr class=\"erp\"><td class=\"text\">{}</td><td>{}</td><td>{}</td></tr>\n",
-                       escaped(r.value("direction", "")), number(real(r["peak"]["amplitude"])),
-                       number(real(r["peak"]["frequency"])));
+                       escaped(r.value("direction", "")), number(value_or_zero(r["peak"]["amplitude"])),
+                       number(value_or_zero(r["peak"]["frequency"])));
   return s + "</table>\n";
 }
 

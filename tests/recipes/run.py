@@ -159,6 +159,16 @@ class Build:
                 options.append(word.replace(f"-I{ROOT}/", f"-I{self.copy}/"))
         return [*options, "-O0"]
 
+    def source_in_copy(self, made: str) -> pathlib.Path:
+        """The source of an object in the copy; of one that CMake makes from several sources, a file that includes them there."""
+        source = self.copy / re.sub(r"^.*?\.dir/", "", made).removesuffix(".o")
+        if source.parent.name == "Unity":
+            together = self.folder / made.removesuffix(".o")
+            source = self.copy / made.removesuffix(".o")
+            source.parent.mkdir(parents=True, exist_ok=True)
+            source.write_text(together.read_text().replace(f"{ROOT}/", f"{self.copy}/"))
+        return source
+
     def header_in_copy(self, header: str) -> pathlib.Path:
         """Where what CMake parses once for all of a target stands for the copy."""
         return self.copy / "parsed" / (self.folder / header).relative_to(self.folder)
@@ -233,7 +243,7 @@ def prove(names: list[str], folder: pathlib.Path) -> list[str]:
         for made, sources in build.sources_of().items():
             if sources & files.keys() and made in build.command_of and (m := re.match(r"CMakeFiles/nugget_(\w+)\.dir/", made)):
                 if m[1] in rooms:
-                    jobs.append((made, copy / re.sub(r"^.*?\.dir/", "", made).removesuffix(".o")))
+                    jobs.append((made, build.source_in_copy(made)))
         for file, (is_new, _) in files.items():
             if not file.endswith(".cpp"):
                 continue

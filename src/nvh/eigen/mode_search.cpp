@@ -20,9 +20,6 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 double squared(double frequency) {
   return two_pi * frequency * two_pi * frequency;
 }
-double frequency(double eigenvalue) {
-  return std::sqrt(std::max(0.0, eigenvalue)) / two_pi;
-}
 
 /// One factorization after the other; the next takes the place of the last.
 class Shifts {
@@ -115,6 +112,10 @@ void refuse_negative(std::ptrdiff_t count) {
 
 }  // namespace
 
+double frequency_of(double eigenvalue) {
+  return std::sqrt(std::max(0.0, eigenvalue)) / two_pi;
+}
+
 Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressCallback& progress, Modes& modes) {
   Shifts shifts(m, progress, modes);
   const std::size_t all = m.size();
@@ -153,7 +154,7 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressC
       double from = place - found.dof_map(), to = place + found.dof_map();
       const int first = from <= low || left <= 0 ? before : shifts.below(from);
       const int last = to >= high ? before + inside : shifts.below(to);
-      modes.proof = {frequency(std::max(from, std::max(low, 0.0))), frequency(std::min(to, high)), last - first,
+      modes.proof = {frequency_of(std::max(from, std::max(low, 0.0))), frequency_of(std::min(to, high)), last - first,
                      static_cast<int>(found.end)};
     }
     return ascending(found, std::min(wanted, found.end));

@@ -5,6 +5,9 @@
 
 namespace nugget::nvh {
 
+/// sqrt(lambda) / (2 pi), of round-off below zero 0 [1/time]
+double frequency_of(double eigenvalue);
+
 /// The eigenpairs of a request, ascending, by shift and invert at one place: below zero for the lowest, at the centre,
 /// at the lower end or in the middle of an interval. Fills in the proof and the cost. That none was missed is proved by
 /// Sylvester's count at the ends of the interval, or at the distance from the shift to which all were found, in a gap

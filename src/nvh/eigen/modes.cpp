@@ -13,8 +13,6 @@
 namespace nugget::nvh {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
-
 void find_participation(const Matrices& m, Modes& modes) {
   double mass = 0.0;
   Vec3d moment{};
@@ -90,7 +88,7 @@ double small_shift(const Matrices& m) {
 }
 
 double Modes::frequency(std::size_t i) const {
-  return std::sqrt(std::max(0.0, eigenvalue[i])) / two_pi;
+  return frequency_of(eigenvalue[i]);
 }
 
 bool Modes::elastic(std::size_t i) const {

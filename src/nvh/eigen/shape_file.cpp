@@ -11,15 +11,13 @@
 #include <numeric>
 #include <string>
 
-#include "base/index.hpp"
-
 namespace nugget::nvh {
 namespace {
 
 constexpr double end_mark = -999999.0;
 
 std::size_t index(std::int64_t i) {
-  return at(i);
+  return static_cast<std::size_t>(i);
 }
 
 /// One file as words of 4 or 8 bytes.

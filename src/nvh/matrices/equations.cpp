@@ -12,8 +12,6 @@
 namespace nugget::nvh {
 namespace {
 
-constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
 /// Directions of one node that are held: orthonormal, none to three.
 struct Held {
   std::vector<Vec3d> direction;
@@ -31,7 +29,7 @@ struct Held {
     std::vector<Vec3d> rest;
     while (taken.direction.size() < 3) {
       Vec3d best{};
-      for (Vec3d d : axes) {
+      for (Vec3d d : global_axes) {
         for (const Vec3d& h : taken.direction) d -= dot(h, d) * h;
         if (dot(d, d) > dot(best, best) + 1e-9) best = d;
       }
@@ -124,8 +122,8 @@ Supports supports_of(const system::System& system, Findings& findings) {
     if (obeyed == 0) continue;
     for (int i = 0; i < 6; ++i) {
       if (!(obeyed >> i & 1u)) continue;
-      const Frame3d local =
-          spc.system == model::none ? Frame3d{axes[0], axes[1], axes[2]} : model.systems[spc.system].axes;
+      const Frame3d local = spc.system == model::none ? Frame3d{global_axes[0], global_axes[1], global_axes[2]}
+                                                      : model.systems[spc.system].axes;
       const Vec3d axis = i % 3 == 0 ? local.e1 : i % 3 == 1 ? local.e2 : local.e3;
       held.add({Equations::Support::Source::spc, s, node, i >= 3, axis, {}});
     }
@@ -149,7 +147,7 @@ Supports supports_of(const system::System& system, Findings& findings) {
       }
       held.add({source, m, node, motion.rotation, motion.direction, {}, true});
       if (motion.only_direction) return;
-      for (const Vec3d& axis : axes) {
+      for (const Vec3d& axis : global_axes) {
         const Vec3d across = axis - dot(axis, motion.direction) * motion.direction;
         if (dot(across, across) > 1e-12) held.add({source, m, node, motion.rotation, unit(across), {}});
       }

@@ -10,6 +10,8 @@
 
 namespace nugget::nvh {
 
+inline constexpr Vec3d global_axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
 /// Translation x y z and rotation about x y z of one node, or force and moment on it; global axes.
 using SixDof = std::array<double, 6>;
 

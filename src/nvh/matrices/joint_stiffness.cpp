@@ -13,7 +13,6 @@ namespace {
 
 using Kind = model::Joint::Kind;
 using Row = ConstrainedMotion::Row;
-constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 void put(Row& row, std::size_t first, const Vec3d& v) {
   row[first] += v.x;
@@ -59,7 +58,7 @@ ConstrainedMotion transmission(const model::Joint& joint, const Vec3d& a, const 
 
 /// Two unit vectors that make a triad with a.
 std::array<Vec3d, 2> across(const Vec3d& a) {
-  const Vec3d least = std::abs(a.x) < 0.6 ? axes[0] : axes[1];
+  const Vec3d least = std::abs(a.x) < 0.6 ? global_axes[0] : global_axes[1];
   const Vec3d s = unit(least - dot(least, a) * a);
   return {s, cross(a, s)};
 }
@@ -83,7 +82,7 @@ BodyLink link_of(const system::System& system, const model::Joint& joint) {
   }
   const auto constrain = [&](const Vec3d& d) { link.constrained.push_back(displacement(d, arm[0], arm[1])); };
   if (joint.kind == Kind::spherical) {
-    for (const Vec3d& d : axes) constrain(d);
+    for (const Vec3d& d : global_axes) constrain(d);
     return link;
   }
   const Vec3d axis = unit(place(2) - place(0));

@@ -45,7 +45,7 @@ void Ids::assign(const std::vector<int>& ascending) {
   ascending_ = ascending;
   by_id_.clear();
   if (ascending_.empty()) return;
-  const auto span = at(static_cast<long>(ascending_.back()) - ascending_.front() + 1);
+  const auto span = static_cast<std::size_t>(static_cast<long>(ascending_.back()) - ascending_.front() + 1);
   // A table costs four bytes an id of the range; with large gaps the binary search is the better bargain.
   if (span > 8 * ascending_.size() + 1024) return;
   by_id_.assign(span, none);

@@ -185,39 +185,40 @@ void read_planes(Builder& builder, const Block& block, const Options&) {
 
 // ---- prescribed motions
 
-struct MotionCard {
+struct PrescribedMotionCard {
   int target = 0, dof = 0, vad = 0, lcid = 0;
   double sf = 0;
   int vid = 0;
   double death = 0, birth = 0;
 };
-CardOf<MotionCard> motion_card(const FieldOf<MotionCard>& target) {
+CardOf<PrescribedMotionCard> prescribed_motion_card(const FieldOf<PrescribedMotionCard>& target) {
   return {
       target,
-      {&MotionCard::dof,
+      {&PrescribedMotionCard::dof,
        integer(
            "dof", required, any_value,
            "1, 2, 3 translation along x, y, z; 4 along the vector; -4 the same, motion normal to it held; 5, 6, 7 "
            "rotation about x, y, z; 8 about the vector; -8 the same, rotation normal to it held; nodes only: 9, 10, "
            "11 around an axis along x, y, z through the offsets; -9, -10, -11 the same, the radius free")},
-      {&MotionCard::vad, integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement")},
-      {&MotionCard::lcid,
+      {&PrescribedMotionCard::vad, integer("vad", 0, any_value, "0 velocity, 1 acceleration, 2 displacement")},
+      {&PrescribedMotionCard::lcid,
        within_range(id("lcid", IdSpace::function, required, "curve of the motion over time"), at_least(1))},
-      {&MotionCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
-      {&MotionCard::vid, or_negative(id("vid", IdSpace::define, 0,
-                                        "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
-                                     IdSpace::define)},
-      {&MotionCard::death, real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time")},
-      {&MotionCard::birth,
+      {&PrescribedMotionCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+      {&PrescribedMotionCard::vid,
+       or_negative(id("vid", IdSpace::define, 0,
+                      "vector of dof 4, -4, 8, -8; below 0: coordinate system of dof 1 to 3, 5 to 7"),
+                   IdSpace::define)},
+      {&PrescribedMotionCard::death, real("death", dimension::time, 1e28, at_least(0), "the motion ends at this time")},
+      {&PrescribedMotionCard::birth,
        real("birth", dimension::time, 0, at_least(0), "and begins at this time; the curve starts then")},
   };
 }
-const CardOf<MotionCard> motion_node_card =
-    motion_card({&MotionCard::target, id("nid", IdSpace::node, required, "node")});
-const CardOf<MotionCard> motion_set_card =
-    motion_card({&MotionCard::target, id("nsid", IdSpace::set, required, "node set")});
-const CardOf<MotionCard> motion_body_card =
-    motion_card({&MotionCard::target, id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body")});
+const CardOf<PrescribedMotionCard> motion_node_card =
+    prescribed_motion_card({&PrescribedMotionCard::target, id("nid", IdSpace::node, required, "node")});
+const CardOf<PrescribedMotionCard> motion_set_card =
+    prescribed_motion_card({&PrescribedMotionCard::target, id("nsid", IdSpace::set, required, "node set")});
+const CardOf<PrescribedMotionCard> motion_body_card = prescribed_motion_card(
+    {&PrescribedMotionCard::target, id("pid", IdSpace::part, required, "part of *MAT_RIGID, or nodal rigid body")});
 
 struct MotionAxisCard {
   double offset1 = 0, offset2 = 0;
@@ -244,20 +245,21 @@ bool takes_vector(int dof) {
 }
 
 /// LS-DYNA's degree of freedom and kind of motion; false (and findings) for those that are not built.
-bool take_degree_of_freedom(Builder& builder, const RowOf<MotionCard>& row, PrescribedMotion& motion) {
+bool take_degree_of_freedom(Builder& builder, const RowOf<PrescribedMotionCard>& row, PrescribedMotion& motion) {
   const int dof = row->dof, vad = row->vad;
   if (dof == 0) return false;  // missing: the row has said so
   const bool of_nodes = motion.target == Target::nodes, circular = is_circular(dof);
   const bool known = (dof >= 1 && dof <= 8) || dof == -4 || dof == -8 || (circular && of_nodes);
   if (circular && !of_nodes)
-    refuse(builder, row[&MotionCard::dof], "dof 9 to 11 drive nodes, not rigid bodies",
+    refuse(builder, row[&PrescribedMotionCard::dof], "dof 9 to 11 drive nodes, not rigid bodies",
            "drive the body's rotation with dof 5 to 8, and its centre with 1 to 4");
   else if (!known)
-    refuse(builder, row[&MotionCard::dof],
+    refuse(builder, row[&PrescribedMotionCard::dof],
            fmt::format("this degree of freedom is not built; expected 1 to 8, -4 or -8{}",
                        of_nodes ? ", or 9 to 11, -9 to -11" : ""));
   const bool quantity = vad >= 0 && vad <= 2;
-  if (!quantity) refuse(builder, row[&MotionCard::vad], "expected 0 (velocity), 1 (acceleration) or 2 (displacement)");
+  if (!quantity)
+    refuse(builder, row[&PrescribedMotionCard::vad], "expected 0 (velocity), 1 (acceleration) or 2 (displacement)");
   if (!known || !quantity) return false;
   motion.rotation = std::abs(dof) >= 5 && !circular;
   motion.only_direction = dof > 0 || circular;
@@ -273,45 +275,47 @@ Vec3d axis(int dof) {
 }
 
 /// VID < 0: the motion is along, or about, an axis of a coordinate system as it is at the start.
-bool turn_into_system(Builder& builder, const RowOf<MotionCard>& row, PrescribedMotion& motion) {
+bool turn_into_system(Builder& builder, const RowOf<PrescribedMotionCard>& row, PrescribedMotion& motion) {
   if (motion.circular || motion.target == Target::rigid_body_local) {
-    refuse(builder, row[&MotionCard::vid],
+    refuse(builder, row[&PrescribedMotionCard::vid],
            "a coordinate system beside axes of the body or an axis by offsets is not built", "leave VID empty");
     return false;
   }
-  const Index system = builder.system_of_directions(row[&MotionCard::vid]);
+  const Index system = builder.system_of_directions(row[&PrescribedMotionCard::vid]);
   if (system == none) return false;
   motion.direction = builder.model.systems[system].axes.global(motion.direction);
   return true;
 }
 
 /// The unit vector of the motion, or nothing and a finding.
-bool resolve_direction(Builder& builder, const RowOf<MotionCard>& row, PrescribedMotion& motion) {
+bool resolve_direction(Builder& builder, const RowOf<PrescribedMotionCard>& row, PrescribedMotion& motion) {
   const int dof = row->dof;
   if (!takes_vector(dof)) {
     motion.direction = axis(dof);
     return row->vid >= 0 || turn_into_system(builder, row, motion);
   }
   if (row->vid <= 0) {
-    refuse(builder, row[&MotionCard::vid], fmt::format("dof {} needs a vector", dof), "name a *DEFINE_VECTOR");
+    refuse(builder, row[&PrescribedMotionCard::vid], fmt::format("dof {} needs a vector", dof),
+           "name a *DEFINE_VECTOR");
     return false;
   }
-  const Vec3d* vector = builder.vector(row[&MotionCard::vid]);
+  const Vec3d* vector = builder.vector(row[&PrescribedMotionCard::vid]);
   if (!vector) return false;
   if (norm(*vector) == 0.0) {
-    refuse(builder, row[&MotionCard::vid], "the vector has no length");
+    refuse(builder, row[&PrescribedMotionCard::vid], "the vector has no length");
     return false;
   }
   motion.direction = unit(*vector);
   return true;
 }
 
-void resolve_body(Builder& builder, const RowOf<MotionCard>& row, PrescribedMotion& motion) {
-  motion.rigid_body = find_body(builder, row[&MotionCard::target]);
+void resolve_body(Builder& builder, const RowOf<PrescribedMotionCard>& row, PrescribedMotion& motion) {
+  motion.rigid_body = find_body(builder, row[&PrescribedMotionCard::target]);
   if (motion.rigid_body == none || motion.target != Target::rigid_body_local) return;
   const Frame3d* axes = body_axes(builder, row->target);
   if (!axes) {
-    refuse(builder, row[&MotionCard::target], "local axes of this body are not known: its principal axes are not used",
+    refuse(builder, row[&PrescribedMotionCard::target],
+           "local axes of this body are not known: its principal axes are not used",
            "name a coordinate system in LCO of *MAT_RIGID, or in CID of *CONSTRAINED_NODAL_RIGID_BODY");
     return;
   }
@@ -346,18 +350,18 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
     motion.scale = row->sf;
     motion.birth = row->birth;
     motion.death = death_time(row->death);
-    warn_of_no_time(builder, row[&MotionCard::death], motion.birth, motion.death);
+    warn_of_no_time(builder, row[&PrescribedMotionCard::death], motion.birth, motion.death);
     // A motion that is refused may have a second card, which would be taken for the next definition.
     if (!take_degree_of_freedom(builder, row, motion)) return;
     if (!motion.circular && !takes_vector(row->dof) && row->vid >= 0 && target != Target::rigid_body_local)
-      warn_of_global_axis(builder, block, row[&MotionCard::dof]);
+      warn_of_global_axis(builder, block, row[&PrescribedMotionCard::dof]);
     if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row->dof, motion);
     builder.defer(Phase::conditions, [row, motion](Builder& b) mutable {
-      motion.curve = b.curve(row[&MotionCard::lcid]);
+      motion.curve = b.curve(row[&PrescribedMotionCard::lcid]);
       if (!resolve_direction(b, row, motion)) return;
       if constexpr (target == Target::nodes) {
-        motion.nodes = nodes_of<set>(b, row[&MotionCard::target]);
-        leave_out_rigid(b, row[&MotionCard::target], Severity::error, motion.nodes,
+        motion.nodes = nodes_of<set>(b, row[&PrescribedMotionCard::target]);
+        leave_out_rigid(b, row[&PrescribedMotionCard::target], Severity::error, motion.nodes,
                         "use *BOUNDARY_PRESCRIBED_MOTION_RIGID");
       } else {
         resolve_body(b, row, motion);

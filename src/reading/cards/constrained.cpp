@@ -111,7 +111,7 @@ const CardOf<WeldIdCard> weld_id_card{
 };
 constexpr RealField normal_strength =
     real("sn", dimension::force, 0, at_least(0), "normal force at failure; 0: left out");
-constexpr RealField shear_strength =
+constexpr RealField weld_shear_strength =
     real("ss", dimension::force, 0, at_least(0), "shear force at failure; 0: left out");
 constexpr RealField normal_exponent = real("n", dimension::number, 0, at_least(0), "exponent of the normal force");
 constexpr RealField shear_exponent = real("m", dimension::number, 0, at_least(0), "exponent of the shear force");
@@ -141,7 +141,7 @@ const CardOf<StrengthCard> weld_card2{
     {&StrengthCard::epsf,
      real("epsf", dimension::number, 0, at_least(0), "plastic strain of the adjoining elements at failure; 0: none")},
     {&StrengthCard::sn, normal_strength},
-    {&StrengthCard::ss, shear_strength},
+    {&StrengthCard::ss, weld_shear_strength},
     {&StrengthCard::n, normal_exponent},
     {&StrengthCard::m, shear_exponent},
 };
@@ -149,7 +149,7 @@ const CardOf<StrengthCard> spotweld_card{
     {&StrengthCard::n1, id("n1", IdSpace::node, required, "node 1")},
     {&StrengthCard::n2, id("n2", IdSpace::node, required, "node 2, at another place")},
     {&StrengthCard::sn, normal_strength},
-    {&StrengthCard::ss, shear_strength},
+    {&StrengthCard::ss, weld_shear_strength},
     {&StrengthCard::n, normal_exponent},
     {&StrengthCard::m, shear_exponent},
     {&StrengthCard::tf, real("tf", dimension::time, forever, at_least(0), "time of failure")},
@@ -213,7 +213,7 @@ const CardOf<IndependentCard> interpolation_set = independent_card(IdSpace::set)
 
 // ---- nodal rigid bodies
 
-void read_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
+void read_body_spc(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
   using Card = RigidConstraintCard;
   const auto row = read_rigid_constraint(builder, cursor);
   if (row->cmo == 1.0) body.fixed = row->fixed_by_codes();
@@ -239,7 +239,7 @@ void take_axes(Builder& builder, Cursor& cursor, BodyCards::Nodal& body) {
   body.inertia.inertia = to_global(body.inertia.inertia, axes);
 }
 
-void read_inertia(Builder& builder, const Block& block, Cursor& cursor, BodyCards::Nodal& body) {
+void read_nodal_inertia(Builder& builder, const Block& block, Cursor& cursor, BodyCards::Nodal& body) {
   body.given = true;
   const auto row1 = cursor.read(inertia_card1);
   body.center_node = row1[&InertiaCard1::nodeid];
@@ -265,8 +265,8 @@ void read_nodal_body(Builder& builder, const Block& block, const Options& option
     body.row = row;
     if (row->iprt == 2)
       row[&NodalBodyCard::iprt].report(builder.findings, Severity::warning, "rbdout lists this body all the same");
-    if (options.contains("SPC")) read_spc(builder, cursor, body);
-    if (options.contains("INERTIA")) read_inertia(builder, block, cursor, body);
+    if (options.contains("SPC")) read_body_spc(builder, cursor, body);
+    if (options.contains("INERTIA")) read_nodal_inertia(builder, block, cursor, body);
     builder.body_cards.nodal.push_back(std::move(body));
   }
 }
@@ -336,7 +336,7 @@ void take_strength(Builder& builder, const RowOf<StrengthCard>& row, RigidWeld& 
 }
 
 /// LS-DYNA's 0 and 1e20 both mean that there is no such failure; ours is 0.
-double failure_value(double written) {
+double weld_failure_value(double written) {
   return written >= forever ? 0.0 : written;
 }
 
@@ -358,8 +358,8 @@ void read_weld_spot(Builder& builder, const Block& block, const Options& options
     weld.weld.filter = row->filter;
     weld.weld.window = row->window;
     const auto failure = cursor.read(weld_card2);
-    weld.weld.failure_time = failure_value(failure->tfail);
-    weld.weld.failure_strain = failure_value(failure->epsf);
+    weld.weld.failure_time = weld_failure_value(failure->tfail);
+    weld.weld.failure_strain = weld_failure_value(failure->epsf);
     take_strength(builder, failure, weld.weld);
     keep_weld(builder, std::move(weld));
   }
@@ -375,8 +375,8 @@ void read_spotweld(Builder& builder, const Block& block, const Options& options)
     weld.weld.place = row.place();
     weld.first = row[&StrengthCard::n1];
     weld.second = row[&StrengthCard::n2];
-    weld.weld.failure_time = failure_value(row->tf);
-    weld.weld.failure_strain = failure_value(row->ep);
+    weld.weld.failure_time = weld_failure_value(row->tf);
+    weld.weld.failure_strain = weld_failure_value(row->ep);
     take_strength(builder, row, weld.weld);
     if (options.contains("FILTERED_FORCE")) {
       const auto filter = cursor.read(spotweld_filter_card);
@@ -391,7 +391,7 @@ void make_rivet(Builder& b, const RowOf<RivetCard>& row, int id) {
   RigidWeld rivet;
   rivet.kind = RigidWeld::Kind::rivet;
   rivet.nodes = {b.node(row[&RivetCard::n1]), b.node(row[&RivetCard::n2])};
-  rivet.failure_time = failure_value(row->tf);
+  rivet.failure_time = weld_failure_value(row->tf);
   rivet.place = row.place();
   const auto is_rivet = [](const RigidWeld& w) { return w.kind == RigidWeld::Kind::rivet; };
   const auto& welds = b.model.rigid_welds;

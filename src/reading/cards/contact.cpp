@@ -15,7 +15,7 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
-using Kind = Contact::Kind;
+using ContactKind = Contact::Kind;
 
 struct MppCard1 {
   int ignore = 0, cparm8 = 0;
@@ -87,7 +87,7 @@ const CardOf<FrictionCard> friction_card{
 struct ScaleCard {
   double sfsa = 0, sfsb = 0, sast = 0, sbst = 0, sfsat = 0, sfsbt = 0, fsf = 0, vsf = 0;
 };
-const CardOf<ScaleCard> scale_card{
+const CardOf<ScaleCard> contact_scale_card{
     {&ScaleCard::sfsa, real("sfsa", dimension::number, 1, at_least(0), "scale of the tracked side's stiffness (SFS)")},
     {&ScaleCard::sfsb,
      real("sfsb", dimension::number, 1, at_least(0), "scale of the reference side's stiffness (SFM)")},
@@ -324,7 +324,7 @@ void refuse_missing_sides(Builder& builder, const RowOf<SidesCard>& row, const c
 
 /// Both sides of a contact of two surfaces; a tracked side may be a set of nodes where only its nodes are looked at.
 void take_two_sides(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
-  if (row->surfatyp == 4 && contact.kind == Kind::two_surfaces)
+  if (row->surfatyp == 4 && contact.kind == ContactKind::two_surfaces)
     refuse(builder, row[&SidesCard::surfatyp], "a set of nodes has no segments for the nodes of the other side",
            "use *CONTACT_AUTOMATIC_NODES_TO_SURFACE");
   if (row->surfbtyp == 4)
@@ -373,7 +373,7 @@ void take_friction(Builder& builder, const RowOf<FrictionCard>& row, Contact& co
   contact.damping = row->vdc;
   contact.birth = row->bt;
   contact.death = death_time(row->dt);
-  if (contact.kind == Kind::transducer && (contact.birth > 0.0 || contact.death < forever))
+  if (contact.kind == ContactKind::transducer && (contact.birth > 0.0 || contact.death < forever))
     row[contact.birth > 0.0 ? &FrictionCard::bt : &FrictionCard::dt].report(
         builder.findings, Severity::warning, "not obeyed: a transducer sums up the forces of the whole run",
         "leave BT and DT 0");
@@ -381,7 +381,7 @@ void take_friction(Builder& builder, const RowOf<FrictionCard>& row, Contact& co
     expect(builder, Severity::warning, {{row[&FrictionCard::vdc], 0, "the springs of a tie have no damping here"}});
 }
 
-void take_scales(Builder& builder, const RowOf<ScaleCard>& row, Contact& contact) {
+void take_contact_scales(Builder& builder, const RowOf<ScaleCard>& row, Contact& contact) {
   if (contact.slides())
     for (const deck::Entry& field : {row[&ScaleCard::sast], row[&ScaleCard::sbst]})
       if (field.value < 0.0)
@@ -574,7 +574,7 @@ void check_mortar(Builder& builder, const Block& block, const Options& options) 
 void check_oriented(Builder& builder, const Block& block, const Contact& contact) {
   if (!contact.slides() || block.keyword.starts_with("CONTACT_AUTOMATIC") || erodes(contact)) return;
   if (block.keyword.find("_ONLY") != std::string::npos) return;  // glue alone: nothing slides
-  const bool single = contact.kind == Kind::single_surface;
+  const bool single = contact.kind == ContactKind::single_surface;
   builder.findings.warning(
       block.place, '*' + block.keyword,
       single
@@ -628,7 +628,7 @@ void report_late_birth(Builder& builder, const Contact& contact) {
       "give BT 0 if it is to act from the start");
 }
 
-template <Kind kind>
+template <ContactKind kind>
 void read_contact(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   Contact contact;
@@ -649,7 +649,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
             {sides[&SidesCard::sbboxid], 0, "a box around a side of a tie or a transducer is not built"}});
   const auto friction = cursor.read(friction_card);
   take_friction(builder, friction, contact);
-  take_scales(builder, cursor.read(scale_card), contact);
+  take_contact_scales(builder, cursor.read(contact_scale_card), contact);
   if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
   const auto glue = read_glue(builder, cursor, options, contact);
   take_optional_cards(builder, cursor, contact);
@@ -657,11 +657,11 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   builder.defer(Phase::conditions, [sides, friction, offset, glue, contact = std::move(contact)](Builder& b) mutable {
     if (slides_by_table(contact, friction))
       contact.friction_table = friction_table(b, friction[&FrictionCard::fs], friction[&FrictionCard::fd], offset);
-    if (kind == Kind::single_surface)
+    if (kind == ContactKind::single_surface)
       take_single_surface(b, sides, contact);
     else if (contact.slides())
       take_two_sides(b, sides, contact);
-    else if (kind == Kind::transducer)
+    else if (kind == ContactKind::transducer)
       take_transducer(b, sides, contact);
     else
       take_tie(b, sides, contact);
@@ -678,7 +678,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   });
 }
 
-template <Kind kind>
+template <ContactKind kind>
 Keyword contact_keyword(std::string_view name, std::vector<std::string_view> forms = {}) {
   forms.insert(forms.end(), {"ID", "TITLE", "MPP"});
   const bool glued = std::find(forms.begin(), forms.end(), "TIEBREAK") != forms.end();
@@ -687,7 +687,7 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
                                  {"with _MPP, if it begins with &; read past", &mpp_card2},
                                  {{}, &sides_of_sets},
                                  {{}, &friction_card},
-                                 {{}, &scale_card}};
+                                 {{}, &contact_scale_card}};
   if (name.starts_with("CONTACT_ERODING")) layout.push_back({{}, &eroding_card});
   const std::vector<LayoutCard> glue = glue_layout(name, glued);
   layout.insert(layout.end(), glue.begin(), glue.end());
@@ -701,9 +701,8 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
   return {.name = name, .options = std::move(forms), .layout = std::move(layout), .read = read_contact<kind>};
 }
 
-Keyword refused(std::string_view name, std::string_view why) {
-  return {
-      .name = name, .options = {"ID", "TITLE", "MPP"}, .status = KeywordStatus::refused, .why = why};
+Keyword refused_contact(std::string_view name, std::string_view why) {
+  return {.name = name, .options = {"ID", "TITLE", "MPP"}, .status = KeywordStatus::refused, .why = why};
 }
 
 constexpr const char* other_tie_of_translations =
@@ -714,57 +713,61 @@ constexpr const char* other_tie_of_translations =
 
 std::vector<Keyword> contact_keywords() {
   return {
-      contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE", {"MORTAR"}),
-      contact_keyword<Kind::two_surfaces>("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", {"TIEBREAK", "MORTAR"}),
-      contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", {"TIEBREAK"}),
-      contact_keyword<Kind::one_way>("CONTACT_AUTOMATIC_NODES_TO_SURFACE"),
-      contact_keyword<Kind::single_surface>("CONTACT_AUTOMATIC_GENERAL", {"INTERIOR"}),
-      contact_keyword<Kind::single_surface>("CONTACT_SINGLE_SURFACE"),
-      contact_keyword<Kind::two_surfaces>("CONTACT_SURFACE_TO_SURFACE"),
-      contact_keyword<Kind::one_way>("CONTACT_ONE_WAY_SURFACE_TO_SURFACE"),
-      contact_keyword<Kind::one_way>("CONTACT_NODES_TO_SURFACE"),
-      contact_keyword<Kind::single_surface>("CONTACT_ERODING_SINGLE_SURFACE"),
-      contact_keyword<Kind::two_surfaces>("CONTACT_ERODING_SURFACE_TO_SURFACE"),
-      contact_keyword<Kind::one_way>("CONTACT_ERODING_NODES_TO_SURFACE"),
-      contact_keyword<Kind::one_way>("CONTACT_TIEBREAK_NODES_TO_SURFACE"),
-      contact_keyword<Kind::one_way>("CONTACT_TIEBREAK_NODES_ONLY"),
-      contact_keyword<Kind::two_surfaces>("CONTACT_TIEBREAK_SURFACE_TO_SURFACE", {"ONLY"}),
-      contact_keyword<Kind::transducer>("CONTACT_FORCE_TRANSDUCER"),
-      contact_keyword<Kind::transducer>("CONTACT_FORCE_TRANSDUCER_PENALTY"),
-      contact_keyword<Kind::spotweld>("CONTACT_SPOTWELD", {"WITH_TORSION", "WITH_TORSION_PENALTY", "PENALTY", "OFFSET",
-                                                           "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
-      contact_keyword<Kind::tied_nodes>("CONTACT_TIED_NODES_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
-      contact_keyword<Kind::tied_surface>("CONTACT_TIED_SURFACE_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
-      contact_keyword<Kind::tied_shell_edge>("CONTACT_TIED_SHELL_EDGE_TO_SURFACE",
-                                             {"OFFSET", "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
-      contact_keyword<Kind::tied_shell_edge_to_solid>("CONTACT_TIED_SHELL_EDGE_TO_SOLID"),
+      contact_keyword<ContactKind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE", {"MORTAR"}),
+      contact_keyword<ContactKind::two_surfaces>("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", {"TIEBREAK", "MORTAR"}),
+      contact_keyword<ContactKind::one_way>("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", {"TIEBREAK"}),
+      contact_keyword<ContactKind::one_way>("CONTACT_AUTOMATIC_NODES_TO_SURFACE"),
+      contact_keyword<ContactKind::single_surface>("CONTACT_AUTOMATIC_GENERAL", {"INTERIOR"}),
+      contact_keyword<ContactKind::single_surface>("CONTACT_SINGLE_SURFACE"),
+      contact_keyword<ContactKind::two_surfaces>("CONTACT_SURFACE_TO_SURFACE"),
+      contact_keyword<ContactKind::one_way>("CONTACT_ONE_WAY_SURFACE_TO_SURFACE"),
+      contact_keyword<ContactKind::one_way>("CONTACT_NODES_TO_SURFACE"),
+      contact_keyword<ContactKind::single_surface>("CONTACT_ERODING_SINGLE_SURFACE"),
+      contact_keyword<ContactKind::two_surfaces>("CONTACT_ERODING_SURFACE_TO_SURFACE"),
+      contact_keyword<ContactKind::one_way>("CONTACT_ERODING_NODES_TO_SURFACE"),
+      contact_keyword<ContactKind::one_way>("CONTACT_TIEBREAK_NODES_TO_SURFACE"),
+      contact_keyword<ContactKind::one_way>("CONTACT_TIEBREAK_NODES_ONLY"),
+      contact_keyword<ContactKind::two_surfaces>("CONTACT_TIEBREAK_SURFACE_TO_SURFACE", {"ONLY"}),
+      contact_keyword<ContactKind::transducer>("CONTACT_FORCE_TRANSDUCER"),
+      contact_keyword<ContactKind::transducer>("CONTACT_FORCE_TRANSDUCER_PENALTY"),
+      contact_keyword<ContactKind::spotweld>("CONTACT_SPOTWELD", {"WITH_TORSION", "WITH_TORSION_PENALTY", "PENALTY",
+                                                                  "OFFSET", "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<ContactKind::tied_nodes>("CONTACT_TIED_NODES_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<ContactKind::tied_surface>("CONTACT_TIED_SURFACE_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<ContactKind::tied_shell_edge>("CONTACT_TIED_SHELL_EDGE_TO_SURFACE",
+                                                    {"OFFSET", "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<ContactKind::tied_shell_edge_to_solid>("CONTACT_TIED_SHELL_EDGE_TO_SOLID"),
 
-      refused("CONTACT_SPOTWELD_*", "this form of the weld tie is not built; use *CONTACT_SPOTWELD"),
-      refused("CONTACT_TIED_NODES_TO_SURFACE_*", other_tie_of_translations),
-      refused("CONTACT_TIED_SURFACE_TO_SURFACE_*", other_tie_of_translations),
-      refused(
+      refused_contact("CONTACT_SPOTWELD_*", "this form of the weld tie is not built; use *CONTACT_SPOTWELD"),
+      refused_contact("CONTACT_TIED_NODES_TO_SURFACE_*", other_tie_of_translations),
+      refused_contact("CONTACT_TIED_SURFACE_TO_SURFACE_*", other_tie_of_translations),
+      refused_contact(
           "CONTACT_TIED_SHELL_EDGE_TO_SURFACE_*",
           "this form is not built; _OFFSET, _BEAM_OFFSET, _CONSTRAINED_OFFSET and the plain one are (ties that fail "
           "are not)"),
-      refused("CONTACT_TIED_*",
-              "this tie is not built; *CONTACT_SPOTWELD, *CONTACT_TIED_NODES_TO_SURFACE, "
-              "*CONTACT_TIED_SURFACE_TO_SURFACE, *CONTACT_TIED_SHELL_EDGE_TO_SURFACE and ..._TO_SOLID are"),
-      refused("CONTACT_AUTOMATIC_SINGLE_SURFACE_*", "this form is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE"),
-      refused("CONTACT_AUTOMATIC_GENERAL_*",
-              "this form is not built; *CONTACT_AUTOMATIC_GENERAL and *CONTACT_AUTOMATIC_GENERAL_INTERIOR are"),
-      refused("CONTACT_AUTOMATIC_SINGLE_SURFACE_TIEBREAK*",
-              "glue is built between two surfaces; use *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
-      refused("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
-      refused("CONTACT_FORCE_TRANSDUCER_*", "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
+      refused_contact("CONTACT_TIED_*",
+                      "this tie is not built; *CONTACT_SPOTWELD, *CONTACT_TIED_NODES_TO_SURFACE, "
+                      "*CONTACT_TIED_SURFACE_TO_SURFACE, *CONTACT_TIED_SHELL_EDGE_TO_SURFACE and ..._TO_SOLID are"),
+      refused_contact("CONTACT_AUTOMATIC_SINGLE_SURFACE_*",
+                      "this form is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE"),
+      refused_contact("CONTACT_AUTOMATIC_GENERAL_*",
+                      "this form is not built; *CONTACT_AUTOMATIC_GENERAL and *CONTACT_AUTOMATIC_GENERAL_INTERIOR are"),
+      refused_contact("CONTACT_AUTOMATIC_SINGLE_SURFACE_TIEBREAK*",
+                      "glue is built between two surfaces; use *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
+      refused_contact("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_*", "this form is not built; use it without the last word"),
+      refused_contact("CONTACT_FORCE_TRANSDUCER_*",
+                      "this transducer is not built; *CONTACT_FORCE_TRANSDUCER_PENALTY is"),
       interior_keyword(),
-      refused("CONTACT_ERODING_*",
-              "this form is not built; *CONTACT_ERODING_SINGLE_SURFACE, _SURFACE_TO_SURFACE and _NODES_TO_SURFACE "
-              "are"),
-      refused("CONTACT_RIGID*", "contact of rigid bodies by force curves is not built"),
-      refused("CONTACT_2D*", "contact in two dimensions is not built"),
-      refused("CONTACT_*",
-              "this contact is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE, _SURFACE_TO_SURFACE, _NODES_TO_SURFACE, "
-              "_GENERAL, the eroding ones, *CONTACT_SPOTWELD and *CONTACT_TIED_... are (`nugget keywords CONTACT`)"),
+      refused_contact(
+          "CONTACT_ERODING_*",
+          "this form is not built; *CONTACT_ERODING_SINGLE_SURFACE, _SURFACE_TO_SURFACE and _NODES_TO_SURFACE "
+          "are"),
+      refused_contact("CONTACT_RIGID*", "contact of rigid bodies by force curves is not built"),
+      refused_contact("CONTACT_2D*", "contact in two dimensions is not built"),
+      refused_contact(
+          "CONTACT_*",
+          "this contact is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE, _SURFACE_TO_SURFACE, _NODES_TO_SURFACE, "
+          "_GENERAL, the eroding ones, *CONTACT_SPOTWELD and *CONTACT_TIED_... are (`nugget keywords CONTACT`)"),
   };
 }
 

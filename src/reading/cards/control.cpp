@@ -90,7 +90,7 @@ const CardOf<StepCard3> step_card_3{
 struct RelaxationCard : Relaxation {
   int idrflg = 0;
 };
-const CardOf<RelaxationCard> relaxation_card{
+const CardOf<RelaxationCard> control_relaxation_card{
     {&RelaxationCard::check_cycles, integer("nrcyck", 250, at_least(1), "cycles between the checks")},
     {&RelaxationCard::tolerance,
      real("drtol", dimension::number, 0.001, above_zero(), "at rest: kinetic energy over the largest so far")},
@@ -289,7 +289,7 @@ const Card shell_card_5{{
     flag("iswshl", "no effect"),
 }};
 
-const CardOf<Hourglass> hourglass_card{
+const CardOf<Hourglass> control_hourglass_card{
     {&Hourglass::type,
      integer("ihq", 0, between(0, 10), "type: shells 1-3 viscous, 4 5 stiffness; solids 1-3 viscous; 0: 1")},
     {&Hourglass::membrane, real("qh", dimension::number, 0.1, at_least(0), "coefficient")},
@@ -335,7 +335,7 @@ const CardOf<AccuracyCard> accuracy_card{
     flag("srtflg", "no effect"),
 };
 
-const Card solution_card{{
+const Card control_solution_card{{
     integer("soln", 0, only(0), "0: structural; heat conduction is not built"),
     flag("nlq", "vector length, no effect"),
     flag("isnan", "a force that is not a number ends the run in any case"),
@@ -393,7 +393,7 @@ const CardOf<OutputCard2> output_card_2{
 
 /// The card of a keyword that has one, read into what is there.
 template <class Values>
-RowOf<Values> read_single(Builder& b, const Block& block, const CardOf<Values>& card, Values& into) {
+RowOf<Values> read_one(Builder& b, const Block& block, const CardOf<Values>& card, Values& into) {
   Cursor cursor(b.deck, block, b.findings);
   const auto row = cursor.read(card, into);
   expect_end(b, cursor);
@@ -407,7 +407,7 @@ void read_model_title(Builder& b, const Block& block, const Options&) {
 
 void read_termination(Builder& b, const Block& block, const Options&) {
   TerminationCard card{b.model.control};
-  read_single(b, block, termination_card, card);
+  read_one(b, block, termination_card, card);
   card.end_cycle = card.endcyc;
   b.model.control = card;
 }
@@ -458,7 +458,7 @@ void set_part_defaults(Builder& b, const RowOf<ContactCard3>& row) {
   }
 }
 
-void read_contact(Builder& b, const Block& block, const Options&) {
+void read_control_contact(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const auto one = cursor.read(contact_card_1);
   const auto two = cursor.read(contact_card_2);
@@ -517,7 +517,7 @@ int thickness_update(Builder& b, const RowOf<ShellCard1>& row) {
   return update == 2 ? 0 : update == 3 ? 1 : update;
 }
 
-void read_shell(Builder& b, const Block& block, const Options&) {
+void read_control_shell(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const auto one = cursor.read(shell_card_1);
   const auto two = cursor.read(shell_card_2);
@@ -558,26 +558,26 @@ void read_shell(Builder& b, const Block& block, const Options&) {
   });
 }
 
-void read_hourglass(Builder& b, const Block& block, const Options&) {
+void read_control_hourglass(Builder& b, const Block& block, const Options&) {
   Hourglass& h = b.model.control.hourglass;
-  const auto row = read_single(b, block, hourglass_card, h);
+  const auto row = read_one(b, block, control_hourglass_card, h);
   h.bending = h.warping = h.membrane;
   h.place = row[&Hourglass::type].place;
 }
 
-void read_solution(Builder& b, const Block& block, const Options&) {
+void read_control_solution(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
-  cursor.read(solution_card);
+  cursor.read(control_solution_card);
   expect_end(b, cursor);
 }
 
 void read_bulk(Builder& b, const Block& block, const Options&) {
-  read_single(b, block, bulk_card, b.model.control);
+  read_one(b, block, bulk_card, b.model.control);
 }
 
 void read_energy(Builder& b, const Block& block, const Options&) {
   EnergyCard card;
-  read_single(b, block, energy_card, card);
+  read_one(b, block, energy_card, card);
   Control& c = b.model.control;
   c.hourglass_energy = card.hgen == 2;
   c.wall_energy = card.rwen == 2;
@@ -587,7 +587,7 @@ void read_energy(Builder& b, const Block& block, const Options&) {
 
 void read_accuracy(Builder& b, const Block& block, const Options&) {
   AccuracyCard card;
-  const auto row = read_single(b, block, accuracy_card, card);
+  const auto row = read_one(b, block, accuracy_card, card);
   const int inn = std::abs(card.inn);
   b.model.control.invariant_shell_axes = inn == 2 || inn == 4;
   expect(
@@ -595,7 +595,7 @@ void read_accuracy(Builder& b, const Block& block, const Options&) {
       {{row[&AccuracyCard::osu], 0, "not obeyed: stresses are turned by the midpoint rule of first order, as with 0"}});
 }
 
-void read_solid(Builder& b, const Block& block, const Options&) {
+void read_control_solid(Builder& b, const Block& block, const Options&) {
   // Its further cards are about tetrahedra of ten nodes, cohesive elements and brick welds only.
   Cursor cursor(b.deck, block, b.findings);
   const auto row = cursor.read(solid_card_1);
@@ -611,7 +611,7 @@ void read_solid(Builder& b, const Block& block, const Options&) {
 
 void read_relaxation(Builder& b, const Block& block, const Options&) {
   RelaxationCard r{b.model.control.relaxation};
-  const auto row = read_single(b, block, relaxation_card, r);
+  const auto row = read_one(b, block, control_relaxation_card, r);
   const int flag = r.idrflg;
   if (flag != 0 && flag != 1 && flag != -999)
     refuse(b, row[&RelaxationCard::idrflg],
@@ -656,21 +656,21 @@ std::vector<Keyword> control_keywords() {
                   {"optional", &contact_card_5},
                   {"optional", &contact_card_6},
                   {"optional", &contact_card_7}},
-       .read = read_contact},
+       .read = read_control_contact},
       {.name = "CONTROL_SHELL",
        .layout = {{"", &shell_card_1},
                   {"optional", &shell_card_2},
                   {"optional", &shell_card_3},
                   {"optional", &shell_card_4},
                   {"optional", &shell_card_5}},
-       .read = read_shell},
-      {.name = "CONTROL_HOURGLASS", .layout = {{"", &hourglass_card}}, .read = read_hourglass},
+       .read = read_control_shell},
+      {.name = "CONTROL_HOURGLASS", .layout = {{"", &control_hourglass_card}}, .read = read_control_hourglass},
       {.name = "CONTROL_BULK_VISCOSITY", .layout = {{"", &bulk_card}}, .read = read_bulk},
       {.name = "CONTROL_ENERGY", .layout = {{"", &energy_card}}, .read = read_energy},
       {.name = "CONTROL_ACCURACY", .layout = {{"", &accuracy_card}}, .read = read_accuracy},
-      {.name = "CONTROL_SOLID", .layout = {{"", &solid_card_1}}, .read = read_solid},
-      {.name = "CONTROL_SOLUTION", .layout = {{"", &solution_card}}, .read = read_solution},
-      {.name = "CONTROL_DYNAMIC_RELAXATION", .layout = {{"", &relaxation_card}}, .read = read_relaxation},
+      {.name = "CONTROL_SOLID", .layout = {{"", &solid_card_1}}, .read = read_control_solid},
+      {.name = "CONTROL_SOLUTION", .layout = {{"", &control_solution_card}}, .read = read_control_solution},
+      {.name = "CONTROL_DYNAMIC_RELAXATION", .layout = {{"", &control_relaxation_card}}, .read = read_relaxation},
       {.name = "CONTROL_OUTPUT", .layout = {{"", &output_card_1}, {"optional", &output_card_2}}, .read = read_output},
       {.name = "CONTROL_UNITS",
        .status = KeywordStatus::ignored,

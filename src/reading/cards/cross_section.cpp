@@ -127,7 +127,7 @@ int section_id(const Builder& builder, int given) {
   return given > 0 ? given : static_cast<int>(builder.model.requests.cross_sections.size()) + 1;
 }
 
-void add_section(Builder& builder, const deck::Entry& field, CrossSection section) {
+void add_cross_section(Builder& builder, const deck::Entry& field, CrossSection section) {
   // It stays: sections without an id are numbered by their place in the deck.
   if (section.facets.empty())
     field.report(builder.findings, Severity::warning,
@@ -165,10 +165,10 @@ void resolve_set(Builder& builder, const RowOf<SetCard>& row, CrossSection secti
   take(ElementKind::solid, builder.solid_set(row[&SetCard::hsid]), model.solids.part);
   take(ElementKind::beam, builder.beam_set(row[&SetCard::bsid]), model.beams.part);
   resolve_axes(builder, row[&AxesCard::id], row->itype, section);
-  add_section(builder, row[&SetCard::nsid], std::move(section));
+  add_cross_section(builder, row[&SetCard::nsid], std::move(section));
 }
 
-CrossSection headed(Cursor& cursor, const Options& options) {
+CrossSection headed_section(Cursor& cursor, const Options& options) {
   CrossSection section;
   const Heading heading = read_heading(cursor, options.contains("ID"));
   section.id = heading.id;
@@ -177,10 +177,10 @@ CrossSection headed(Cursor& cursor, const Options& options) {
   return section;
 }
 
-void read_set(Builder& builder, const Block& block, const Options& options) {
+void read_section_set(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const CrossSection section = headed(cursor, options);
+    const CrossSection section = headed_section(cursor, options);
     const auto row = cursor.read(card_for(set_cards, cursor.peek_number(7)));
     refuse_nonzero(builder, row[&SetCard::tsid], "thick shells are not built", "leave it 0");
     refuse_nonzero(builder, row[&SetCard::dsid], "discrete elements carry no section force",
@@ -231,13 +231,13 @@ void resolve_plane(Builder& builder, const RowOf<PlaneCard1>& row1, const RowOf<
     if (model.parts[p].rigid_body != none) parts[p] = 0;
   cut(model, plane, parts, section);
   resolve_axes(builder, row2[&AxesCard::id], row2->itype, section);
-  add_section(builder, row1[&PlaneCard1::xct], std::move(section));
+  add_cross_section(builder, row1[&PlaneCard1::xct], std::move(section));
 }
 
 void read_plane(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const CrossSection section = headed(cursor, options);
+    const CrossSection section = headed_section(cursor, options);
     const auto row1 = cursor.read(plane_card1);
     const auto row2 = cursor.read(card_for(plane_cards2, cursor.peek_number(6)));
     CuttingPlane plane;
@@ -269,7 +269,7 @@ std::vector<Keyword> cross_section_keywords() {
       {.name = "DATABASE_CROSS_SECTION_SET",
        .options = {"ID"},
        .layout = {{"with _ID", &heading_card}, {{}, &set_cards[0]}},
-       .read = read_set},
+       .read = read_section_set},
       {.name = "DATABASE_CROSS_SECTION_PLANE",
        .options = {"ID"},
        .layout = {{"with _ID", &heading_card}, {{}, &plane_card1}, {{}, &plane_cards2[0]}},

@@ -38,25 +38,25 @@ const CardOf<GlobalCard> global_card{
     {within(&GlobalCard::rotations, &Vec3d::z), real("srz", dimension::number, 0, any_value, "about z")},
 };
 
-struct PartMassCard {
+struct MassDampingCard {
   int target = 0;
   int lcid = 0;
   double sf = 0;
   int flag = 0;
 };
-CardOf<PartMassCard> part_mass_card(const FieldOf<PartMassCard>& target) {
+CardOf<MassDampingCard> mass_damping_card(const FieldOf<MassDampingCard>& target) {
   return {
       target,
-      {&PartMassCard::lcid, id("lcid", IdSpace::function, required, "curve of the damping constant over time")},
-      {&PartMassCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
-      {&PartMassCard::flag, integer("flag", 0, between(0, 1), "1: a card with scales follows")},
+      {&MassDampingCard::lcid, id("lcid", IdSpace::function, required, "curve of the damping constant over time")},
+      {&MassDampingCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+      {&MassDampingCard::flag, integer("flag", 0, between(0, 1), "1: a card with scales follows")},
       integer("struc", 0, only(0), "structural damping of frequency analyses"),
   };
 }
-const CardOf<PartMassCard> part_mass =
-    part_mass_card({&PartMassCard::target, id("pid", IdSpace::part, required, "part")});
-const CardOf<PartMassCard> part_mass_set =
-    part_mass_card({&PartMassCard::target, id("psid", IdSpace::set, required, "part set")});
+const CardOf<MassDampingCard> part_mass =
+    mass_damping_card({&MassDampingCard::target, id("pid", IdSpace::part, required, "part")});
+const CardOf<MassDampingCard> part_mass_set =
+    mass_damping_card({&MassDampingCard::target, id("psid", IdSpace::set, required, "part set")});
 const CardOf<Scales> scales_card{
     {within(&Scales::translations, &Vec3d::x),
      real("stx", dimension::number, 0, any_value, "scale of the force along x")},
@@ -164,9 +164,9 @@ void read_part_mass(Builder& builder, const Block& block, const Options&) {
     MassDamping damping;
     if (row->flag == 1) take_scales(*cursor.read(scales_card), damping);
     builder.defer(Phase::conditions, [row, damping](Builder& b) mutable {
-      damping.curve = b.curve(row[&PartMassCard::lcid]);
+      damping.curve = b.curve(row[&MassDampingCard::lcid]);
       damping.factor = row->sf;
-      for (const Index part : parts_of<set>(b, row[&PartMassCard::target])) {
+      for (const Index part : parts_of<set>(b, row[&MassDampingCard::target])) {
         damping.part = part;
         b.model.damping.mass.push_back(damping);
       }

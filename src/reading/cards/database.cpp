@@ -142,14 +142,15 @@ CardOf<IdsCard> eight(IdSpace space, std::string_view meaning) {
   for (std::size_t i = 0; i < names.size(); ++i) card.add({at(&IdsCard::id, i), id(names[i], space, 0, meaning)});
   return card;
 }
-CardOf<IdsCard> headed(IdSpace space, std::string_view meaning) {
+CardOf<IdsCard> headed_history(IdSpace space, std::string_view meaning) {
   return {{at(&IdsCard::id, 0), id("id", space, 0, meaning)}, {&IdsCard::heading, text("heading", 70, "its name")}};
 }
 
-const CardOf<IdsCard> node_ids = eight(IdSpace::node, "node with a time history; 8 a line, any number of lines");
-const CardOf<IdsCard> element_ids =
+const CardOf<IdsCard> history_node_ids =
+    eight(IdSpace::node, "node with a time history; 8 a line, any number of lines");
+const CardOf<IdsCard> history_element_ids =
     eight(IdSpace::element, "element with a time history; 8 a line, any number of lines");
-const CardOf<IdsCard> set_ids =
+const CardOf<IdsCard> history_set_ids =
     eight(IdSpace::set, "set whose members have time histories; 8 a line, any number of lines");
 struct LocalNodeCard {
   int id = 0, cid = 0, ref = 0;
@@ -166,9 +167,10 @@ struct LocalHeadingCard {
   std::string heading;
 };
 const CardOf<LocalHeadingCard> local_heading_card{{&LocalHeadingCard::heading, text("heading", 80, "its name")}};
-const CardOf<IdsCard> node_id_heading = headed(IdSpace::node, "node with a time history; one a line");
-const CardOf<IdsCard> element_id_heading = headed(IdSpace::element, "element with a time history; one a line");
-const CardOf<IdsCard> set_id_heading = headed(IdSpace::set, "set whose members have time histories; one a line");
+const CardOf<IdsCard> node_id_heading = headed_history(IdSpace::node, "node with a time history; one a line");
+const CardOf<IdsCard> element_id_heading = headed_history(IdSpace::element, "element with a time history; one a line");
+const CardOf<IdsCard> set_id_heading =
+    headed_history(IdSpace::set, "set whose members have time histories; one a line");
 
 // ---- intervals
 
@@ -183,7 +185,7 @@ Request& of_d3plot(Requests& requests) {
 }
 
 /// The curve of an interval, and how it counts.
-void take_curve(Builder& builder, const deck::Entry& field, int ioopt, RequestOf file) {
+void take_sampling_curve(Builder& builder, const deck::Entry& field, int ioopt, RequestOf file) {
   if (field.integer() == 0) return;
   builder.defer(Phase::conditions, [field, ioopt, file](Builder& b) {
     Request& asked = file(b.model.requests);
@@ -205,7 +207,7 @@ void take_request(Builder& builder, const Block& block, RequestOf file) {
   Request& request = file(builder.model.requests);
   request.interval = row->dt;
   request.binary = row->binary;
-  take_curve(builder, row[&IntervalCard::lcur], row->ioopt, file);
+  take_sampling_curve(builder, row[&IntervalCard::lcur], row->ioopt, file);
   for (std::size_t i = 0; i < row->option.size(); ++i)
     expect(builder, Severity::warning,
            {{row[at(&IntervalCard::option, i)], 0, "this additional output is not written"}});
@@ -230,7 +232,7 @@ void read_d3plot(Builder& builder, const Block& block, const Options&) {
             {second[&D3plotCard2::window], 0, plain}});
     ioopt = second->ioopt;
   }
-  if (row->npltc == 0) take_curve(builder, row[&D3plotCard::lcdt], ioopt, of_d3plot);
+  if (row->npltc == 0) take_sampling_curve(builder, row[&D3plotCard::lcdt], ioopt, of_d3plot);
   if (const int states = row->npltc; states > 0)
     builder.defer(Phase::conditions,
                   [states](Builder& b) { b.model.requests.d3plot.interval = b.model.control.end_time / states; });
@@ -349,10 +351,10 @@ void read_history(Builder& builder, const Block& block, const Options& options) 
   Cursor cursor(builder.deck, block, builder.findings);
   const bool nodes = &history == &node_history;
   const bool headings = options.contains("ID");
-  const CardOf<IdsCard>& plain = set ? set_ids : nodes ? node_ids : element_ids;
-  const CardOf<IdsCard>& headed = set ? set_id_heading : nodes ? node_id_heading : element_id_heading;
+  const CardOf<IdsCard>& plain = set ? history_set_ids : nodes ? history_node_ids : history_element_ids;
+  const CardOf<IdsCard>& headed_history = set ? set_id_heading : nodes ? node_id_heading : element_id_heading;
   while (cursor.more()) {
-    const auto row = cursor.read(headings ? headed : plain);
+    const auto row = cursor.read(headings ? headed_history : plain);
     builder.defer(Phase::conditions, [row, headings](Builder& b) {
       const std::size_t count = headings ? 1 : row->id.size();
       for (std::size_t i = 0; i < count; ++i) resolve_history(b, history, row[at(&IdsCard::id, i)], set, row->heading);
@@ -368,7 +370,7 @@ void read_discrete_history(Builder& builder, const Block& block, const Options& 
     for (Discrete& d : b.model.discretes) d.in_deforc = false;
   });
   while (cursor.more()) {
-    const auto row = cursor.read(headings ? element_id_heading : element_ids);
+    const auto row = cursor.read(headings ? element_id_heading : history_element_ids);
     builder.defer(Phase::conditions, [row, headings](Builder& b) {
       const std::size_t count = headings ? 1 : row->id.size();
       for (std::size_t i = 0; i < count; ++i) {
@@ -442,17 +444,17 @@ std::vector<Keyword> file_keywords(std::index_sequence<file...>) {
 }
 
 template <const History& history, bool set>
-Keyword history_keyword(std::string_view name, const Card& plain, const Card& headed) {
+Keyword history_keyword(std::string_view name, const Card& plain, const Card& headed_history) {
   return {.name = name,
           .options = {"ID"},
-          .layout = {{"without _ID", &plain}, {"with _ID", &headed}},
+          .layout = {{"without _ID", &plain}, {"with _ID", &headed_history}},
           .read = read_history<history, set>};
 }
 
 Keyword not_written(std::string_view name, std::string_view why) {
   return {.name = name, .options = {"ID"}, .status = KeywordStatus::refused, .why = why};
 }
-Keyword without_effect(std::string_view name, std::string_view why) {
+Keyword request_without_effect(std::string_view name, std::string_view why) {
   return {.name = name, .options = {"FILE"}, .status = KeywordStatus::ignored, .why = why};
 }
 
@@ -469,21 +471,21 @@ std::vector<Keyword> database_keywords() {
        .layout =
            {{{}, &extent_card1}, {"optional", &extent_card2}, {"optional", &extent_card3}, {"optional", &extent_card4}},
        .read = read_extent_binary},
-      history_keyword<node_history, false>("DATABASE_HISTORY_NODE", node_ids, node_id_heading),
-      history_keyword<node_history, true>("DATABASE_HISTORY_NODE_SET", set_ids, set_id_heading),
+      history_keyword<node_history, false>("DATABASE_HISTORY_NODE", history_node_ids, node_id_heading),
+      history_keyword<node_history, true>("DATABASE_HISTORY_NODE_SET", history_set_ids, set_id_heading),
       {.name = "DATABASE_HISTORY_NODE_LOCAL",
        .options = {"ID"},
        .layout = {{"repeated", &local_node_card}, {"with _ID, after each", &local_heading_card}},
        .read = read_local_history},
-      history_keyword<shell_history, false>("DATABASE_HISTORY_SHELL", element_ids, element_id_heading),
-      history_keyword<shell_history, true>("DATABASE_HISTORY_SHELL_SET", set_ids, set_id_heading),
-      history_keyword<solid_history, false>("DATABASE_HISTORY_SOLID", element_ids, element_id_heading),
-      history_keyword<solid_history, true>("DATABASE_HISTORY_SOLID_SET", set_ids, set_id_heading),
-      history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", element_ids, element_id_heading),
-      history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", set_ids, set_id_heading),
+      history_keyword<shell_history, false>("DATABASE_HISTORY_SHELL", history_element_ids, element_id_heading),
+      history_keyword<shell_history, true>("DATABASE_HISTORY_SHELL_SET", history_set_ids, set_id_heading),
+      history_keyword<solid_history, false>("DATABASE_HISTORY_SOLID", history_element_ids, element_id_heading),
+      history_keyword<solid_history, true>("DATABASE_HISTORY_SOLID_SET", history_set_ids, set_id_heading),
+      history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", history_element_ids, element_id_heading),
+      history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", history_set_ids, set_id_heading),
       {.name = "DATABASE_HISTORY_DISCRETE",
        .options = {"ID"},
-       .layout = {{"without _ID", &element_ids}, {"with _ID", &element_id_heading}},
+       .layout = {{"without _ID", &history_element_ids}, {"with _ID", &element_id_heading}},
        .read = read_discrete_history},
 
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
@@ -491,13 +493,16 @@ std::vector<Keyword> database_keywords() {
                   "discrete beams (disbout) are not written; swforc has the forces of those that join sheets"),
       not_written("DATABASE_SBTOUT", "seat belts (sbtout) are not written; there are none"),
 
-      without_effect("DATABASE_BINARY_RUNRSF", "restart files are asked for on the command line (--checkpoint)"),
-      without_effect("DATABASE_BINARY_D3DUMP", "restart files are asked for on the command line (--checkpoint)"),
-      without_effect("DATABASE_BINARY_INTFOR",
-                     "the contact database (intfor) is not written; rcforc holds the forces of each contact"),
-      without_effect("DATABASE_BINARY_D3THDT", "d3thdt repeats the histories that nodout, elout and matsum hold"),
-      without_effect("DATABASE_BINARY_D3DRLF",
-                     "states of dynamic relaxation are not written; the run begins with its last one"),
+      request_without_effect("DATABASE_BINARY_RUNRSF",
+                             "restart files are asked for on the command line (--checkpoint)"),
+      request_without_effect("DATABASE_BINARY_D3DUMP",
+                             "restart files are asked for on the command line (--checkpoint)"),
+      request_without_effect("DATABASE_BINARY_INTFOR",
+                             "the contact database (intfor) is not written; rcforc holds the forces of each contact"),
+      request_without_effect("DATABASE_BINARY_D3THDT",
+                             "d3thdt repeats the histories that nodout, elout and matsum hold"),
+      request_without_effect("DATABASE_BINARY_D3DRLF",
+                             "states of dynamic relaxation are not written; the run begins with its last one"),
   };
   rows.insert(rows.end(), others.begin(), others.end());
   return rows;

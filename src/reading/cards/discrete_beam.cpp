@@ -17,40 +17,40 @@ using deck::Cursor;
 using deck::Row;
 using deck::RowOf;
 
-constexpr IntegerField material_id = id("mid", IdSpace::material, required, "material id");
-constexpr RealField density = real("ro", dimension::density, required, above_zero(), "density; mass = ro VOL");
-constexpr Dimension force_per_length{1, 0, -2}, viscosity{1, 0, -1}, angular_viscosity{1, 2, -1};
+constexpr IntegerField beam_material_id = id("mid", IdSpace::material, required, "material id");
+constexpr RealField beam_density = real("ro", dimension::density, required, above_zero(), "density; mass = ro VOL");
+constexpr Dimension angular_viscosity{1, 2, -1};
 
 constexpr IntegerField curve_field(std::string_view name, std::string_view meaning) {
   return id(name, IdSpace::function, 0, meaning);
 }
 
-struct LawCard {
+struct DiscreteLawCard {
   int mid = 0;
   double ro = 0;
 };
 /// Six numbers, or six curves; on the first card of a law behind its id and density.
-struct ValuesCard : LawCard {
+struct ValuesCard : DiscreteLawCard {
   std::array<double, 6> value{};
 };
-struct CurvesCard : LawCard {
+struct CurvesCard : DiscreteLawCard {
   std::array<int, 6> curve{};
 };
 // The tables of six fields all run over the translations r, s, t and the rotations about them.
 const CardOf<ValuesCard> linear_card{
-    {&LawCard::mid, material_id},
-    {&LawCard::ro, density},
-    {at(&ValuesCard::value, 0), real("tkr", force_per_length, 0, at_least(0), "stiffness along r")},
-    {at(&ValuesCard::value, 1), real("tks", force_per_length, 0, at_least(0), "along s")},
-    {at(&ValuesCard::value, 2), real("tkt", force_per_length, 0, at_least(0), "along t")},
+    {&DiscreteLawCard::mid, beam_material_id},
+    {&DiscreteLawCard::ro, beam_density},
+    {at(&ValuesCard::value, 0), real("tkr", dimension::force_per_length, 0, at_least(0), "stiffness along r")},
+    {at(&ValuesCard::value, 1), real("tks", dimension::force_per_length, 0, at_least(0), "along s")},
+    {at(&ValuesCard::value, 2), real("tkt", dimension::force_per_length, 0, at_least(0), "along t")},
     {at(&ValuesCard::value, 3), real("rkr", dimension::moment, 0, at_least(0), "stiffness about r")},
     {at(&ValuesCard::value, 4), real("rks", dimension::moment, 0, at_least(0), "about s")},
     {at(&ValuesCard::value, 5), real("rkt", dimension::moment, 0, at_least(0), "about t")},
 };
 const CardOf<ValuesCard> linear_damping_card{
-    {at(&ValuesCard::value, 0), real("tdr", viscosity, 0, at_least(0), "viscous damper along r")},
-    {at(&ValuesCard::value, 1), real("tds", viscosity, 0, at_least(0), "along s")},
-    {at(&ValuesCard::value, 2), real("tdt", viscosity, 0, at_least(0), "along t")},
+    {at(&ValuesCard::value, 0), real("tdr", dimension::damping_constant, 0, at_least(0), "viscous damper along r")},
+    {at(&ValuesCard::value, 1), real("tds", dimension::damping_constant, 0, at_least(0), "along s")},
+    {at(&ValuesCard::value, 2), real("tdt", dimension::damping_constant, 0, at_least(0), "along t")},
     {at(&ValuesCard::value, 3), real("rdr", angular_viscosity, 0, at_least(0), "viscous damper about r")},
     {at(&ValuesCard::value, 4), real("rds", angular_viscosity, 0, at_least(0), "about s")},
     {at(&ValuesCard::value, 5), real("rdt", angular_viscosity, 0, at_least(0), "about t")},
@@ -63,9 +63,9 @@ const CardOf<ValuesCard> preload_card{
     {at(&ValuesCard::value, 4), real("mos", dimension::moment, 0, any_value, "about s")},
     {at(&ValuesCard::value, 5), real("mot", dimension::moment, 0, any_value, "about t")},
 };
-const CardOf<CurvesCard> curves_card{
-    {&LawCard::mid, material_id},
-    {&LawCard::ro, density},
+const CardOf<CurvesCard> beam_curves_card{
+    {&DiscreteLawCard::mid, beam_material_id},
+    {&DiscreteLawCard::ro, beam_density},
     {at(&CurvesCard::curve, 0),
      curve_field("lcidtr", "force over displacement along r; one that starts at 0 holds for both signs")},
     {at(&CurvesCard::curve, 1), curve_field("lcidts", "along s")},
@@ -109,16 +109,17 @@ const CardOf<ValuesCard> displacement_failure_card{
     {at(&ValuesCard::value, 5), real("tfailt", dimension::number, 0, at_least(0), "about t")},
 };
 
-struct GeneralCard : LawCard {
+struct GeneralBeamCard : DiscreteLawCard {
   double kt = 0, kr = 0;
   int iunld = 0;
 };
-const CardOf<GeneralCard> general_card{
-    {&GeneralCard::mid, material_id},
-    {&GeneralCard::ro, density},
-    {&GeneralCard::kt, real("kt", force_per_length, 0, at_least(0), "stiffness of unloading, displacements")},
-    {&GeneralCard::kr, real("kr", dimension::moment, 0, at_least(0), "stiffness of unloading, angles")},
-    {&GeneralCard::iunld,
+const CardOf<GeneralBeamCard> general_beam_card{
+    {&GeneralBeamCard::mid, beam_material_id},
+    {&GeneralBeamCard::ro, beam_density},
+    {&GeneralBeamCard::kt,
+     real("kt", dimension::force_per_length, 0, at_least(0), "stiffness of unloading, displacements")},
+    {&GeneralBeamCard::kr, real("kr", dimension::moment, 0, at_least(0), "stiffness of unloading, angles")},
+    {&GeneralBeamCard::iunld,
      integer("iunld", 0, between(0, 2), "unloading: 0 as loading, 1 on the unloading curve, 2 by KT, KR down to it")},
     real("offset", dimension::number, 0, any_value, "for IUNLD 3 only"),
     real("dampf", dimension::number, 0, only(0), "damping factor for stability: its scaling is not documented"),
@@ -183,14 +184,14 @@ const CardOf<ValuesCard> general_start_card{
     {at(&ValuesCard::value, 5), real("iwt", dimension::number, 0, any_value, "about t")},
 };
 
-struct SingleCard : LawCard {
+struct SingleCard : DiscreteLawCard {
   double k = 0;
   int iunld = 0;
 };
 const CardOf<SingleCard> single_card{
-    {&SingleCard::mid, material_id},
-    {&SingleCard::ro, density},
-    {&SingleCard::k, real("k", force_per_length, 0, at_least(0), "stiffness of unloading")},
+    {&SingleCard::mid, beam_material_id},
+    {&SingleCard::ro, beam_density},
+    {&SingleCard::k, real("k", dimension::force_per_length, 0, at_least(0), "stiffness of unloading")},
     {&SingleCard::iunld,
      integer("iunld", 0, between(0, 2), "unloading: 0 as loading, 1 on the unloading curve, 2 by K down to it")},
     real("offset", dimension::number, 0, any_value, "for IUNLD 3 only"),
@@ -217,15 +218,16 @@ const CardOf<SingleFailureCard> single_failure_card{
     {&SingleFailureCard::iu, real("iu", dimension::length, 0, any_value, "displacement at time 0")},
 };
 
-struct SpringCard : LawCard {
+struct SpringCard : DiscreteLawCard {
   double k = 0, f0 = 0, d = 0, cdf = 0, tdf = 0;
 };
 const CardOf<SpringCard> spring_card{
-    {&SpringCard::mid, material_id},
-    {&SpringCard::ro, density},
-    {&SpringCard::k, real("k", force_per_length, 0, at_least(0), "stiffness; with FLCID a factor on its ordinates")},
+    {&SpringCard::mid, beam_material_id},
+    {&SpringCard::ro, beam_density},
+    {&SpringCard::k,
+     real("k", dimension::force_per_length, 0, at_least(0), "stiffness; with FLCID a factor on its ordinates")},
     {&SpringCard::f0, real("f0", dimension::force, 0, any_value, "preload")},
-    {&SpringCard::d, real("d", viscosity, 0, at_least(0), "viscous damper")},
+    {&SpringCard::d, real("d", dimension::damping_constant, 0, at_least(0), "viscous damper")},
     {&SpringCard::cdf, real("cdf", dimension::length, 0, at_least(0), "compression at failure; 0: none")},
     {&SpringCard::tdf, real("tdf", dimension::length, 0, at_least(0), "elongation at failure; 0: none")},
 };
@@ -243,9 +245,9 @@ const CardOf<RateCard> rate_card{
     {&RateCard::dle, real("dle", dimension::velocity, 1, above_zero(), "velocity that C2 refers to")},
     {&RateCard::glcid, curve_field("glcid", "factor on HLCID over displacement; 0: 1")},
 };
-const CardOf<LawCard> spring_beam_card{
-    {&LawCard::mid, material_id},
-    {&LawCard::ro, density},
+const CardOf<DiscreteLawCard> spring_beam_card{
+    {&DiscreteLawCard::mid, beam_material_id},
+    {&DiscreteLawCard::ro, beam_density},
     unused(),
     unused(),
     unused(),
@@ -261,25 +263,25 @@ const CardOf<DegreeCard> degree_card{
     {&DegreeCard::dof,
      integer("dof", required, between(1, 6), "degree of freedom: 1 2 3 along r s t, 4 5 6 about them")},
     {&DegreeCard::type, integer("type", 0, between(0, 1), "0 elastic, 1 elastoplastic")},
-    {&DegreeCard::k, real("k", force_per_length, 0, at_least(0), "stiffness")},
-    {&DegreeCard::d, real("d", viscosity, 0, at_least(0), "viscous damper")},
+    {&DegreeCard::k, real("k", dimension::force_per_length, 0, at_least(0), "stiffness")},
+    {&DegreeCard::d, real("d", dimension::damping_constant, 0, at_least(0), "viscous damper")},
     {&DegreeCard::cdf,
      real("cdf", dimension::length, 0, at_least(0), "negative displacement at failure, as a positive value; 0: none")},
     {&DegreeCard::tdf, real("tdf", dimension::length, 0, at_least(0), "positive displacement at failure; 0: none")},
 };
 
-using Kind = kernel::DiscreteSpring::Kind;
+using DiscreteKind = kernel::DiscreteSpring::Kind;
 
-double failure_value(double written) {
+double beam_failure_value(double written) {
   return written >= 1e20 ? 0.0 : written;
 }
 
 std::array<double, 6> failure_values(std::array<double, 6> value) {
-  for (double& v : value) v = failure_value(v);
+  for (double& v : value) v = beam_failure_value(v);
   return value;
 }
 
-void add_law(Builder& b, const Row& row, const LawCard& card, std::string title, std::string_view keyword,
+void add_law(Builder& b, const Row& row, const DiscreteLawCard& card, std::string title, std::string_view keyword,
              std::function<void(Builder&, kernel::DiscreteBeam&)> fill) {
   const auto index = static_cast<Index>(b.model.materials.size());
   Material m{card.mid, std::move(title), std::string(keyword), card.ro, kernel::DiscreteBeam{}, row.place()};
@@ -292,7 +294,7 @@ void add_law(Builder& b, const Row& row, const LawCard& card, std::string title,
   });
 }
 
-kernel::ForceCurve force_curve(Builder& b, const deck::Entry& field) {
+kernel::ForceCurve beam_force_curve(Builder& b, const deck::Entry& field) {
   const Index c = b.curve(field);
   return c == none ? kernel::ForceCurve{} : kernel::ForceCurve(b.model.curves[c]);
 }
@@ -300,7 +302,7 @@ kernel::ForceCurve force_curve(Builder& b, const deck::Entry& field) {
 /// The six curves of a card.
 std::array<kernel::ForceCurve, 6> six_curves(Builder& b, const RowOf<CurvesCard>& row) {
   std::array<kernel::ForceCurve, 6> curves;
-  for (std::size_t i = 0; i < 6; ++i) curves[i] = force_curve(b, row[at(&CurvesCard::curve, i)]);
+  for (std::size_t i = 0; i < 6; ++i) curves[i] = beam_force_curve(b, row[at(&CurvesCard::curve, i)]);
   return curves;
 }
 
@@ -308,9 +310,9 @@ std::array<kernel::ForceCurve, 6> six_curves(Builder& b, const RowOf<CurvesCard>
 /// (LS-DYNA's rule for these laws); a fall steeper than K has no solution.
 void make_elastoplastic(Builder& b, const deck::Entry& field, const kernel::ForceCurve& yield,
                         kernel::DiscreteSpring& spring) {
-  spring.kind = Kind::linear;
+  spring.kind = DiscreteKind::linear;
   if (yield.empty()) return;
-  spring.kind = Kind::elastoplastic;
+  spring.kind = DiscreteKind::elastoplastic;
   spring.load = yield.tension_side();
   spring.unload = yield.compression_side();
   if (spring.load.empty() || spring.unload.empty())
@@ -336,7 +338,7 @@ void read_linear(Builder& b, const Block& block, const Options& options) {
   add_law(b, row, *row, std::move(title), "MAT_LINEAR_ELASTIC_DISCRETE_BEAM",
           [row, damping, preload](Builder&, kernel::DiscreteBeam& law) {
             for (std::size_t i = 0; i < 6; ++i) {
-              law.dof[i].kind = Kind::linear;
+              law.dof[i].kind = DiscreteKind::linear;
               law.dof[i].stiffness = row->value[i];
               law.dof[i].damping = damping->value[i];
               law.dof[i].preload = preload->value[i];
@@ -353,7 +355,7 @@ void take_failure(const RowOf<ValuesCard>& force, const RowOf<ValuesCard>& displ
 void read_nonlinear(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const auto row = cursor.read(curves_card);
+  const auto row = cursor.read(beam_curves_card);
   const auto damper = cursor.read(damper_curves_card);
   const auto preload = cursor.read(preload_card);
   const auto force = cursor.read(force_failure_card);
@@ -363,7 +365,7 @@ void read_nonlinear(Builder& b, const Block& block, const Options& options) {
           [row, damper, preload, force, displacement](Builder& later, kernel::DiscreteBeam& law) {
             auto load = six_curves(later, row), over_rate = six_curves(later, damper);
             for (std::size_t i = 0; i < 6; ++i) {
-              law.dof[i].kind = Kind::elastic;
+              law.dof[i].kind = DiscreteKind::elastic;
               law.dof[i].load = std::move(load[i]);
               law.dof[i].damper = std::move(over_rate[i]);
               law.dof[i].preload = preload->value[i];
@@ -372,7 +374,7 @@ void read_nonlinear(Builder& b, const Block& block, const Options& options) {
           });
 }
 
-void read_plastic(Builder& b, const Block& block, const Options& options) {
+void read_plastic_beam(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   const auto row = cursor.read(linear_card);
@@ -398,24 +400,24 @@ void read_plastic(Builder& b, const Block& block, const Options& options) {
 /// How loading and unloading of MAT_119 and MAT_121 go together.
 void set_unloading(Builder& b, int iunld, const deck::Entry& k, const deck::Entry& unload_field,
                    kernel::ForceCurve unload, kernel::DiscreteSpring& spring) {
-  spring.kind = Kind::elastic;
+  spring.kind = DiscreteKind::elastic;
   if (iunld == 0 || spring.load.empty()) return;
   if (iunld == 2) {
-    spring.kind = Kind::hysteresis;
+    spring.kind = DiscreteKind::hysteresis;
     spring.stiffness = k.value;
     if (!(k.value > 0.0)) refuse(b, k, "unloading by IUNLD 2 needs this stiffness", "give the slope of unloading");
     if (unload.empty())
       refuse(b, unload_field, "unloading by IUNLD 2 needs an unloading curve", "give one, e.g. of zero force");
   } else if (!unload.empty()) {
-    spring.kind = Kind::two_curves;
+    spring.kind = DiscreteKind::two_curves;
   }
   spring.unload = std::move(unload);
 }
 
-void read_general(Builder& b, const Block& block, const Options& options) {
+void read_general_beam(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const auto row = cursor.read(general_card);
+  const auto row = cursor.read(general_beam_card);
   const auto load = cursor.read(general_load_card);
   const auto unload = cursor.read(general_unload_card);
   const auto damper = cursor.read(damper_curves_card);
@@ -431,7 +433,7 @@ void read_general(Builder& b, const Block& block, const Options& options) {
             for (std::size_t i = 0; i < 6; ++i) {
               kernel::DiscreteSpring& spring = law.dof[i];
               spring.load = std::move(loading[i]);
-              set_unloading(later, row->iunld, i < 3 ? row[&GeneralCard::kt] : row[&GeneralCard::kr],
+              set_unloading(later, row->iunld, i < 3 ? row[&GeneralBeamCard::kt] : row[&GeneralBeamCard::kr],
                             unload[at(&CurvesCard::curve, i)], std::move(unloading[i]), spring);
               spring.damper = std::move(over_rate[i]);
               spring.damper_scale = std::move(factor[i]);
@@ -443,7 +445,7 @@ void read_general(Builder& b, const Block& block, const Options& options) {
           });
 }
 
-void read_single(Builder& b, const Block& block, const Options& options) {
+void read_single_beam(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   const auto row = cursor.read(single_card);
@@ -454,20 +456,20 @@ void read_single(Builder& b, const Block& block, const Options& options) {
           [row, curves, failure](Builder& later, kernel::DiscreteBeam& law) {
             law.between_points = true;
             kernel::DiscreteSpring& spring = law.dof[0];
-            spring.load = force_curve(later, curves[&SingleCurvesCard::lcidt]);
+            spring.load = beam_force_curve(later, curves[&SingleCurvesCard::lcidt]);
             set_unloading(later, row->iunld, row[&SingleCard::k], curves[&SingleCurvesCard::lcidtu],
-                          force_curve(later, curves[&SingleCurvesCard::lcidtu]), spring);
-            spring.damper = force_curve(later, curves[&SingleCurvesCard::lcidtd]);
-            spring.damper_scale = force_curve(later, curves[&SingleCurvesCard::lcidte]);
+                          beam_force_curve(later, curves[&SingleCurvesCard::lcidtu]), spring);
+            spring.damper = beam_force_curve(later, curves[&SingleCurvesCard::lcidtd]);
+            spring.damper_scale = beam_force_curve(later, curves[&SingleCurvesCard::lcidte]);
             spring.start = failure->iu;
-            law.tension_limit[0] = failure_value(failure->utfail);
-            law.compression_limit[0] = failure_value(failure->ucfail);
+            law.tension_limit[0] = beam_failure_value(failure->utfail);
+            law.compression_limit[0] = beam_failure_value(failure->ucfail);
           });
 }
 
 void take_rates(Builder& b, const RowOf<RateCard>& rates, kernel::DiscreteSpring& spring) {
-  spring.damper = force_curve(b, rates[&RateCard::hlcid]);
-  spring.damper_scale = force_curve(b, rates[&RateCard::glcid]);
+  spring.damper = beam_force_curve(b, rates[&RateCard::hlcid]);
+  spring.damper_scale = beam_force_curve(b, rates[&RateCard::glcid]);
   spring.linear_rate = rates->c1;
   spring.log_rate = rates->c2;
   spring.rate = rates->dle;
@@ -483,8 +485,8 @@ void read_spring(Builder& b, const Block& block, const Options& options) {
           [row, rates](Builder& later, kernel::DiscreteBeam& law) {
             law.between_points = true;
             kernel::DiscreteSpring& spring = law.dof[0];
-            spring.load = force_curve(later, rates[&RateCard::flcid]);
-            spring.kind = spring.load.empty() ? Kind::linear : Kind::elastic;
+            spring.load = beam_force_curve(later, rates[&RateCard::flcid]);
+            spring.kind = spring.load.empty() ? DiscreteKind::linear : DiscreteKind::elastic;
             spring.stiffness = row->k;
             if (!spring.load.empty() && row->k != 0.0 && row->k != 1.0)
               refuse(later, row[&SpringCard::k],
@@ -493,8 +495,8 @@ void read_spring(Builder& b, const Block& block, const Options& options) {
             spring.preload = row->f0;
             spring.damping = row->d;
             take_rates(later, rates, spring);
-            law.tension_limit[0] = failure_value(row->tdf);
-            law.compression_limit[0] = failure_value(row->cdf);
+            law.tension_limit[0] = beam_failure_value(row->tdf);
+            law.compression_limit[0] = beam_failure_value(row->cdf);
           });
 }
 
@@ -514,20 +516,20 @@ void read_spring_beam(Builder& b, const Block& block, const Options& options) {
               if (dof < 1 || dof > 6) continue;  // told
               const auto i = at(dof - 1);
               kernel::DiscreteSpring& spring = law.dof[i];
-              if (spring.kind != Kind::none)
+              if (spring.kind != DiscreteKind::none)
                 refuse(later, degree[&DegreeCard::dof], "this degree of freedom is given twice");
               spring.stiffness = degree->k;
               spring.damping = degree->d;
-              kernel::ForceCurve curve = force_curve(later, rates[&RateCard::flcid]);
+              kernel::ForceCurve curve = beam_force_curve(later, rates[&RateCard::flcid]);
               if (degree->type == 1) {
                 make_elastoplastic(later, rates[&RateCard::flcid], curve, spring);
               } else {
-                spring.kind = curve.empty() ? Kind::linear : Kind::elastic;
+                spring.kind = curve.empty() ? DiscreteKind::linear : DiscreteKind::elastic;
                 spring.load = std::move(curve);
               }
               take_rates(later, rates, spring);
-              law.tension_limit[i] = failure_value(degree->tdf);
-              law.compression_limit[i] = failure_value(degree->cdf);
+              law.tension_limit[i] = beam_failure_value(degree->tdf);
+              law.compression_limit[i] = beam_failure_value(degree->cdf);
             }
           });
 }
@@ -544,7 +546,7 @@ std::vector<Keyword> discrete_beam_keywords() {
       {.name = "MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM",
        .aliases = {"MAT_067"},
        .options = {"TITLE"},
-       .layout = {{"", &curves_card},
+       .layout = {{"", &beam_curves_card},
                   {"", &damper_curves_card},
                   {"", &preload_card},
                   {"", &force_failure_card},
@@ -559,7 +561,7 @@ std::vector<Keyword> discrete_beam_keywords() {
                   {"", &force_failure_card},
                   {"", &displacement_failure_card},
                   {"", &preload_card}},
-       .read = read_plastic},
+       .read = read_plastic_beam},
       {.name = "MAT_ELASTIC_SPRING_DISCRETE_BEAM",
        .aliases = {"MAT_074"},
        .options = {"TITLE"},
@@ -568,7 +570,7 @@ std::vector<Keyword> discrete_beam_keywords() {
       {.name = "MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM",
        .aliases = {"MAT_119"},
        .options = {"TITLE"},
-       .layout = {{"", &general_card},
+       .layout = {{"", &general_beam_card},
                   {"", &general_load_card},
                   {"", &general_unload_card},
                   {"", &damper_curves_card},
@@ -576,12 +578,12 @@ std::vector<Keyword> discrete_beam_keywords() {
                   {"", &general_tension_card},
                   {"", &general_compression_card},
                   {"", &general_start_card}},
-       .read = read_general},
+       .read = read_general_beam},
       {.name = "MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM",
        .aliases = {"MAT_121"},
        .options = {"TITLE"},
        .layout = {{"", &single_card}, {"", &single_curves_card}, {"", &single_failure_card}},
-       .read = read_single},
+       .read = read_single_beam},
       {.name = "MAT_GENERAL_SPRING_DISCRETE_BEAM",
        .aliases = {"MAT_196"},
        .options = {"TITLE"},

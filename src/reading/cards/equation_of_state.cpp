@@ -23,7 +23,8 @@ using deck::Cursor;
 using deck::RowOf;
 
 constexpr IntegerField eos_id = id("eosid", IdSpace::material, required, "id, as in EOSID of *PART");
-constexpr RealField energy = real("e0", dimension::stress, 0, any_value, "internal energy a volume, at the start");
+constexpr RealField initial_energy =
+    real("e0", dimension::stress, 0, any_value, "internal energy a volume, at the start");
 constexpr RealField volume = real("v0", dimension::number, 1, at_least(0), "relative volume at the start; 0: 1");
 
 struct StartCard {
@@ -47,7 +48,7 @@ const CardOf<PolynomialCard> polynomial_card{
 };
 
 const CardOf<StartCard> polynomial_start_card{
-    {&StartCard::e0, energy},
+    {&StartCard::e0, initial_energy},
     {&StartCard::v0, volume},
 };
 
@@ -65,7 +66,7 @@ const CardOf<GruneisenCard> gruneisen_card{
     {&GruneisenCard::s3, real("s3", dimension::number, 0, any_value, "third coefficient of that slope")},
     {&GruneisenCard::gamao, real("gamao", dimension::number, 0, any_value, "Gruneisen's gamma")},
     {&GruneisenCard::a, real("a", dimension::number, 0, any_value, "change of gamma with mu")},
-    {&GruneisenCard::e0, energy},
+    {&GruneisenCard::e0, initial_energy},
 };
 
 const CardOf<StartCard> gruneisen_start_card{
@@ -102,7 +103,7 @@ struct TabulatedCard : StartCard {
 const CardOf<TabulatedCard> tabulated_card{
     {&TabulatedCard::eosid, eos_id},
     {&TabulatedCard::gama, real("gama", dimension::number, 0, any_value, "gamma, the factor of T E")},
-    {&TabulatedCard::e0, energy},
+    {&TabulatedCard::e0, initial_energy},
     {&TabulatedCard::v0, volume},
     {&TabulatedCard::lcc,
      id("lcc", IdSpace::function, 0, "curve of C over ln V, V the relative volume; 0: by the cards that follow")},

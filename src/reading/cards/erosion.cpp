@@ -17,23 +17,23 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 
-struct FirstCard {
+struct FirstErosionCard {
   int mid = 0;
   double excl = 0, mxpres = 0, mneps = 0, effeps = 0, voleps = 0, numfip = 0, ncs = 0;
 };
-const CardOf<FirstCard> first_card{
-    {&FirstCard::mid, id("mid", IdSpace::material, required, "material to which the criteria are added")},
-    {&FirstCard::excl, real("excl", dimension::number, 0, any_value, "criteria of this value do not count")},
-    {&FirstCard::mxpres, real("mxpres", dimension::stress, 0, any_value, "greatest pressure")},
-    {&FirstCard::mneps, real("mneps", dimension::number, 0, any_value, "least principal strain")},
-    {&FirstCard::effeps,
+const CardOf<FirstErosionCard> first_card{
+    {&FirstErosionCard::mid, id("mid", IdSpace::material, required, "material to which the criteria are added")},
+    {&FirstErosionCard::excl, real("excl", dimension::number, 0, any_value, "criteria of this value do not count")},
+    {&FirstErosionCard::mxpres, real("mxpres", dimension::stress, 0, any_value, "greatest pressure")},
+    {&FirstErosionCard::mneps, real("mneps", dimension::number, 0, any_value, "least principal strain")},
+    {&FirstErosionCard::effeps,
      real("effeps", dimension::number, 0, any_value, "greatest effective strain; below 0: effective plastic strain")},
-    {&FirstCard::voleps, real("voleps", dimension::number, 0, any_value,
-                              "volumetric strain, above 0 in expansion, below 0 in compression")},
-    {&FirstCard::numfip,
+    {&FirstErosionCard::voleps, real("voleps", dimension::number, 0, any_value,
+                                     "volumetric strain, above 0 in expansion, below 0 in compression")},
+    {&FirstErosionCard::numfip,
      real("numfip", dimension::number, 1, any_value,
           "failed points that delete the element; below 0: percentage of a shell's layers, below -100: points + 100")},
-    {&FirstCard::ncs, real("ncs", dimension::number, 1, at_least(1), "how many criteria must hold at once")},
+    {&FirstErosionCard::ncs, real("ncs", dimension::number, 1, at_least(1), "how many criteria must hold at once")},
 };
 
 struct SecondCard {
@@ -73,7 +73,7 @@ const CardOf<ThirdCard> third_card{
 struct DamageCard : GissmoScaleCard {
   int nahsv = 0;
 };
-const CardOf<DamageCard> damage_card{
+const CardOf<DamageCard> erosion_damage_card{
     integer("sizflg", 0, only(0), "size of an element: 0, that of the start"),
     {&DamageCard::refsz, gissmo_field::refsz},
     {&DamageCard::nahsv, integer("nahsv", 0, any_value, "history variables of damage; NEIPH and NEIPS count here")},
@@ -105,8 +105,8 @@ const Card fifth_card{{
     real("dtmin", dimension::time, 0, only(0), "smallest time step; TSMIN and TDEL are built"),
 }};
 
-struct Cards {
-  RowOf<FirstCard> first;
+struct ErosionCards {
+  RowOf<FirstErosionCard> first;
   RowOf<SecondCard> second;
   RowOf<ThirdCard> third;
   RowOf<FourthCard> fourth;
@@ -115,12 +115,12 @@ struct Cards {
 };
 
 /// The value of a criterion, if it counts. A zero in the first card never does.
-std::optional<double> criterion(const Cards& cards, double value, bool zero_counts = true) {
+std::optional<double> criterion(const ErosionCards& cards, double value, bool zero_counts = true) {
   if (value == cards.first->excl || (value == 0.0 && !zero_counts)) return std::nullopt;
   return value;
 }
 
-kernel::Erosion criteria(Builder& b, const Cards& cards) {
+kernel::Erosion criteria(Builder& b, const ErosionCards& cards) {
   const auto one = [&](double value) { return criterion(cards, value, false); };
   const auto two = [&](double value) { return criterion(cards, value); };
   kernel::Erosion e;
@@ -164,7 +164,7 @@ int number_of(const kernel::Erosion& e) {
 }
 
 /// Warns of criteria that can never be met, and of those that hold at rest.
-void report_idle_fields(Builder& b, const Cards& cards, const kernel::LawComponents& law) {
+void report_idle_fields(Builder& b, const ErosionCards& cards, const kernel::LawComponents& law) {
   const kernel::Erosion& e = *law.erosion;
   const auto warn = [&](const deck::Entry& field, std::string_view text, const char* remedy) {
     field.report(b.findings, Severity::warning, text, remedy);
@@ -174,8 +174,8 @@ void report_idle_fields(Builder& b, const Cards& cards, const kernel::LawCompone
       warn(field, "the criterion is met where there is no stress and no strain: all elements go in the first cycle",
            "see its sign, and EXCL");
   };
-  at_rest(cards.first[&FirstCard::mxpres], e.most_pressure && *e.most_pressure < 0.0);
-  at_rest(cards.first[&FirstCard::mneps], e.least_strain && *e.least_strain > 0.0);
+  at_rest(cards.first[&FirstErosionCard::mxpres], e.most_pressure && *e.most_pressure < 0.0);
+  at_rest(cards.first[&FirstErosionCard::mneps], e.least_strain && *e.least_strain > 0.0);
   at_rest(cards.second[&SecondCard::mnpres], e.least_pressure && *e.least_pressure > 0.0);
   at_rest(cards.second[&SecondCard::sigp1], e.most_stress && *e.most_stress < 0.0);
   at_rest(cards.second[&SecondCard::epssh], e.shear_strain && *e.shear_strain < 0.0);
@@ -185,14 +185,14 @@ void report_idle_fields(Builder& b, const Cards& cards, const kernel::LawCompone
   const double strain = cards.first->effeps;
   const bool by_plastic_strain = strain < 0.0 && strain != cards.first->excl;
   if (by_plastic_strain && !has_plastic_strain(law.flow))
-    warn(cards.first[&FirstCard::effeps], "below 0 it is a plastic strain, which this material does not have",
+    warn(cards.first[&FirstErosionCard::effeps], "below 0 it is a plastic strain, which this material does not have",
          "write it above 0 for the effective strain");
   const int count = number_of(e);
   if (count == 0 && !by_plastic_strain && !law.gissmo)
-    warn(cards.first[&FirstCard::mid], "none of the criteria counts: nothing is eroded",
+    warn(cards.first[&FirstErosionCard::mid], "none of the criteria counts: nothing is eroded",
          "give one, or remove the keyword");
   else if (count > 0 && e.needed > count && !by_plastic_strain)
-    warn(cards.first[&FirstCard::ncs],
+    warn(cards.first[&FirstErosionCard::ncs],
          fmt::format("{} criteria must hold at once, but {} are given: nothing is eroded", e.needed, count),
          "lower NCS");
   if (e.time && b.model.control.relaxation.on())
@@ -200,19 +200,20 @@ void report_idle_fields(Builder& b, const Cards& cards, const kernel::LawCompone
          "erode in a run without relaxation");
 }
 
-void add_erosion(Builder& b, const Cards& cards) {
-  const Index index = b.find(b.materials, "material", cards.first[&FirstCard::mid]);
+void add_erosion(Builder& b, const ErosionCards& cards) {
+  const Index index = b.find(b.materials, "material", cards.first[&FirstErosionCard::mid]);
   if (index == none) return;
   Material& material = b.model.materials[index];
   std::optional<kernel::LawComponents> law = components_of(material.law);
   if (!law)
-    return refuse(b, cards.first[&FirstCard::mid], fmt::format("erosion cannot be added to *{}", material.keyword),
+    return refuse(b, cards.first[&FirstErosionCard::mid],
+                  fmt::format("erosion cannot be added to *{}", material.keyword),
                   "welds, discrete beams and adhesive have failure criteria of their own");
   if (law->erosion)
-    return refuse(b, cards.first[&FirstCard::mid],
+    return refuse(b, cards.first[&FirstErosionCard::mid],
                   fmt::format("material {} has criteria of erosion already", material.id),
                   "write all criteria on one *MAT_ADD_EROSION");
-  take_points_to_delete(b, cards.first[&FirstCard::numfip], *law, law->gissmo.has_value());
+  take_points_to_delete(b, cards.first[&FirstErosionCard::numfip], *law, law->gissmo.has_value());
   if (cards.damage && law->gissmo)
     return refuse(b, cards.third[&ThirdCard::idam],
                   fmt::format("material {} has damage of GISSMO already", material.id),
@@ -224,8 +225,8 @@ void add_erosion(Builder& b, const Cards& cards) {
   law->erosion = criteria(b, cards);
   if (const auto strain = criterion(cards, cards.first->effeps, false); strain && *strain < 0.0) {
     if (law->erosion->needed > 1)
-      return refuse(b, cards.first[&FirstCard::effeps], "a plastic strain together with NCS above 1 is not supported",
-                    "write NCS 1");
+      return refuse(b, cards.first[&FirstErosionCard::effeps],
+                    "a plastic strain together with NCS above 1 is not supported", "write NCS 1");
     law->failure_strain = law->failure_strain > 0.0 ? std::min(law->failure_strain, -*strain) : -*strain;
   }
   report_idle_fields(b, cards, *law);
@@ -236,9 +237,9 @@ void add_erosion(Builder& b, const Cards& cards) {
 void read_erosion(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  Cards cards{cursor.read(first_card), cursor.read(second_card), cursor.read(third_card), {}, {}, 0};
+  ErosionCards cards{cursor.read(first_card), cursor.read(second_card), cursor.read(third_card), {}, {}, 0};
   if (cards.third->idam == 1) {
-    cards.damage = cursor.read(damage_card);
+    cards.damage = cursor.read(erosion_damage_card);
     expect(b, Severity::note,
            {{(*cards.damage)[&DamageCard::refsz], 0, "damage for another element size is not written"},
             {(*cards.damage)[&DamageCard::nahsv], 0, "NEIPH, NEIPS say how many history variables are written"}});
@@ -260,7 +261,7 @@ std::vector<Keyword> erosion_keywords() {
        .layout = {{"", &first_card},
                   {"", &second_card},
                   {"", &third_card},
-                  {"if IDAM = 1", &damage_card},
+                  {"if IDAM = 1", &erosion_damage_card},
                   {"", &fourth_card},
                   {"", &fifth_card}},
        .read = read_erosion},

@@ -47,7 +47,7 @@ struct VectorsCard {
   double xx = 0, yx = 0, zx = 0, xv = 0, yv = 0, zv = 0;
   int nid = 0;
 };
-const CardOf<VectorsCard> vectors_card{
+const CardOf<VectorsCard> frame_vectors_card{
     {&VectorsCard::cid, id("cid", IdSpace::define, required, "id of the system")},
     {&VectorsCard::xx, real("xx", dimension::number, 0, any_value, "local x axis, x")},
     {&VectorsCard::yx, real("yx", dimension::number, 0, any_value, "y")},
@@ -122,7 +122,7 @@ void add_system(Builder& b, const Row& row, int id, const Vec3d& origin, const V
   add_system(b, row, s);
 }
 
-void read_points(Builder& b, const Block& block, const Options& options) {
+void read_frame_points(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
     const auto row = cursor.read(points_card);
@@ -138,7 +138,7 @@ void read_points(Builder& b, const Block& block, const Options& options) {
 void read_vectors(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
-    const auto row = cursor.read(vectors_card);
+    const auto row = cursor.read(frame_vectors_card);
     refuse_nonzero(b, row[&VectorsCard::nid], "axes that turn with a node are not supported",
                    "leave it 0 for fixed axes");
     add_system(b, row, row->cid, {}, direction(block, {row->xx, row->yx, row->zx}),
@@ -223,8 +223,11 @@ std::vector<Keyword> frame_keywords() {
       {.name = "DEFINE_COORDINATE_SYSTEM",
        .options = {"TITLE"},
        .layout = {{"", &points_card}, {"", &plane_point_card}},
-       .read = read_points},
-      {.name = "DEFINE_COORDINATE_VECTOR", .options = {"TITLE"}, .layout = {{"", &vectors_card}}, .read = read_vectors},
+       .read = read_frame_points},
+      {.name = "DEFINE_COORDINATE_VECTOR",
+       .options = {"TITLE"},
+       .layout = {{"", &frame_vectors_card}},
+       .read = read_vectors},
       {.name = "DEFINE_COORDINATE_NODES",
        .aliases = {"DEFINE_COORDINATE_NODE"},
        .options = {"TITLE"},

@@ -60,7 +60,7 @@ const CardOf<ExcitationCard> excitation_of_node = excitation_card(IdSpace::node,
                              case_excitation_of_node = excitation_card(IdSpace::node),
                              case_excitation_of_set = excitation_card(IdSpace::set);
 
-const CardOf<DampingCard> damping_card = damping_card_of_response();
+const CardOf<DampingCard> modal_damping_card = damping_card_of_response();
 
 constexpr IntegerField relatv = integer("relatv", 0, between(0, 1), "1: relative to the base");
 
@@ -114,7 +114,7 @@ struct StructuralCard {
   double g = 0;
   int lcid = 0, lctyp = 0;
 };
-const CardOf<StructuralCard> structural_card{
+const CardOf<StructuralCard> structural_damping_card{
     {&StructuralCard::g, real("g", dimension::number, 0, at_least(0), "loss factor: the stiffness is K (1 + i g)")},
     {&StructuralCard::lcid,
      id("lcid", IdSpace::function, 0, "curve of the loss factor, instead of g; end values hold outside")},
@@ -128,7 +128,7 @@ const Card control_card{{
          "large mass at driven nodes; no effect: their motion is enforced exactly"),
 }};
 
-constexpr Vec3d axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+constexpr Vec3d frequency_axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /// What stands on the cards of a case.
 struct CaseRows {
@@ -161,9 +161,9 @@ Response response_of(Builder& b, const RowOf<ResponseCard>& row) {
   const int dof = row->direction;
   r.rotation = dof == 8 || (dof >= 4 && dof <= 6);
   if (dof > 6)
-    r.directions.assign(std::begin(axes), std::end(axes));
+    r.directions.assign(std::begin(frequency_axes), std::end(frequency_axes));
   else
-    r.directions = {dof > 3 ? axes[dof - 4]
+    r.directions = {dof > 3 ? frequency_axes[dof - 4]
                             : direction_of(b, row[&ResponseCard::direction], row[&ResponseCard::vector])};
   r.quantity = static_cast<Quantity>(row->vad);
   return r;
@@ -250,14 +250,14 @@ void read_frf(Builder& b, const Block& block, const Options& options) {
   if (!options.contains("SUBCASE")) {
     const auto excitation = either(excitation_of_node, excitation_of_set);
     if (!no_torsion(b, excitation)) return;
-    const auto damping = cursor.read(damping_card);
+    const auto damping = cursor.read(modal_damping_card);
     const auto response = either(response_of_node, response_of_set);
     const auto frequencies = cursor.read(frf_frequencies);
     expect_end(b, cursor);
     return make_frf(b, {{"", excitation, response}}, shared_fields(excitation, response), damping, frequencies);
   }
   const auto shared = cursor.read(cases_card);
-  const auto damping = cursor.read(damping_card);
+  const auto damping = cursor.read(modal_damping_card);
   const auto frequencies = cursor.read(frf_frequencies);
   std::vector<CaseRows> cases;
   for (int i = 0; i < shared->ncases; ++i) {
@@ -290,7 +290,7 @@ std::vector<double> listed_frequencies(Builder& b, const deck::Entry& lcfreq) {
 
 void read_structural(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
-  const auto row = cursor.read(structural_card);
+  const auto row = cursor.read(structural_damping_card);
   expect_end(b, cursor);
   b.defer(Phase::conditions, [row](Builder& later) {
     if (later.model.structural_damping.given())
@@ -305,7 +305,7 @@ void read_structural(Builder& b, const Block& block, const Options&) {
   });
 }
 
-void read_control(Builder& b, const Block& block, const Options&) {
+void read_frequency_control(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   cursor.read(control_card);
   expect_end(b, cursor);
@@ -329,7 +329,7 @@ std::vector<Index> nodes_of(Builder& b, const deck::Entry& entity, int type) {
 }
 
 Vec3d direction_of(Builder& b, const deck::Entry& axis, const deck::Entry& vector) {
-  if (const int i = axis.integer(); i >= 1 && i <= 3) return axes[i - 1];
+  if (const int i = axis.integer(); i >= 1 && i <= 3) return frequency_axes[i - 1];
   if (vector.integer() == 0)
     refuse(b, axis, "it means the direction of a vector, and none is given", "write 1, 2 or 3, or give the vector");
   const Vec3d* v = b.vector(vector);
@@ -462,7 +462,7 @@ std::vector<Keyword> frequency_keywords() {
        .options = {"SUBCASE"},
        .layout = {{"without _SUBCASE", &excitation_of_node},
                   {"with _SUBCASE", &cases_card},
-                  {"", &damping_card},
+                  {"", &modal_damping_card},
                   {"without _SUBCASE", &response_of_node},
                   {"", &frf_frequencies},
                   {"with _SUBCASE, for each", &title_of_case},
@@ -472,8 +472,8 @@ std::vector<Keyword> frequency_keywords() {
       {.name = "FREQUENCY_DOMAIN_FRF_*",
        .status = KeywordStatus::refused,
        .why = "of the options of *FREQUENCY_DOMAIN_FRF _SUBCASE is built"},
-      {.name = "DAMPING_STRUCTURAL", .layout = {{"", &structural_card}}, .read = read_structural},
-      {.name = "CONTROL_FREQUENCY_DOMAIN", .layout = {{"", &control_card}}, .read = read_control},
+      {.name = "DAMPING_STRUCTURAL", .layout = {{"", &structural_damping_card}}, .read = read_structural},
+      {.name = "CONTROL_FREQUENCY_DOMAIN", .layout = {{"", &control_card}}, .read = read_frequency_control},
       {.name = "FREQUENCY_DOMAIN_*",
        .status = KeywordStatus::refused,
        .why = "of the responses over frequency *FREQUENCY_DOMAIN_FRF and _SSD are built"},

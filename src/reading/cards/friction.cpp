@@ -31,26 +31,26 @@ const CardOf<DefaultCard> default_card{
     {&DefaultCard::icnep, integer("icnep", 0, between(0, 1), "1: pairs of parts that are not there are left out")},
 };
 
-struct PairCard {
+struct FrictionPairCard {
   int pid_i = 0, pid_j = 0;
   double fs_ij = 0, fd_ij = 0, dc_ij = 0, vc_ij = 0;
 };
-CardOf<PairCard> pair_card(IdSpace one, IdSpace other) {
+CardOf<FrictionPairCard> friction_pair_card(IdSpace one, IdSpace other) {
   return {
-      {&PairCard::pid_i, id("pid_i", one, required, "part or part set")},
-      {&PairCard::pid_j, id("pid_j", other, required, "part or part set")},
-      {&PairCard::fs_ij, real("fs_ij", dimension::number, 0, at_least(0), "static friction between them")},
-      {&PairCard::fd_ij, real("fd_ij", dimension::number, 0, at_least(0), "dynamic friction")},
-      {&PairCard::dc_ij, real("dc_ij", {0, -1, 1}, 0, at_least(0), "decay of the friction with the speed")},
-      {&PairCard::vc_ij, real("vc_ij", dimension::stress, 0, at_least(0), "greatest shear stress; 0: none")},
+      {&FrictionPairCard::pid_i, id("pid_i", one, required, "part or part set")},
+      {&FrictionPairCard::pid_j, id("pid_j", other, required, "part or part set")},
+      {&FrictionPairCard::fs_ij, real("fs_ij", dimension::number, 0, at_least(0), "static friction between them")},
+      {&FrictionPairCard::fd_ij, real("fd_ij", dimension::number, 0, at_least(0), "dynamic friction")},
+      {&FrictionPairCard::dc_ij, real("dc_ij", {0, -1, 1}, 0, at_least(0), "decay of the friction with the speed")},
+      {&FrictionPairCard::vc_ij, real("vc_ij", dimension::stress, 0, at_least(0), "greatest shear stress; 0: none")},
       text("ptypei", 10, "PART or PSET: what pid_i is; blank: PART"),
       text("ptypej", 10, "the same of pid_j"),
   };
 }
-const CardOf<PairCard> parts_card = pair_card(IdSpace::part, IdSpace::part),
-                       set_and_part_card = pair_card(IdSpace::set, IdSpace::part),
-                       part_and_set_card = pair_card(IdSpace::part, IdSpace::set),
-                       sets_card = pair_card(IdSpace::set, IdSpace::set);
+const CardOf<FrictionPairCard> parts_card = friction_pair_card(IdSpace::part, IdSpace::part),
+                               set_and_part_card = friction_pair_card(IdSpace::set, IdSpace::part),
+                               part_and_set_card = friction_pair_card(IdSpace::part, IdSpace::set),
+                               sets_card = friction_pair_card(IdSpace::set, IdSpace::set);
 
 /// A line as it is written, for what it says of its own fields.
 struct WordsCard {
@@ -68,7 +68,7 @@ const CardOf<WordsCard> words_card{
 };
 
 struct PairRow {
-  RowOf<PairCard> row;
+  RowOf<FrictionPairCard> row;
   bool one_is_set, other_is_set;
 };
 
@@ -110,8 +110,8 @@ void read_friction(Builder& b, const Block& block, const Options& options) {
         const Index part = later.part(field);
         return part != none ? std::vector<Index>{part} : std::vector<Index>{};
       };
-      later.model.part_friction[index].pairs.push_back({parts(r.row[&PairCard::pid_i], r.one_is_set),
-                                                        parts(r.row[&PairCard::pid_j], r.other_is_set),
+      later.model.part_friction[index].pairs.push_back({parts(r.row[&FrictionPairCard::pid_i], r.one_is_set),
+                                                        parts(r.row[&FrictionPairCard::pid_j], r.other_is_set),
                                                         {r.row->fs_ij, r.row->fd_ij, r.row->dc_ij, r.row->vc_ij}});
     }
   });

@@ -37,20 +37,20 @@ const CardOf<RegionCard> node_set_card =
 const CardOf<RegionCard> part_set_card =
     region_card({&RegionCard::first, id("psid", IdSpace::set, required, "part set")}, unused());
 
-struct MotionCard {
+struct BodyMotionCard {
   double ax = 0, ay = 0, az = 0;
   int cid = 0;
 };
-const CardOf<MotionCard> motion_card{
-    {&MotionCard::ax,
+const CardOf<BodyMotionCard> body_motion_card{
+    {&BodyMotionCard::ax,
      real("ax", dimension::number, 0, any_value,
           "scale of the curve for the acceleration along x; the base accelerates, so positive pulls against x")},
-    {&MotionCard::ay, real("ay", dimension::number, 0, any_value, "along y")},
-    {&MotionCard::az, real("az", dimension::number, 0, any_value, "along z")},
+    {&BodyMotionCard::ay, real("ay", dimension::number, 0, any_value, "along y")},
+    {&BodyMotionCard::az, real("az", dimension::number, 0, any_value, "along z")},
     real("omx", dimension::number, 0, only(0), "angular motion about x: not built"),
     real("omy", dimension::number, 0, only(0), "about y: not built"),
     real("omz", dimension::number, 0, only(0), "about z: not built"),
-    {&MotionCard::cid, id("cid", IdSpace::define, 0, "coordinate system of these directions; 0: global axes")},
+    {&BodyMotionCard::cid, id("cid", IdSpace::define, 0, "coordinate system of these directions; 0: global axes")},
     text("angtyp", 10, "kind of angular motion"),
 };
 
@@ -74,7 +74,7 @@ std::vector<Index> members(const Set<Index>* set) {
   return set ? set->members : std::vector<Index>{};
 }
 
-void make_load(Builder& b, Region region, const RowOf<RegionCard>& row, const RowOf<MotionCard>& motion,
+void make_load(Builder& b, Region region, const RowOf<RegionCard>& row, const RowOf<BodyMotionCard>& motion,
                const Vec3d& scales) {
   BodyLoad load;
   load.own_parts = true;
@@ -82,7 +82,7 @@ void make_load(Builder& b, Region region, const RowOf<RegionCard>& row, const Ro
   load.scale = norm(scales);
   load.curve = b.curve(row[&RegionCard::lcid]);
   load.relaxation_curve = b.curve(row[&RegionCard::drlcid]);
-  if (const Index system = b.system(motion[&MotionCard::cid]); system != none)
+  if (const Index system = b.system(motion[&BodyMotionCard::cid]); system != none)
     load.direction = b.model.systems[system].axes.global(load.direction);
   switch (region) {
     case Region::node_range: load.nodes = nodes_in_range(b, row); break;
@@ -93,34 +93,34 @@ void make_load(Builder& b, Region region, const RowOf<RegionCard>& row, const Ro
 }
 
 template <Region region>
-void read_load(Builder& builder, const Block& block, const Options&) {
+void read_body_load(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     const auto row = cursor.read(card_of(region));
-    const auto motion = cursor.read(motion_card);
+    const auto motion = cursor.read(body_motion_card);
     const bool local = motion->cid != 0;
     const Vec3d scales =
         local ? Vec3d{motion->ax, motion->ay, motion->az} : direction(block, {motion->ax, motion->ay, motion->az});
     if (norm(scales) > 0.0)
       builder.defer(Phase::conditions, [=](Builder& b) { make_load(b, region, row, motion, scales); });
     else
-      refuse(builder, motion[&MotionCard::ax], "the load has no direction",
+      refuse(builder, motion[&BodyMotionCard::ax], "the load has no direction",
              "give the scales of the acceleration's components");
   }
 }
 
 template <Region region>
-Keyword keyword(std::string_view name) {
-  return {.name = name, .layout = {{{}, &card_of(region)}, {{}, &motion_card}}, .read = read_load<region>};
+Keyword body_load_keyword(std::string_view name) {
+  return {.name = name, .layout = {{{}, &card_of(region)}, {{}, &body_motion_card}}, .read = read_body_load<region>};
 }
 
 }  // namespace
 
 std::vector<Keyword> generalized_body_load_keywords() {
   return {
-      keyword<Region::node_range>("LOAD_BODY_GENERALIZED"),
-      keyword<Region::node_set>("LOAD_BODY_GENERALIZED_SET_NODE"),
-      keyword<Region::part_set>("LOAD_BODY_GENERALIZED_SET_PART"),
+      body_load_keyword<Region::node_range>("LOAD_BODY_GENERALIZED"),
+      body_load_keyword<Region::node_set>("LOAD_BODY_GENERALIZED_SET_NODE"),
+      body_load_keyword<Region::part_set>("LOAD_BODY_GENERALIZED_SET_PART"),
   };
 }
 

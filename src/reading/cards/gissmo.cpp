@@ -45,7 +45,7 @@ const CardOf<GissmoLawCard> law_card{
     integer("lcsoft", 0, only(0), "softening in front of a crack"),
 };
 
-const CardOf<GissmoScaleCard> scale_card{
+const CardOf<GissmoScaleCard> gissmo_scale_card{
     {&GissmoScaleCard::lcsrs, gissmo_field::lcsrs},
     {&GissmoScaleCard::shrf, gissmo_field::shrf},
     {&GissmoScaleCard::biaxf, gissmo_field::biaxf},
@@ -107,7 +107,7 @@ double share(Builder& b, const deck::Entry& field) {
   return value;
 }
 
-void add_damage(Builder& b, const RowOf<MainCard>& main, const GissmoEntries& damage,
+void add_gissmo(Builder& b, const RowOf<MainCard>& main, const GissmoEntries& damage,
                 const std::optional<RowOf<TubCard>>& tub) {
   const Index index = b.find(b.materials, "material", main[&MainCard::mid]);
   if (index == none) return;
@@ -131,19 +131,19 @@ void add_damage(Builder& b, const RowOf<MainCard>& main, const GissmoEntries& da
   material.law = composed_law(std::move(*law));
 }
 
-void read_damage(Builder& b, const Block& block, const Options& options) {
+void read_gissmo(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const auto main = cursor.read(main_card);
   const auto law = cursor.read(law_card);
-  const auto scales = cursor.read(scale_card);
+  const auto scales = cursor.read(gissmo_scale_card);
   std::optional<RowOf<TubCard>> tub;
   if (cursor.more()) tub = cursor.read(tub_card);
   expect_end(b, cursor);
   expect(b, Severity::note, {{main[&MainCard::refsz], 0, "damage for another element size is not written"}});
   // After the laws have their curves.
   b.defer(Phase::systems, [=, damage = gissmo_entries(main[&MainCard::dtyp], law, scales)](Builder& later) {
-    add_damage(later, main, damage, tub);
+    add_gissmo(later, main, damage, tub);
   });
 }
 
@@ -199,8 +199,8 @@ std::vector<Keyword> gissmo_keywords() {
   return {
       {.name = "MAT_ADD_DAMAGE_GISSMO",
        .options = {"TITLE"},
-       .layout = {{"", &main_card}, {"", &law_card}, {"", &scale_card}, {"optional", &tub_card}},
-       .read = read_damage},
+       .layout = {{"", &main_card}, {"", &law_card}, {"", &gissmo_scale_card}, {"optional", &tub_card}},
+       .read = read_gissmo},
   };
 }
 

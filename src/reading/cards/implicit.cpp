@@ -24,17 +24,17 @@ constexpr RealField tuning(std::string_view name, double fallback) {
   return real(name, dimension::number, fallback, any_value, "of LS-DYNA's own solver, no effect");
 }
 
-struct GeneralCard {
+struct ImplicitGeneralCard {
   int imflag = 0, igs = 0;
 };
-const CardOf<GeneralCard> general_card{
-    {&GeneralCard::imflag,
+const CardOf<ImplicitGeneralCard> implicit_general_card{
+    {&ImplicitGeneralCard::imflag,
      integer("imflag", 0, any_value,
              "0: explicit run, 1: implicit (modes or linear statics), 6: explicit, then modes; others are refused")},
     real("dt0", dimension::time, 0, any_value, "time step; a linear solution has none, no effect"),
     choice("imform", 2, "springback formulation, no effect"),
     choice("nsbs", 1, "springback steps, no effect"),
-    {&GeneralCard::igs,
+    {&ImplicitGeneralCard::igs,
      integer("igs", 2, between(0, 2), "geometric stiffness of initial stress in modes: 1 on, 2 off")},
     choice("cnstn", 0, "consistent tangent of plasticity, no effect"),
     choice("form", 0, "formulation of fully integrated elements, no effect"),
@@ -107,7 +107,7 @@ const CardOf<SolverCard> solver_card{
 struct SolutionCard {
   int nsolvr = 0;
 };
-const CardOf<SolutionCard> solution_card{
+const CardOf<SolutionCard> implicit_solution_card{
     {&SolutionCard::nsolvr,
      choice("nsolvr", 12, "1: linear statics at the end time; others are refused unless modes are asked for")},
     choice("ilimit", 11, "nonlinear solver, no effect"),
@@ -134,21 +134,21 @@ const CardOf<DynamicsCard> dynamics_card{
 };
 
 /// False, and why, for runs that go from one kind of analysis to another.
-bool single_analysis(Builder& b, const RowOf<GeneralCard>& row) {
+bool single_analysis(Builder& b, const RowOf<ImplicitGeneralCard>& row) {
   const int flag = row->imflag;
   if (flag == 0 || flag == 1 || flag == 6) return true;
   const char* const what = flag < 0 ? "a switch between implicit and explicit over time (a curve) is not built"
                            : flag == 2
                                ? "springback after an explicit run is a nonlinear implicit step, which is not built"
                                : "a run that switches between implicit and explicit is not built";
-  refuse(b, row[&GeneralCard::imflag], what,
+  refuse(b, row[&ImplicitGeneralCard::imflag], what,
          "write 0 for an explicit run, 1 for modes or linear statics, 6 for modes after an explicit run");
   return false;
 }
 
-void read_general(Builder& b, const Block& block, const Options&) {
+void read_implicit_general(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
-  const auto row = cursor.read(general_card);
+  const auto row = cursor.read(implicit_general_card);
   expect_end(b, cursor);
   if (!single_analysis(b, row)) return;
   b.model.implicit.active = row->imflag == 1;
@@ -157,7 +157,7 @@ void read_general(Builder& b, const Block& block, const Options&) {
   if (b.model.implicit.after_run)
     b.defer(Phase::checks, [row](Builder& later) {
       if (later.model.implicit.modes < 0) return;
-      refuse(later, row[&GeneralCard::imflag],
+      refuse(later, row[&ImplicitGeneralCard::imflag],
              "modes in the course of a run are those at its end, and the deck does not ask for any",
              "give a curve, (0, 0) (ENDTIM, 20), as NEIG = -LCID of *CONTROL_IMPLICIT_EIGENVALUE, or write IMFLAG 0");
     });
@@ -165,7 +165,7 @@ void read_general(Builder& b, const Block& block, const Options&) {
   b.defer(Phase::checks, [row](Builder& later) {
     const bool response = later.model.frequency_response || later.model.steady_state;
     if (later.model.implicit.geometric && later.model.implicit.modes == 0 && !response)
-      refuse(later, row[&GeneralCard::igs],
+      refuse(later, row[&ImplicitGeneralCard::igs],
              "geometric stiffness is built in modes and responses over frequency, not in statics",
              "write IGS 2, or ask for modes by NEIG in *CONTROL_IMPLICIT_EIGENVALUE");
     const bool has_solution =
@@ -173,7 +173,7 @@ void read_general(Builder& b, const Block& block, const Options&) {
                     [](const KeywordUse& entry) { return entry.keyword == "CONTROL_IMPLICIT_SOLUTION"; });
     const bool direct = later.model.steady_state && later.model.steady_state->direct;
     if (later.model.implicit.modes > 0 || has_solution || direct) return;
-    refuse(later, row[&GeneralCard::imflag],
+    refuse(later, row[&ImplicitGeneralCard::imflag],
            "without further cards this is a nonlinear implicit run, which is not built",
            "give NSOLVR 1 in *CONTROL_IMPLICIT_SOLUTION for linear statics, NEIG in *CONTROL_IMPLICIT_EIGENVALUE for "
            "natural modes, or run explicitly with IMFLAG 0");
@@ -253,9 +253,9 @@ void read_solver(Builder& b, const Block& block, const Options&) {
          {{row[&SolverCard::autospc], 1, "not obeyed: zero rows of the stiffness matrix are held, as with 1"}});
 }
 
-void read_solution(Builder& b, const Block& block, const Options&) {
+void read_implicit_solution(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
-  const auto row = cursor.read(solution_card);  // its further cards tune nonlinear solvers
+  const auto row = cursor.read(implicit_solution_card);  // its further cards tune nonlinear solvers
   b.defer(Phase::checks, [row](Builder& later) {
     if (later.model.implicit.active && later.model.implicit.modes <= 0 && row->nsolvr != 1)
       refuse(later, row[&SolutionCard::nsolvr], "nonlinear implicit solutions are not built",
@@ -277,12 +277,12 @@ void read_dynamics(Builder& b, const Block& block, const Options&) {
 
 std::vector<Keyword> implicit_keywords() {
   return {
-      {.name = "CONTROL_IMPLICIT_GENERAL", .layout = {{"", &general_card}}, .read = read_general},
+      {.name = "CONTROL_IMPLICIT_GENERAL", .layout = {{"", &implicit_general_card}}, .read = read_implicit_general},
       {.name = "CONTROL_IMPLICIT_EIGENVALUE",
        .layout = {{"", &eigenvalue_card}, {"optional", &eigenvalue_card_2}},
        .read = read_eigenvalue},
       {.name = "CONTROL_IMPLICIT_SOLVER", .layout = {{"", &solver_card}}, .read = read_solver},
-      {.name = "CONTROL_IMPLICIT_SOLUTION", .layout = {{"", &solution_card}}, .read = read_solution},
+      {.name = "CONTROL_IMPLICIT_SOLUTION", .layout = {{"", &implicit_solution_card}}, .read = read_implicit_solution},
       {.name = "CONTROL_IMPLICIT_DYNAMICS", .layout = {{"", &dynamics_card}}, .read = read_dynamics},
       {.name = "CONTROL_IMPLICIT_AUTO",
        .status = KeywordStatus::ignored,

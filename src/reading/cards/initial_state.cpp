@@ -18,38 +18,38 @@ using deck::RowOf;
 
 // ---- stresses of an earlier run
 
-struct PointsCard {
+struct StressPointsCard {
   int eid = 0, nplane = 0, nthick = 0, nhisv = 0, large = 0, nint = 0;
 };
-const CardOf<PointsCard> shell_card{
-    {&PointsCard::eid, id("eid", IdSpace::element, required, "shell")},
-    {&PointsCard::nplane,
+const CardOf<StressPointsCard> initial_shell_card{
+    {&StressPointsCard::eid, id("eid", IdSpace::element, required, "shell")},
+    {&StressPointsCard::nplane,
      integer("nplane", 1, at_least(1), "number of in-plane points; the mean of those at one height is taken")},
-    {&PointsCard::nthick, integer("nthick", 1, at_least(1), "number of points through the thickness")},
-    {&PointsCard::nhisv,
+    {&StressPointsCard::nthick, integer("nthick", 1, at_least(1), "number of points through the thickness")},
+    {&StressPointsCard::nhisv,
      integer("nhisv", 0, at_least(0), "number of history variables of a point; they are read past")},
     integer("ntensr", 0, only(0), "number of tensors of a point"),
-    {&PointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
+    {&StressPointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
     integer("nthint", 0, only(0), "thermal points"),
     integer("nthhsv", 0, only(0), "thermal history variables"),
 };
-const CardOf<PointsCard> solid_card{
-    {&PointsCard::eid, id("eid", IdSpace::element, required, "brick")},
-    {&PointsCard::nint, integer("nint", 1, at_least(1), "number of points; their mean is taken")},
-    {&PointsCard::nhisv,
+const CardOf<StressPointsCard> initial_solid_card{
+    {&StressPointsCard::eid, id("eid", IdSpace::element, required, "brick")},
+    {&StressPointsCard::nint, integer("nint", 1, at_least(1), "number of points; their mean is taken")},
+    {&StressPointsCard::nhisv,
      integer("nhisv", 0, at_least(0), "number of history variables of a point; they are read past")},
-    {&PointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
+    {&StressPointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
     integer("iveflg", 0, only(0), "initial volume or energy"),
     integer("ialegp", 0, any_value, "ALE group"),
     integer("nthint", 0, only(0), "thermal points"),
     integer("nthhsv", 0, only(0), "thermal history variables"),
 };
-const CardOf<PointsCard> strain_card{
-    {&PointsCard::eid, id("eid", IdSpace::element, required, "shell")},
-    {&PointsCard::nplane, integer("nplane", 1, at_least(1), "number of in-plane points")},
-    {&PointsCard::nthick,
+const CardOf<StressPointsCard> strain_card{
+    {&StressPointsCard::eid, id("eid", IdSpace::element, required, "shell")},
+    {&StressPointsCard::nplane, integer("nplane", 1, at_least(1), "number of in-plane points")},
+    {&StressPointsCard::nthick,
      integer("nthick", 2, at_least(1), "number of points through the thickness; blank: the lower and the upper")},
-    {&PointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
+    {&StressPointsCard::large, integer("large", 0, between(0, 1), "1: fields of 16 columns, five a line")},
     unused(),
     unused(),
     unused(),
@@ -61,31 +61,31 @@ struct Point {
   double t = 0, eps = 0;
   std::array<double, 6> tensor{};  ///< xx yy zz xy yz zx
 };
-using PointFields = std::vector<FieldOf<Point>>;
+using StressPointFields = std::vector<FieldOf<Point>>;
 
 const FieldOf<Point> place_field{&Point::t,
                                  real("t", dimension::number, 0, between(-1, 1), "place through the thickness")};
 const FieldOf<Point> plastic_field{&Point::eps,
                                    real("eps", dimension::number, 0, at_least(0), "effective plastic strain")};
-PointFields tensor_fields(std::string_view meaning, Dimension d) {
+StressPointFields tensor_fields(std::string_view meaning, Dimension d) {
   constexpr std::array<std::string_view, 6> names{"xx", "yy", "zz", "xy", "yz", "zx"};
-  PointFields fields;
+  StressPointFields fields;
   for (std::size_t i = 0; i < names.size(); ++i)
     fields.push_back({at(&Point::tensor, i), real(names[i], d, 0, any_value, meaning)});
   return fields;
 }
 
-PointFields joined(PointFields a, const PointFields& b) {
+StressPointFields joined(StressPointFields a, const StressPointFields& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
-const PointFields stress_fields = tensor_fields("stress, global axes", dimension::stress);
-const PointFields shell_point = joined(joined({place_field}, stress_fields), {plastic_field});
-const PointFields solid_point = joined(stress_fields, {plastic_field});
-const PointFields strain_point = joined(tensor_fields("strain, global axes", dimension::number), {place_field});
+const StressPointFields stress_fields = tensor_fields("stress, global axes", dimension::stress);
+const StressPointFields shell_point = joined(joined({place_field}, stress_fields), {plastic_field});
+const StressPointFields solid_point = joined(stress_fields, {plastic_field});
+const StressPointFields strain_point = joined(tensor_fields("strain, global axes", dimension::number), {place_field});
 
 /// The fields of a point as cards: one of 10 columns each, or lines of five fields of 16.
-std::vector<CardOf<Point>> cards_of(const PointFields& fields, bool large) {
+std::vector<CardOf<Point>> cards_of(const StressPointFields& fields, bool large) {
   std::vector<CardOf<Point>> cards;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (large ? i % 5 == 0 : i == 0) cards.emplace_back();
@@ -95,7 +95,8 @@ std::vector<CardOf<Point>> cards_of(const PointFields& fields, bool large) {
 }
 struct PointCards {
   std::vector<CardOf<Point>> normal, large;
-  explicit PointCards(const PointFields& fields) : normal(cards_of(fields, false)), large(cards_of(fields, true)) {}
+  explicit PointCards(const StressPointFields& fields)
+      : normal(cards_of(fields, false)), large(cards_of(fields, true)) {}
 };
 const PointCards shell_point_cards(shell_point), strain_point_cards(strain_point);
 const PointCards solid_point_cards = [] {
@@ -120,30 +121,31 @@ bool turned(Builder& builder, const Block& block) {
 
 /// Points that the row announces. Nothing and a finding where they are more than the lines of the block, of which a
 /// point takes one or more.
-std::optional<int> points_of(Builder& builder, const Cursor& cursor, const RowOf<PointsCard>& row, bool in_layers) {
+std::optional<int> points_of(Builder& builder, const Cursor& cursor, const RowOf<StressPointsCard>& row,
+                             bool in_layers) {
   const std::int64_t announced = in_layers ? std::int64_t{row->nplane} * row->nthick : std::int64_t{row->nint};
   const std::size_t lines = cursor.block().lines.size();
   if (announced <= static_cast<std::int64_t>(lines)) return static_cast<int>(announced);
-  refuse(builder, row[in_layers ? &PointsCard::nthick : &PointsCard::nint],
+  refuse(builder, row[in_layers ? &StressPointsCard::nthick : &StressPointsCard::nint],
          fmt::format("{} points are announced, but the keyword has only {} lines", announced, lines),
          "see the number of points, or whether lines are missing");
   return std::nullopt;
 }
 
-void refuse_short(Builder& builder, const RowOf<PointsCard>& row, bool in_layers, int announced, int found) {
-  refuse(builder, row[in_layers ? &PointsCard::nthick : &PointsCard::nint],
+void refuse_short(Builder& builder, const RowOf<StressPointsCard>& row, bool in_layers, int announced, int found) {
+  refuse(builder, row[in_layers ? &StressPointsCard::nthick : &StressPointsCard::nint],
          fmt::format("{} points are announced, but the keyword ends after {}", announced, found),
          "see the number of points, or whether lines are missing");
 }
 
 /// Points of one place are averaged: where places are missing, the bending is lost.
-void expect_places(Builder& builder, const RowOf<PointsCard>& row, const std::vector<InitialPoint>& points) {
+void expect_places(Builder& builder, const RowOf<StressPointsCard>& row, const std::vector<InitialPoint>& points) {
   std::vector<double> places;
   for (const InitialPoint& p : points) places.push_back(p.zeta);
   std::sort(places.begin(), places.end());
   const auto different = std::unique(places.begin(), places.end()) - places.begin();
   if (different != row->nthick)
-    row[&PointsCard::nthick].report(
+    row[&StressPointsCard::nthick].report(
         builder.findings, Severity::warning,
         fmt::format("the points are at {} different place{} T through the thickness, and those of one place "
                     "are averaged",
@@ -157,7 +159,7 @@ void read_stress(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   bool reported = false;
   while (!at_end(cursor)) {
-    const auto row = cursor.read(shell ? shell_card : solid_card);
+    const auto row = cursor.read(shell ? initial_shell_card : initial_solid_card);
     const bool large = row->large == 1;
     const std::optional<int> points = points_of(builder, cursor, row, shell);
     if (!points) return;
@@ -175,12 +177,12 @@ void read_stress(Builder& builder, const Block& block, const Options&) {
     if (shell) expect_places(builder, row, stress.points);
     if (row->nhisv > 0 && !reported) {
       reported = true;
-      row[&PointsCard::nhisv].report(
+      row[&StressPointsCard::nhisv].report(
           builder.findings, Severity::warning,
           "history variables of another program's laws are not taken over; stress and plastic strain are");
     }
     builder.defer(Phase::conditions, [row, stress](Builder& b) mutable {
-      stress.element = shell ? b.shell(row[&PointsCard::eid]) : b.solid(row[&PointsCard::eid]);
+      stress.element = shell ? b.shell(row[&StressPointsCard::eid]) : b.solid(row[&StressPointsCard::eid]);
       if (stress.element == none) return;
       InitialState& state = b.model.initial_state;
       (shell ? state.shells : state.solids).push_back(std::move(stress));
@@ -206,7 +208,7 @@ void read_strain(Builder& builder, const Block& block, const Options&) {
       if (i + 1 == *points && lowest == highest) strain.upper = point.tensor;
     }
     builder.defer(Phase::conditions, [row, strain](Builder& b) mutable {
-      strain.shell = b.shell(row[&PointsCard::eid]);
+      strain.shell = b.shell(row[&StressPointsCard::eid]);
       if (strain.shell != none) b.model.initial_state.shell_strains.push_back(strain);
     });
   }
@@ -242,38 +244,39 @@ void read_axial(Builder& builder, const Block& block, const Options&) {
   }
 }
 
-struct SectionCard {
+struct SectionStressCard {
   int csid = 0, lcid = 0, psid = 0, vid = 0, izshear = 0;
 };
-const CardOf<SectionCard> section_card{
+const CardOf<SectionStressCard> section_stress_card{
     id("issid", IdSpace::other, 0, "number of this preload"),
-    {&SectionCard::csid, id("csid", IdSpace::other, required, "cross section (*DATABASE_CROSS_SECTION_..._ID)")},
-    {&SectionCard::lcid,
+    {&SectionStressCard::csid, id("csid", IdSpace::other, required, "cross section (*DATABASE_CROSS_SECTION_..._ID)")},
+    {&SectionStressCard::lcid,
      id("lcid", IdSpace::function, required, "curve of the normal stress over time; the preload ends with the curve")},
-    {&SectionCard::psid, id("psid", IdSpace::set, 0, "part set; 0: all parts of the section")},
-    {&SectionCard::vid, id("vid", IdSpace::define, 0, "vector of the normal; 0: that of the plane")},
-    {&SectionCard::izshear,
+    {&SectionStressCard::psid, id("psid", IdSpace::set, 0, "part set; 0: all parts of the section")},
+    {&SectionStressCard::vid, id("vid", IdSpace::define, 0, "vector of the normal; 0: that of the plane")},
+    {&SectionStressCard::izshear,
      integer("izshear", 0, between(0, 2),
              "0: the other stresses are 0; 1: they grow as the material says; 2: so does bending within a brick")},
     integer("istiff", 0, only(0), "artificial stiffness during the preload"),
 };
 
 /// The bricks of a section and, where it is a plane, its normal.
-void resolve_section_stress(Builder& builder, const RowOf<SectionCard>& row) {
+void resolve_section_stress(Builder& builder, const RowOf<SectionStressCard>& row) {
   const auto& sections = builder.model.requests.cross_sections;
   const int id = row->csid;
   const auto found =
       std::find_if(sections.begin(), sections.end(), [id](const CrossSection& section) { return section.id == id; });
   if (found == sections.end())
-    return refuse(builder, row[&SectionCard::csid], fmt::format("cross section {} is not defined", id),
+    return refuse(builder, row[&SectionStressCard::csid], fmt::format("cross section {} is not defined", id),
                   "define it by *DATABASE_CROSS_SECTION_PLANE_ID or _SET_ID");
   SectionStress stress{
-      {}, found->normal, builder.curve(row[&SectionCard::lcid]), row->izshear > 0, row->izshear == 2, row.place()};
-  if (const Vec3d* vector = builder.vector(row[&SectionCard::vid])) stress.normal = unit(*vector);
+      {},         found->normal, builder.curve(row[&SectionStressCard::lcid]), row->izshear > 0, row->izshear == 2,
+      row.place()};
+  if (const Vec3d* vector = builder.vector(row[&SectionStressCard::vid])) stress.normal = unit(*vector);
   if (norm(stress.normal) == 0.0)
-    return refuse(builder, row[&SectionCard::vid], "a cross section by sets has no normal of its own",
+    return refuse(builder, row[&SectionStressCard::vid], "a cross section by sets has no normal of its own",
                   "name a *DEFINE_VECTOR");
-  const auto* parts = builder.part_set(row[&SectionCard::psid]);
+  const auto* parts = builder.part_set(row[&SectionStressCard::psid]);
   for (const CrossSection::Facet& facet : found->facets) {
     if (facet.kind != ElementKind::solid) continue;
     const Index part = builder.model.solids.part[facet.element];
@@ -286,7 +289,7 @@ void resolve_section_stress(Builder& builder, const RowOf<SectionCard>& row) {
 void read_section_stress(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    const auto row = cursor.read(section_card);
+    const auto row = cursor.read(section_stress_card);
     // In the phase of the checks, when all cross sections are there.
     builder.defer(Phase::checks, [row](Builder& b) { resolve_section_stress(b, row); });
   }
@@ -299,10 +302,14 @@ std::vector<Keyword> initial_state_keywords() {
     return std::vector<LayoutCard>{{{}, &first}, {"for each point", &cards.normal.front()}};
   };
   return {
-      {.name = "INITIAL_STRESS_SHELL", .layout = points(shell_card, shell_point_cards), .read = read_stress<true>},
-      {.name = "INITIAL_STRESS_SOLID", .layout = points(solid_card, solid_point_cards), .read = read_stress<false>},
+      {.name = "INITIAL_STRESS_SHELL",
+       .layout = points(initial_shell_card, shell_point_cards),
+       .read = read_stress<true>},
+      {.name = "INITIAL_STRESS_SOLID",
+       .layout = points(initial_solid_card, solid_point_cards),
+       .read = read_stress<false>},
       {.name = "INITIAL_STRAIN_SHELL", .layout = points(strain_card, strain_point_cards), .read = read_strain},
-      {.name = "INITIAL_STRESS_SECTION", .layout = {{{}, &section_card}}, .read = read_section_stress},
+      {.name = "INITIAL_STRESS_SECTION", .layout = {{{}, &section_stress_card}}, .read = read_section_stress},
       {.name = "INITIAL_AXIAL_FORCE_BEAM", .layout = {{{}, &axial_card}}, .read = read_axial},
   };
 }

@@ -52,27 +52,27 @@ const CardOf<JointCard> bodies_card{
     {&JointCard::rbidc, id("rbidc", IdSpace::part, 0, "rigid body C, of harmonic drives only")},
 };
 
-struct PointCard {
+struct JointPointCard {
   double x = 0, y = 0, z = 0;
 };
-CardOf<PointCard> point_card(std::string_view meaning) {
-  return {{&PointCard::x, real("x", dimension::length, 0, any_value, meaning)},
-          {&PointCard::y, real("y", dimension::length, 0, any_value, meaning)},
-          {&PointCard::z, real("z", dimension::length, 0, any_value, meaning)}};
+CardOf<JointPointCard> joint_point_card(std::string_view meaning) {
+  return {{&JointPointCard::x, real("x", dimension::length, 0, any_value, meaning)},
+          {&JointPointCard::y, real("y", dimension::length, 0, any_value, meaning)},
+          {&JointPointCard::z, real("z", dimension::length, 0, any_value, meaning)}};
 }
-const std::array<CardOf<PointCard>, 6> point_cards{
-    point_card("point 1 on body A: where the joint is"),
-    point_card("point 2 on body B: taken as point 1"),
-    point_card("point 3 on body A: point 1 to 3 is the joint's axis"),
-    point_card("point 4 on body B: taken as point 3; universal: point 2 to 4 is the other axis"),
-    point_card("point 5 on body A, off the axis (translational, locking)"),
-    point_card("point 6 on body B: taken as point 5"),
+const std::array<CardOf<JointPointCard>, 6> point_cards{
+    joint_point_card("point 1 on body A: where the joint is"),
+    joint_point_card("point 2 on body B: taken as point 1"),
+    joint_point_card("point 3 on body A: point 1 to 3 is the joint's axis"),
+    joint_point_card("point 4 on body B: taken as point 3; universal: point 2 to 4 is the other axis"),
+    joint_point_card("point 5 on body A, off the axis (translational, locking)"),
+    joint_point_card("point 6 on body B: taken as point 5"),
 };
 
 struct ControlCard {
   int lmf = 0;
 };
-const CardOf<ControlCard> rigid_card{
+const CardOf<ControlCard> joint_rigid_card{
     {&ControlCard::lmf, integer("lmf", 0, between(0, 1), "joints: 0 penalty, 1 Lagrange multipliers (not built)")},
     unused(),
     unused(),
@@ -114,7 +114,7 @@ struct FailureCard {
   int cid = 0;
   double tfail = 0, coupl = 0;
 };
-const CardOf<FailureCard> failure_card{
+const CardOf<FailureCard> joint_failure_card{
     {&FailureCard::cid, id("cid", IdSpace::define, 0, "axes of the limits below; 0: global")},
     {&FailureCard::tfail, real("tfail", dimension::time, 0, at_least(0), "time from which the joint is gone; 0: none")},
     {&FailureCard::coupl,
@@ -133,20 +133,20 @@ const CardOf<LimitsCard> limits_card{
     {&LimitsCard::mzz, real("mzz", dimension::moment, 0, at_least(0), "moment about z at failure")},
 };
 
-using Kind = Joint::Kind;
+using JointKind = Joint::Kind;
 
-const CardOf<TransmissionCard>& card_of_ratio(Kind kind) {
-  return kind == Kind::gears || kind == Kind::pulley ? ratio_card : way_card;
+const CardOf<TransmissionCard>& card_of_ratio(JointKind kind) {
+  return kind == JointKind::gears || kind == JointKind::pulley ? ratio_card : way_card;
 }
 
 /// How many pairs of nodes a joint has.
-std::size_t pairs(Kind kind) {
+std::size_t pairs(JointKind kind) {
   switch (kind) {
-    case Kind::spherical: return 1;
-    case Kind::revolute:
-    case Kind::cylindrical:
-    case Kind::planar:
-    case Kind::universal: return 2;
+    case JointKind::spherical: return 1;
+    case JointKind::revolute:
+    case JointKind::cylindrical:
+    case JointKind::planar:
+    case JointKind::universal: return 2;
     default: return 3;
   }
 }
@@ -154,16 +154,16 @@ std::size_t pairs(Kind kind) {
 constexpr Frame3d global_axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /// Where findings about a joint's points stand.
-using PointFields = std::array<deck::Entry, 6>;
+using JointPointFields = std::array<deck::Entry, 6>;
 
-PointFields node_fields(const RowOf<JointCard>& row) {
-  PointFields fields;
+JointPointFields node_fields(const RowOf<JointCard>& row) {
+  JointPointFields fields;
   for (std::size_t i = 0; i < fields.size(); ++i) fields[i] = row[at(&JointCard::node, i)];
   return fields;
 }
 
 /// The nodes and the two rigid bodies that they belong to; false and a finding where that fails.
-bool find_bodies(Builder& b, const PointFields& fields, Joint& joint) {
+bool find_bodies(Builder& b, const JointPointFields& fields, Joint& joint) {
   const std::size_t count = 2 * pairs(joint.kind);
   for (std::size_t i = 0; i < count; ++i) {
     const deck::Entry& field = fields[i];
@@ -194,9 +194,9 @@ bool find_bodies(Builder& b, const PointFields& fields, Joint& joint) {
 }
 
 /// Axes of A and B, ratio and radius of a joint that transmits; `ratio`: its second card.
-bool check_transmission(Builder& b, const PointFields& field, const RowOf<TransmissionCard>& ratio, Joint& joint) {
+bool check_transmission(Builder& b, const JointPointFields& field, const RowOf<TransmissionCard>& ratio, Joint& joint) {
   joint.ratio = ratio->parm;
-  const bool turns = joint.kind == Kind::gears || joint.kind == Kind::pulley;
+  const bool turns = joint.kind == JointKind::gears || joint.kind == JointKind::pulley;
   if (turns ? !(joint.ratio > 0.0) : joint.ratio == 0.0) {
     refuse(b, ratio[&TransmissionCard::parm],
            turns ? "the ratio R2/R1 must be above 0" : "a ratio of 0 transmits nothing", "give the ratio");
@@ -210,12 +210,12 @@ bool check_transmission(Builder& b, const PointFields& field, const RowOf<Transm
     return false;
   }
   const double cosine = dot(unit(a), unit(other));
-  if (joint.kind == Kind::rack_and_pinion && std::abs(cosine) > 0.02) {
+  if (joint.kind == JointKind::rack_and_pinion && std::abs(cosine) > 0.02) {
     refuse(b, field[3], "the rack's way (second to fourth point) must be perpendicular to the pinion's axis",
            "see the coordinates");
     return false;
   }
-  if (joint.kind == Kind::screw) {
+  if (joint.kind == JointKind::screw) {
     const Vec3d off = joint.point[1] - joint.point[0];
     if (std::abs(cosine) < 0.9998 || norm(cross(unit(a), off)) > 0.02 * std::max(norm(a), norm(off))) {
       refuse(b, field[1], "the first four points of a screw joint must lie on one axis", "see the coordinates");
@@ -233,7 +233,7 @@ bool check_transmission(Builder& b, const PointFields& field, const RowOf<Transm
   return true;
 }
 
-bool check_places(Builder& b, const PointFields& field, const Joint& joint) {
+bool check_places(Builder& b, const JointPointFields& field, const Joint& joint) {
   const auto place = [&](std::size_t i) { return joint.point[i]; };
   const std::size_t count = pairs(joint.kind);
   const Vec3d axis = count > 1 ? place(2) - place(0) : Vec3d{};
@@ -244,7 +244,7 @@ bool check_places(Builder& b, const PointFields& field, const Joint& joint) {
   }
   // Decks write coordinates with a few digits.
   const double near = 1e-3 * (count > 1 ? norm(axis) : 1.0);
-  const std::size_t coincident = joint.kind == Kind::universal ? 1 : count;
+  const std::size_t coincident = joint.kind == JointKind::universal ? 1 : count;
   for (std::size_t p = 0; p < coincident; ++p) {
     if (norm(place(2 * p + 1) - place(2 * p)) <= near) continue;
     refuse(b, field[2 * p + 1],
@@ -253,7 +253,7 @@ bool check_places(Builder& b, const PointFields& field, const Joint& joint) {
            "give both the same coordinates");
     return false;
   }
-  if (joint.kind == Kind::universal) {
+  if (joint.kind == JointKind::universal) {
     const Vec3d other = place(3) - place(1);
     if (!(norm(other) > 0.0) || std::abs(dot(axis, other)) > 0.02 * norm(axis) * norm(other)) {
       refuse(b, field[3],
@@ -282,7 +282,7 @@ Extras read_extras(Builder& b, Cursor& cursor, const Options& options) {
   Extras extras;
   if (options.contains("LOCAL")) extras.local = cursor.read(local_card);
   if (options.contains("FAILURE")) {
-    extras.failure = cursor.read(failure_card);
+    extras.failure = cursor.read(joint_failure_card);
     extras.limits = *cursor.read(limits_card);
     const FailureCard& failure = **extras.failure;
     const LimitsCard& l = extras.limits;
@@ -346,11 +346,11 @@ void take_penalty(Builder& b, const RowOf<JointCard>& row, Joint& joint) {
 void add_joint(Builder& b, const RowOf<JointCard>& row, const Extras& extras, Joint joint) {
   take_penalty(b, row, joint);
   take_extras(b, extras, joint);
-  const PointFields fields = node_fields(row);
+  const JointPointFields fields = node_fields(row);
   if (find_bodies(b, fields, joint) && check_places(b, fields, joint)) b.model.joints.push_back(std::move(joint));
 }
 
-Joint begun(Cursor& cursor, const Options& options, Kind kind) {
+Joint begun(Cursor& cursor, const Options& options, JointKind kind) {
   Joint joint;
   joint.kind = kind;
   const Heading heading = read_heading(cursor, options.contains("ID") || options.contains("TITLE"));
@@ -359,7 +359,7 @@ Joint begun(Cursor& cursor, const Options& options, Kind kind) {
   return joint;
 }
 
-RowOf<TransmissionCard> read_ratio(Builder& b, Cursor& cursor, Kind kind) {
+RowOf<TransmissionCard> read_ratio(Builder& b, Cursor& cursor, JointKind kind) {
   const auto row = cursor.read(card_of_ratio(kind));
   expect(b, Severity::warning,
          {{row[&TransmissionCard::lcid], 0, "belongs to motors: it does nothing here"},
@@ -371,12 +371,12 @@ void add_transmission(Builder& b, const RowOf<JointCard>& row, const RowOf<Trans
                       const Extras& extras, Joint joint) {
   take_penalty(b, row, joint);
   take_extras(b, extras, joint);
-  const PointFields fields = node_fields(row);
+  const JointPointFields fields = node_fields(row);
   if (find_bodies(b, fields, joint) && check_transmission(b, fields, ratio, joint))
     b.model.joints.push_back(std::move(joint));
 }
 
-template <Kind kind>
+template <JointKind kind>
 void read_transmission(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Joint joint = begun(cursor, options, kind);
@@ -389,7 +389,7 @@ void read_transmission(Builder& b, const Block& block, const Options& options) {
   }
 }
 
-template <Kind kind>
+template <JointKind kind>
 void read_joint(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Joint joint = begun(cursor, options, kind);
@@ -402,8 +402,8 @@ void read_joint(Builder& b, const Block& block, const Options& options) {
 
 // ---- by points
 
-PointFields body_fields(const RowOf<JointCard>& row) {
-  PointFields fields;
+JointPointFields body_fields(const RowOf<JointCard>& row) {
+  JointPointFields fields;
   fields.fill(row[at(&JointCard::body, 0)]);
   return fields;
 }
@@ -430,7 +430,7 @@ void add_transmission_by_points(Builder& b, const RowOf<JointCard>& row, const R
 }
 
 /// The card of the bodies and six of points.
-RowOf<JointCard> read_points(Builder& b, Cursor& cursor, const Block& block, Joint& joint) {
+RowOf<JointCard> read_joint_points(Builder& b, Cursor& cursor, const Block& block, Joint& joint) {
   const auto row = cursor.read(bodies_card);
   joint.place = row.place();
   expect(b, Severity::warning, {{row[&JointCard::rbidc], 0, "belongs to harmonic drives: it does nothing here"}});
@@ -441,25 +441,25 @@ RowOf<JointCard> read_points(Builder& b, Cursor& cursor, const Block& block, Joi
   return row;
 }
 
-template <Kind kind>
+template <JointKind kind>
 void read_joint_by_points(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Joint joint = begun(cursor, options, kind);
-    const auto row = read_points(b, cursor, block, joint);
+    const auto row = read_joint_points(b, cursor, block, joint);
     // The second point of a pair is where the first one is, whatever its card says.
     for (std::size_t p = 0; p < pairs(kind); ++p)
-      if (p == 0 || kind != Kind::universal) joint.point[2 * p + 1] = joint.point[2 * p];
+      if (p == 0 || kind != JointKind::universal) joint.point[2 * p + 1] = joint.point[2 * p];
     const Extras extras = read_extras(b, cursor, options);
     b.defer(Phase::conditions,
             [row, extras, joint](Builder& later) { add_joint_by_points(later, row, extras, joint); });
   }
 }
 
-template <Kind kind>
+template <JointKind kind>
 void read_transmission_by_points(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     Joint joint = begun(cursor, options, kind);
-    const auto row = read_points(b, cursor, block, joint);
+    const auto row = read_joint_points(b, cursor, block, joint);
     const auto ratio = read_ratio(b, cursor, kind);
     const Extras extras = read_extras(b, cursor, options);
     b.defer(Phase::conditions, [row, ratio, extras, joint](Builder& later) {
@@ -468,9 +468,9 @@ void read_transmission_by_points(Builder& b, const Block& block, const Options& 
   }
 }
 
-void read_control(Builder& b, const Block& block, const Options&) {
+void read_joint_control(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
-  const auto row = cursor.read(rigid_card);
+  const auto row = cursor.read(joint_rigid_card);
   b.defer(Phase::checks, [row](Builder& later) {
     if (row->lmf == 1 && !later.model.joints.empty())
       refuse(later, row[&ControlCard::lmf], "joints by Lagrange multipliers are not built",
@@ -483,7 +483,7 @@ Keyword made(std::string_view name, std::vector<LayoutCard> own, void (*read)(Bu
   std::vector<LayoutCard> layout{{"with _ID", &heading_card}};
   layout.insert(layout.end(), own.begin(), own.end());
   layout.push_back({"with _LOCAL", &local_card});
-  layout.push_back({"with _FAILURE", &failure_card});
+  layout.push_back({"with _FAILURE", &joint_failure_card});
   layout.push_back({"with _FAILURE", &limits_card});
   return {.name = name, .options = {"ID", "TITLE", "LOCAL", "FAILURE"}, .layout = std::move(layout), .read = read};
 }
@@ -494,22 +494,22 @@ std::vector<LayoutCard> cards_of_points() {
   return cards;
 }
 
-template <Kind kind>
+template <JointKind kind>
 Keyword joint(std::string_view name) {
   return made(name, {{"", &joint_card}}, read_joint<kind>);
 }
 
-template <Kind kind>
+template <JointKind kind>
 Keyword joint_by_points(std::string_view name) {
   return made(name, cards_of_points(), read_joint_by_points<kind>);
 }
 
-template <Kind kind>
+template <JointKind kind>
 Keyword transmission(std::string_view name) {
   return made(name, {{"", &joint_card}, {"", &card_of_ratio(kind)}}, read_transmission<kind>);
 }
 
-template <Kind kind>
+template <JointKind kind>
 Keyword transmission_by_points(std::string_view name) {
   std::vector<LayoutCard> cards = cards_of_points();
   cards.push_back({"", &card_of_ratio(kind)});
@@ -523,32 +523,32 @@ std::vector<Keyword> joint_keywords() {
     return Keyword{.name = name, .status = KeywordStatus::refused, .why = why};
   };
   return {
-      joint<Kind::spherical>("CONSTRAINED_JOINT_SPHERICAL"),
-      joint<Kind::revolute>("CONSTRAINED_JOINT_REVOLUTE"),
-      joint<Kind::cylindrical>("CONSTRAINED_JOINT_CYLINDRICAL"),
-      joint<Kind::planar>("CONSTRAINED_JOINT_PLANAR"),
-      joint<Kind::universal>("CONSTRAINED_JOINT_UNIVERSAL"),
-      joint<Kind::translational>("CONSTRAINED_JOINT_TRANSLATIONAL"),
-      joint<Kind::locking>("CONSTRAINED_JOINT_LOCKING"),
-      joint_by_points<Kind::spherical>("CONSTRAINED_JOINT_COOR_SPHERICAL"),
-      joint_by_points<Kind::revolute>("CONSTRAINED_JOINT_COOR_REVOLUTE"),
-      joint_by_points<Kind::cylindrical>("CONSTRAINED_JOINT_COOR_CYLINDRICAL"),
-      joint_by_points<Kind::planar>("CONSTRAINED_JOINT_COOR_PLANAR"),
-      joint_by_points<Kind::universal>("CONSTRAINED_JOINT_COOR_UNIVERSAL"),
-      joint_by_points<Kind::translational>("CONSTRAINED_JOINT_COOR_TRANSLATIONAL"),
-      joint_by_points<Kind::locking>("CONSTRAINED_JOINT_COOR_LOCKING"),
-      transmission<Kind::gears>("CONSTRAINED_JOINT_GEARS"),
-      transmission<Kind::pulley>("CONSTRAINED_JOINT_PULLEY"),
-      transmission<Kind::rack_and_pinion>("CONSTRAINED_JOINT_RACK_AND_PINION"),
-      transmission<Kind::screw>("CONSTRAINED_JOINT_SCREW"),
-      transmission_by_points<Kind::gears>("CONSTRAINED_JOINT_COOR_GEARS"),
-      transmission_by_points<Kind::pulley>("CONSTRAINED_JOINT_COOR_PULLEY"),
-      transmission_by_points<Kind::rack_and_pinion>("CONSTRAINED_JOINT_COOR_RACK_AND_PINION"),
-      transmission_by_points<Kind::screw>("CONSTRAINED_JOINT_COOR_SCREW"),
+      joint<JointKind::spherical>("CONSTRAINED_JOINT_SPHERICAL"),
+      joint<JointKind::revolute>("CONSTRAINED_JOINT_REVOLUTE"),
+      joint<JointKind::cylindrical>("CONSTRAINED_JOINT_CYLINDRICAL"),
+      joint<JointKind::planar>("CONSTRAINED_JOINT_PLANAR"),
+      joint<JointKind::universal>("CONSTRAINED_JOINT_UNIVERSAL"),
+      joint<JointKind::translational>("CONSTRAINED_JOINT_TRANSLATIONAL"),
+      joint<JointKind::locking>("CONSTRAINED_JOINT_LOCKING"),
+      joint_by_points<JointKind::spherical>("CONSTRAINED_JOINT_COOR_SPHERICAL"),
+      joint_by_points<JointKind::revolute>("CONSTRAINED_JOINT_COOR_REVOLUTE"),
+      joint_by_points<JointKind::cylindrical>("CONSTRAINED_JOINT_COOR_CYLINDRICAL"),
+      joint_by_points<JointKind::planar>("CONSTRAINED_JOINT_COOR_PLANAR"),
+      joint_by_points<JointKind::universal>("CONSTRAINED_JOINT_COOR_UNIVERSAL"),
+      joint_by_points<JointKind::translational>("CONSTRAINED_JOINT_COOR_TRANSLATIONAL"),
+      joint_by_points<JointKind::locking>("CONSTRAINED_JOINT_COOR_LOCKING"),
+      transmission<JointKind::gears>("CONSTRAINED_JOINT_GEARS"),
+      transmission<JointKind::pulley>("CONSTRAINED_JOINT_PULLEY"),
+      transmission<JointKind::rack_and_pinion>("CONSTRAINED_JOINT_RACK_AND_PINION"),
+      transmission<JointKind::screw>("CONSTRAINED_JOINT_SCREW"),
+      transmission_by_points<JointKind::gears>("CONSTRAINED_JOINT_COOR_GEARS"),
+      transmission_by_points<JointKind::pulley>("CONSTRAINED_JOINT_COOR_PULLEY"),
+      transmission_by_points<JointKind::rack_and_pinion>("CONSTRAINED_JOINT_COOR_RACK_AND_PINION"),
+      transmission_by_points<JointKind::screw>("CONSTRAINED_JOINT_COOR_SCREW"),
       refused("CONSTRAINED_JOINT_*",
               "this joint is not built; SPHERICAL, REVOLUTE, CYLINDRICAL, PLANAR, UNIVERSAL, TRANSLATIONAL, LOCKING, "
               "GEARS, PULLEY, RACK_AND_PINION and SCREW are, by nodes and by points (_COOR_)"),
-      {.name = "CONTROL_RIGID", .layout = {{"", &rigid_card}}, .read = read_control},
+      {.name = "CONTROL_RIGID", .layout = {{"", &joint_rigid_card}}, .read = read_joint_control},
   };
 }
 

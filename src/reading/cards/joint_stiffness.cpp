@@ -16,17 +16,15 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 
-constexpr Dimension force_per_length{1, 0, -2};
-
-struct StiffnessCard {
+struct JointStiffnessCard {
   int jsid = 0, pida = 0, pidb = 0, cida = 0, cidb = 0;
 };
-const CardOf<StiffnessCard> stiffness_card{
-    {&StiffnessCard::jsid, id("jsid", IdSpace::other, required, "id of the stiffness")},
-    {&StiffnessCard::pida, id("pida", IdSpace::part, required, "rigid body A: a part or a nodal rigid body")},
-    {&StiffnessCard::pidb, id("pidb", IdSpace::part, required, "rigid body B")},
-    {&StiffnessCard::cida, id("cida", IdSpace::define, required, "coordinate system of body A")},
-    {&StiffnessCard::cidb, id("cidb", IdSpace::define, 0, "coordinate system of body B; 0: that of A")},
+const CardOf<JointStiffnessCard> joint_stiffness_card{
+    {&JointStiffnessCard::jsid, id("jsid", IdSpace::other, required, "id of the stiffness")},
+    {&JointStiffnessCard::pida, id("pida", IdSpace::part, required, "rigid body A: a part or a nodal rigid body")},
+    {&JointStiffnessCard::pidb, id("pidb", IdSpace::part, required, "rigid body B")},
+    {&JointStiffnessCard::cida, id("cida", IdSpace::define, required, "coordinate system of body A")},
+    {&JointStiffnessCard::cidb, id("cidb", IdSpace::define, 0, "coordinate system of body B; 0: that of A")},
     integer("jid", 0, any_value, "joint; no effect, as friction does not depend on its force"),
     real("rps", dimension::number, 1, any_value, "no effect: for FS and FD only"),
 };
@@ -75,12 +73,12 @@ const CardOf<FreedomCards> sliding_curves_card{
 };
 const CardOf<FreedomCards> sliding_friction_card{
     {at(&FreedomCards::stiffness, 0),
-     real("esx", force_per_length, 0, at_least(0), "stiffness of friction and stops along x")},
+     real("esx", dimension::force_per_length, 0, at_least(0), "stiffness of friction and stops along x")},
     {at(&FreedomCards::friction, 0),
      real("ffx", dimension::force, 0, at_least(0), "friction force along x; 0: none; no curves")},
-    {at(&FreedomCards::stiffness, 1), real("esy", force_per_length, 0, at_least(0), "stiffness along y")},
+    {at(&FreedomCards::stiffness, 1), real("esy", dimension::force_per_length, 0, at_least(0), "stiffness along y")},
     {at(&FreedomCards::friction, 1), real("ffy", dimension::force, 0, at_least(0), "friction force along y")},
-    {at(&FreedomCards::stiffness, 2), real("esz", force_per_length, 0, at_least(0), "stiffness along z")},
+    {at(&FreedomCards::stiffness, 2), real("esz", dimension::force_per_length, 0, at_least(0), "stiffness along z")},
     {at(&FreedomCards::friction, 2), real("ffz", dimension::force, 0, at_least(0), "friction force along z")},
 };
 const CardOf<FreedomCards> sliding_stops_card{
@@ -95,8 +93,8 @@ const CardOf<FreedomCards> sliding_stops_card{
     real("fs", dimension::number, 0, only(0), "friction that depends on the joint's force"),
     real("fd", dimension::number, 0, only(0), "friction that depends on the joint's force"),
 };
-struct Rows {
-  RowOf<StiffnessCard> main;
+struct StiffnessRows {
+  RowOf<JointStiffnessCard> main;
   RowOf<FreedomCards> curves, friction, stops;  ///< the last has the values of all three
 };
 
@@ -108,17 +106,17 @@ Index rigid_body(Builder& b, const deck::Entry& field) {
   return body;
 }
 
-void add_stiffness(Builder& b, const Rows& rows, bool rotational) {
+void add_stiffness(Builder& b, const StiffnessRows& rows, bool rotational) {
   const auto& main = rows.main;
   JointStiffness s;
   s.id = main->jsid;
   s.rotational = rotational;
   s.place = main.place();
-  s.body = {rigid_body(b, main[&StiffnessCard::pida]), rigid_body(b, main[&StiffnessCard::pidb])};
-  const Index a = b.turning_or_fixed_system(main[&StiffnessCard::cida]),
-              c = b.turning_or_fixed_system(main[&StiffnessCard::cidb]);
+  s.body = {rigid_body(b, main[&JointStiffnessCard::pida]), rigid_body(b, main[&JointStiffnessCard::pidb])};
+  const Index a = b.turning_or_fixed_system(main[&JointStiffnessCard::cida]),
+              c = b.turning_or_fixed_system(main[&JointStiffnessCard::cidb]);
   if (s.body[0] == none || s.body[1] == none || a == none) return;
-  if (s.body[0] == s.body[1]) return refuse(b, main[&StiffnessCard::pidb], "both are the same rigid body");
+  if (s.body[0] == s.body[1]) return refuse(b, main[&JointStiffnessCard::pidb], "both are the same rigid body");
   const Index systems[] = {a, c == none ? a : c};
   for (std::size_t side = 0; side < 2; ++side) {
     const CoordinateSystem& system = b.model.systems[systems[side]];
@@ -147,8 +145,8 @@ void read_stiffness(Builder& b, const Block& block, const CardOf<FreedomCards>& 
                     const CardOf<FreedomCards>& friction, const CardOf<FreedomCards>& stops, bool rotational) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     FreedomCards cards;
-    Rows rows;
-    rows.main = cursor.read(stiffness_card);
+    StiffnessRows rows;
+    rows.main = cursor.read(joint_stiffness_card);
     rows.curves = cursor.read(curves, cards);
     rows.friction = cursor.read(friction, cards);
     rows.stops = cursor.read(stops, cards);
@@ -168,12 +166,16 @@ void read_sliding(Builder& b, const Block& block, const Options&) {
 std::vector<Keyword> joint_stiffness_keywords() {
   return {
       {.name = "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED",
-       .layout =
-           {{"", &stiffness_card}, {"", &rotary_curves_card}, {"", &rotary_friction_card}, {"", &rotary_stops_card}},
+       .layout = {{"", &joint_stiffness_card},
+                  {"", &rotary_curves_card},
+                  {"", &rotary_friction_card},
+                  {"", &rotary_stops_card}},
        .read = read_rotary},
       {.name = "CONSTRAINED_JOINT_STIFFNESS_TRANSLATIONAL",
-       .layout =
-           {{"", &stiffness_card}, {"", &sliding_curves_card}, {"", &sliding_friction_card}, {"", &sliding_stops_card}},
+       .layout = {{"", &joint_stiffness_card},
+                  {"", &sliding_curves_card},
+                  {"", &sliding_friction_card},
+                  {"", &sliding_stops_card}},
        .read = read_sliding},
       {.name = "CONSTRAINED_JOINT_STIFFNESS_*",
        .status = KeywordStatus::refused,

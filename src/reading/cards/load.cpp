@@ -317,7 +317,7 @@ struct PressureCard {
   double sf = 0, at = 0;
   int n1 = 0, n2 = 0, n3 = 0, n4 = 0, n5 = 0, target = 0;
 };
-const CardOf<PressureCard> segment_card{
+const CardOf<PressureCard> load_segment_card{
     {&PressureCard::lcid,
      or_negative(id("lcid", IdSpace::function, required, "curve of the pressure over time"), IdSpace::function)},
     {&PressureCard::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
@@ -340,7 +340,7 @@ CardOf<PressureCard> pressure_card(const FieldOf<PressureCard>& target) {
 }
 const CardOf<PressureCard> segment_set_card =
     pressure_card({&PressureCard::target, id("ssid", IdSpace::set, required, "segment set")});
-const CardOf<PressureCard> shell_card =
+const CardOf<PressureCard> load_shell_card =
     pressure_card({&PressureCard::target,
                    id("eid", IdSpace::element, required, "shell; positive pressure pushes against its normal")});
 const CardOf<PressureCard> shell_set_card =
@@ -395,7 +395,7 @@ void read_segment(Builder& builder, const Block& block, const Options& options) 
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     read_heading(cursor, options.contains("ID"));
-    const auto row = cursor.read(segment_card);
+    const auto row = cursor.read(load_segment_card);
     if (row->n5 != 0)
       return refuse(builder, row[&PressureCard::n5], "segments of quadratic elements are not built",
                     "give three or four corners");
@@ -419,7 +419,7 @@ void read_shell_pressure(Builder& builder, const Block& block, const Options& op
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
     read_heading(cursor, options.contains("ID"));
-    leave_pressure(builder, cursor.read(set ? shell_set_card : shell_card),
+    leave_pressure(builder, cursor.read(set ? shell_set_card : load_shell_card),
                    [](Builder& b, const RowOf<PressureCard>& row) {
                      std::vector<Segment> segments;
                      const auto add = [&](Index shell) { segments.push_back(b.model.shells.node[shell]); };
@@ -460,9 +460,9 @@ std::vector<Keyword> load_keywords() {
        .layout = {{{}, &body_load_card}, {{}, &body_vector_card}},
        .read = read_body_vector},
       simple("LOAD_BODY_PARTS", body_parts_card, read_body_parts),
-      with_heading("LOAD_SEGMENT", segment_card, read_segment),
+      with_heading("LOAD_SEGMENT", load_segment_card, read_segment),
       with_heading("LOAD_SEGMENT_SET", segment_set_card, read_segment_set),
-      with_heading("LOAD_SHELL_ELEMENT", shell_card, read_shell_pressure<false>),
+      with_heading("LOAD_SHELL_ELEMENT", load_shell_card, read_shell_pressure<false>),
       with_heading("LOAD_SHELL_SET", shell_set_card, read_shell_pressure<true>),
   };
 }

@@ -86,7 +86,7 @@ CardOf<CohesiveCards> elastic_card_of(const RealField& ro) {
        real("ft_fail", dimension::stress, 0, at_least(0), "tangential traction at which a point fails; 0: none")},
   };
 }
-const CardOf<CohesiveCards> elastic_card = elastic_card_of(density);
+const CardOf<CohesiveCards> cohesive_elastic_card = elastic_card_of(density);
 const CardOf<CohesiveCards> elastic_card_by_area = elastic_card_of(density_per_area);
 
 CardOf<CohesiveCards> layer_card_of(const RealField& ro) {
@@ -197,7 +197,7 @@ void read_mixed_mode(Builder& b, const Block& block, const Options& options) {
 void read_elastic_bond(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const auto row = cursor.read(by_area(cursor) ? elastic_card_by_area : elastic_card);
+  const auto row = cursor.read(by_area(cursor) ? elastic_card_by_area : cohesive_elastic_card);
   expect_end(b, cursor);
   kernel::CohesiveBond bond = bond_of_row(b, row);
   bond.glue.normal_strength = row->fn_fail;
@@ -241,7 +241,7 @@ std::vector<Keyword> cohesive_material_keywords() {
           {.name = "MAT_COHESIVE_ELASTIC",
            .aliases = {"MAT_184"},
            .options = {"TITLE"},
-           .layout = {{"", &elastic_card}},
+           .layout = {{"", &cohesive_elastic_card}},
            .read = read_elastic_bond},
           {.name = "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE",
            .aliases = {"MAT_240"},

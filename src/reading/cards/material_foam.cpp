@@ -22,7 +22,7 @@ using kernel::RateFoam;
 
 using kernel::law_field::reference;
 
-constexpr RealField damping =
+constexpr RealField damping_share =
     real("damp", dimension::number, 0, between(0, 1), "viscous stress, as a share of critical damping in each element");
 
 /// Gives a material its law, which only solids can have.
@@ -75,7 +75,7 @@ const CardOf<LowDensityFoamCards> low_density_foam_card{
      real("hu", dimension::number, 1, between(0, 1), "share of the stress that unloading keeps; 1: no hysteresis")},
     {&LowDensityFoam::recovery,
      real("beta", dimension::rate, 0, at_least(0), "rate at which an unloaded foam comes back to its curve")},
-    {&LowDensityFoam::damping, damping},
+    {&LowDensityFoam::damping, damping_share},
 };
 
 const CardOf<LowDensityFoamCards> low_density_foam_unloading_card{
@@ -136,7 +136,7 @@ const CardOf<CrushableFoamCard> crushable_foam_card{
     {&CrushableFoamCard::lcid,
      id("lcid", IdSpace::function, required, "curve: yield stress over volumetric strain, positive in compression")},
     {&CrushableFoam::cutoff, real("tsc", dimension::stress, 0, at_least(0), "greatest tensile stress")},
-    {&CrushableFoam::damping, damping},
+    {&CrushableFoam::damping, damping_share},
     integer("model", 0, only(0), "yield surface: 0, principal stresses one by one"),
 };
 

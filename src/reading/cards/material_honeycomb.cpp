@@ -47,7 +47,7 @@ constexpr IntegerField curve_ca = id("lcca", IdSpace::function, 0, "the same of 
 constexpr IntegerField rate_curve =
     id("lcsr", IdSpace::function, 0, "curve: factor on the largest stresses over the rate");
 
-const CardOf<HoneycombCards> curves_card{
+const CardOf<HoneycombCards> honeycomb_curves_card{
     {at(&HoneycombCards::curve, 0),
      id("lca", IdSpace::function, required,
         "curve: largest stress aa over relative volume (begins above 0) or volumetric strain (at or below 0)")},
@@ -92,7 +92,7 @@ const CardOf<HoneycombCards> core_card{
     aopt::macf,
 };
 
-const CardOf<HoneycombCards> point_card{
+const CardOf<HoneycombCards> honeycomb_point_card{
     aopt::xp, aopt::yp, aopt::zp, {&AxesCards::a1, aopt::a1}, {&AxesCards::a2, aopt::a2}, {&AxesCards::a3, aopt::a3},
 };
 
@@ -112,7 +112,7 @@ constexpr RealField tensile =
 constexpr RealField shearing =
     real("ssef", dimension::number, 0, at_least(0), "gamma ab, bc or ca that deletes; 0: none");
 
-const CardOf<HoneycombCards> vectors_card{
+const CardOf<HoneycombCards> honeycomb_vectors_card{
     {&AxesCards::d1, aopt::d1},       {&AxesCards::d2, aopt::d2},        {&AxesCards::d3, aopt::d3},
     {&HoneycombCards::tsef, tensile}, {&HoneycombCards::ssef, shearing}, {&AxesCards::v1, aopt::v1},
     {&AxesCards::v2, aopt::v2},       {&AxesCards::v3, aopt::v3},
@@ -283,10 +283,10 @@ void read_honeycomb(Builder& b, const Block& block, const Options& options) {
   HoneycombCards cards;
   HoneycombRows rows;
   rows.dense = cursor.read(dense_card, cards);
-  rows.curves = cursor.read(curves_card, cards);
+  rows.curves = cursor.read(honeycomb_curves_card, cards);
   rows.core = cursor.read(core_card, cards);
-  const auto point = cursor.read(point_card, cards);
-  const auto vectors = cursor.read(vectors_card, cards);
+  const auto point = cursor.read(honeycomb_point_card, cards);
+  const auto vectors = cursor.read(honeycomb_vectors_card, cards);
   expect_end(b, cursor);
   cards.axes =
       material_axes(b, block, cards, rows.core[&AxesCards::aopt], point[&AxesCards::a1], vectors[&AxesCards::v1]);
@@ -325,7 +325,11 @@ std::vector<Keyword> honeycomb_material_keywords() {
   return {{.name = "MAT_HONEYCOMB",
            .aliases = {"MAT_026"},
            .options = {"TITLE"},
-           .layout = {{"", &dense_card}, {"", &curves_card}, {"", &core_card}, {"", &point_card}, {"", &vectors_card}},
+           .layout = {{"", &dense_card},
+                      {"", &honeycomb_curves_card},
+                      {"", &core_card},
+                      {"", &honeycomb_point_card},
+                      {"", &honeycomb_vectors_card}},
            .read = read_honeycomb},
           {.name = "MAT_MODIFIED_HONEYCOMB",
            .aliases = {"MAT_126"},

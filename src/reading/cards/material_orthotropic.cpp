@@ -44,7 +44,7 @@ const CardOf<OrthotropicCards> shears_card{
     real("sigf", dimension::stress, 0, only(0), "limit of frictional damping"),
 };
 
-const CardOf<OrthotropicCards> axes_card{
+const CardOf<OrthotropicCards> orthotropic_axes_card{
     aopt::xp,
     aopt::yp,
     aopt::zp,
@@ -73,7 +73,7 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   OrthotropicCards cards;
   const auto moduli = cursor.read(moduli_card, cards);
   const auto shears = cursor.read(shears_card, cards);
-  const auto first = cursor.read(axes_card, cards);
+  const auto first = cursor.read(orthotropic_axes_card, cards);
   const auto second = cursor.read(angle_card, cards);
   expect_end(b, cursor);
   Orthotropic law = cards;
@@ -97,7 +97,7 @@ std::vector<Keyword> orthotropic_material_keywords() {
   return {{.name = "MAT_ORTHOTROPIC_ELASTIC",
            .aliases = {"MAT_002"},
            .options = {"TITLE"},
-           .layout = {{"", &moduli_card}, {"", &shears_card}, {"", &axes_card}, {"", &angle_card}},
+           .layout = {{"", &moduli_card}, {"", &shears_card}, {"", &orthotropic_axes_card}, {"", &angle_card}},
            .read = read_orthotropic}};
 }
 

@@ -119,7 +119,7 @@ void read_ogden(Builder& b, const Block& block, const Options& options) {
   add_material(b, row, std::move(title), "MAT_OGDEN_RUBBER", kernel::composed_law({flow}));
 }
 
-const CardOf<RubberCard> polynomial_card{
+const CardOf<RubberCard> rubber_polynomial_card{
     {&MaterialCard::mid, material_id},
     {&MaterialCard::ro, density},
     {&RubberCard::pr, compressible},
@@ -140,10 +140,10 @@ const CardOf<kernel::PolynomialRubber> polynomial_constants_card{
     real("therml", dimension::number, 0, only(0), "constants by curves over temperature"),
 };
 
-void read_polynomial(Builder& b, const Block& block, const Options& options) {
+void read_rubber_polynomial(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const auto row = cursor.read(polynomial_card);
+  const auto row = cursor.read(rubber_polynomial_card);
   const auto constants = cursor.read(polynomial_constants_card);
   kernel::PolynomialRubber flow = *constants;
   flow.overstress = read_overstress(b, cursor, row);
@@ -170,10 +170,10 @@ std::vector<Keyword> rubber_material_keywords() {
       {.name = "MAT_HYPERELASTIC_RUBBER",
        .aliases = {"MAT_077_H"},
        .options = {"TITLE"},
-       .layout = {{"", &polynomial_card},
+       .layout = {{"", &rubber_polynomial_card},
                   {"", &polynomial_constants_card},
                   {"for each viscous term", &relaxation_card}},
-       .read = read_polynomial},
+       .read = read_rubber_polynomial},
   };
 }
 

@@ -18,7 +18,7 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 
-const Card node_card{{
+const Card mesh_node_card{{
     wide(id("nid", IdSpace::node, required, "node id"), 8),
     wide(real("x", dimension::length, 0, any_value, "coordinate x"), 16),
     wide(real("y", dimension::length, 0, any_value, "coordinate y"), 16),
@@ -27,7 +27,7 @@ const Card node_card{{
     wide(integer("rc", 0, between(0, 7), "held rotations, as tc"), 8),
 }};
 
-const Card shell_card{{
+const Card element_shell_card{{
     wide(id("eid", IdSpace::element, required, "element id"), 8),
     wide(id("pid", IdSpace::part, required, "part id"), 8),
     wide(id("n1", IdSpace::node, required, "node 1"), 8),
@@ -36,7 +36,7 @@ const Card shell_card{{
     wide(id("n4", IdSpace::node, 0, "node 4; 0 or n3: a triangle"), 8),
 }};
 
-const Card shell_thickness_card{{
+const Card element_thickness_card{{
     wide(real("thic1", dimension::length, 0, at_least(0), "thickness at node 1; 0: of the section"), 16),
     wide(real("thic2", dimension::length, 0, at_least(0), "thickness at node 2"), 16),
     wide(real("thic3", dimension::length, 0, at_least(0), "thickness at node 3"), 16),
@@ -50,7 +50,7 @@ const Card shell_offset_card{{
     wide(real("offset", dimension::length, 0, any_value, "mid-surface from the nodes, along the normal"), 16),
 }};
 
-const Card solid_card{{
+const Card element_solid_card{{
     wide(id("eid", IdSpace::element, required, "element id"), 8),
     wide(id("pid", IdSpace::part, required, "part id"), 8),
     wide(id("n1", IdSpace::node, required, "node 1; n1 to n8 may also stand on a line of their own"), 8),
@@ -63,7 +63,7 @@ const Card solid_card{{
     wide(id("n8", IdSpace::node, 0, "node 8"), 8),
 }};
 
-const Card beam_card{{
+const Card element_beam_card{{
     wide(id("eid", IdSpace::element, required, "element id"), 8),
     wide(id("pid", IdSpace::part, required, "part id"), 8),
     wide(id("n1", IdSpace::node, required, "node 1"), 8),
@@ -105,7 +105,7 @@ const CardOf<SetMassCard> set_mass_card{
     wide(id("pid", IdSpace::part, 0, "part, for listings only"), 8),
 };
 
-const CardOf<PartMassCard> part_mass_card{
+const CardOf<PartMassCard> element_part_mass_card{
     {&PartMassCard::pid, wide(id("pid", IdSpace::part, required, "part"), 8)},
     {&PartMassCard::addmass,
      wide(real("addmass", dimension::mass, 0, at_least(0), "mass to be spread over the part"), 16)},
@@ -176,13 +176,13 @@ void read_node(Builder& b, const Block& block, const Options&) {
                               std::string(global_codes_text), std::string(global_codes_remedy));
   }
 }
-void read_shell(Builder& b, const Block& block, const Options&) {
+void read_shell_elements(Builder& b, const Block& block, const Options&) {
   deck::read_shells(b.deck, block, b.shell_table, b.findings);
 }
-void read_solid(Builder& b, const Block& block, const Options&) {
+void read_solid_elements(Builder& b, const Block& block, const Options&) {
   deck::read_solids(b.deck, block, b.solid_table, b.findings);
 }
-void read_beam(Builder& b, const Block& block, const Options&) {
+void read_beam_elements(Builder& b, const Block& block, const Options&) {
   deck::read_beams(b.deck, block, b.beam_table, b.findings);
 }
 
@@ -230,13 +230,13 @@ void add_part_mass(Builder& b, const RowOf<PartMassCard>& row, const std::vector
   for (const auto& share : shares) b.model.masses.push_back({0, share.node, added * share.mass / total});
 }
 
-void read_part_mass(Builder& b, const Block& block, const Options&) {
+void read_element_part_mass(Builder& b, const Block& block, const Options&) {
   if (b.part_mass_rows.empty())
     b.defer(Phase::parts, [](Builder& later) {
       const auto by_part = lumped_masses(later.model);
       for (const auto& row : later.part_mass_rows) add_part_mass(later, row, by_part);
     });
-  for (const auto& row : read_rows(b, block, part_mass_card)) b.part_mass_rows.push_back(row);
+  for (const auto& row : read_rows(b, block, element_part_mass_card)) b.part_mass_rows.push_back(row);
 }
 
 /// The nodes of bodies take the whole tensor, others in explicit runs only its mean.
@@ -270,7 +270,7 @@ void add_inertia(Builder& b, const RowOf<InertiaHeadCard>& head, const RowOf<Ine
   });
 }
 
-void read_inertia(Builder& b, const Block& block, const Options&) {
+void read_element_inertia(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const auto head = cursor.read(inertia_head_card);
     const auto row = cursor.read(inertia_card);
@@ -313,26 +313,30 @@ void read_accelerometer(Builder& b, const Block& block, const Options&) {
 
 std::vector<Keyword> mesh_keywords() {
   return {
-      {.name = "NODE", .layout = {{"", &node_card}}, .read = read_node},
+      {.name = "NODE", .layout = {{"", &mesh_node_card}}, .read = read_node},
       {.name = "ELEMENT_SHELL",
        .options = {"THICKNESS", "BETA", "MCID", "OFFSET", "DOF"},
-       .layout = {{"", &shell_card},
-                  {"with _THICKNESS, _BETA or _MCID", &shell_thickness_card},
+       .layout = {{"", &element_shell_card},
+                  {"with _THICKNESS, _BETA or _MCID", &element_thickness_card},
                   {"with _OFFSET", &shell_offset_card}},
-       .read = read_shell},
+       .read = read_shell_elements},
       {.name = "ELEMENT_SOLID",
        .options = {"ORTHO", "DOF", "TET4TOTET10"},
-       .layout = {{"", &solid_card}},
-       .read = read_solid},
+       .layout = {{"", &element_solid_card}},
+       .read = read_solid_elements},
       {.name = "ELEMENT_BEAM",
        .options = {"THICKNESS", "PID", "OFFSET", "ORIENTATION"},
-       .layout = {{"", &beam_card}, {"with _PID", &beam_pid_card}, {"with _ORIENTATION", &beam_orientation_card}},
-       .read = read_beam},
+       .layout = {{"", &element_beam_card},
+                  {"with _PID", &beam_pid_card},
+                  {"with _ORIENTATION", &beam_orientation_card}},
+       .read = read_beam_elements},
       {.name = "ELEMENT_MASS", .layout = {{"", &mass_card}}, .read = read_mass},
       {.name = "ELEMENT_MASS_NODE_SET", .layout = {{"", &set_mass_card}}, .read = read_set_mass},
-      {.name = "ELEMENT_MASS_PART", .layout = {{"", &part_mass_card}}, .read = read_part_mass},
+      {.name = "ELEMENT_MASS_PART", .layout = {{"", &element_part_mass_card}}, .read = read_element_part_mass},
       {.name = "ELEMENT_SEATBELT_ACCELEROMETER", .layout = {{"", &accelerometer_card}}, .read = read_accelerometer},
-      {.name = "ELEMENT_INERTIA", .layout = {{"", &inertia_head_card}, {"", &inertia_card}}, .read = read_inertia},
+      {.name = "ELEMENT_INERTIA",
+       .layout = {{"", &inertia_head_card}, {"", &inertia_card}},
+       .read = read_element_inertia},
   };
 }
 

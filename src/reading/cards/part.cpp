@@ -170,7 +170,7 @@ bool inertia_axes(Builder& b, const RowOf<InertiaCards>& axes, const Vec3d& x, c
 }
 
 /// *PART_INERTIA: mass, centre, tensor and velocity of a rigid part.
-void read_inertia(Builder& b, Cursor& cursor, Index part) {
+void read_part_inertia(Builder& b, Cursor& cursor, Index part) {
   InertiaCards cards;
   const auto centre = cursor.read(centre_card, cards);
   cursor.read(tensor_card, cards);
@@ -202,7 +202,7 @@ void read_inertia(Builder& b, Cursor& cursor, Index part) {
   });
 }
 
-void read_contact(Builder& b, Cursor& cursor, Part& part) {
+void read_part_contact(Builder& b, Cursor& cursor, Part& part) {
   ContactCard contact{part};
   const auto row = cursor.read(contact_card, contact);
   expect(b, Severity::warning,
@@ -260,7 +260,7 @@ void read_composite(Builder& b, const Block& block, const Options& options) {
   const auto row = cursor.read(composite_card, card);
   part.id = card.pid;
   part.place = row.place();
-  if (options.contains("CONTACT")) read_contact(b, cursor, part);
+  if (options.contains("CONTACT")) read_part_contact(b, cursor, part);
   LayerStack stack{read_layers(b, cursor, options.contains("LONG"))};
   SectionShell section = card;
   section.place = part.place;
@@ -297,8 +297,8 @@ void read_part(Builder& b, const Block& block, const Options& options) {
     part.id = row->pid;
     part.place = row.place();
     const auto index = static_cast<Index>(b.model.parts.size());
-    if (options.contains("INERTIA")) read_inertia(b, cursor, index);
-    if (options.contains("CONTACT")) read_contact(b, cursor, part);
+    if (options.contains("INERTIA")) read_part_inertia(b, cursor, index);
+    if (options.contains("CONTACT")) read_part_contact(b, cursor, part);
     if (options.contains("PRINT") && cursor.read(print_card)->prbf != 0)
       b.findings.note(part.place, block.starred(), "PRBF is not obeyed: the part is listed in rbdout and matsum");
     b.parts.add(part.id, index, part.place, block.starred(), "part", b.findings);

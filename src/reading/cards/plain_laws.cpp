@@ -81,13 +81,13 @@ CardsRead<Law> read_cards(Builder& b, const Block& block, const Options& options
 }
 
 template <class Law>
-void read_law(Builder& b, const Block& block, const Options& options) {
+void read_plain_law(Builder& b, const Block& block, const Options& options) {
   auto [first, law, title] = read_cards<Law>(b, block, options);
   add_material(b, first, std::move(title), Law::cards().name, composed_law(components_of(std::move(law))));
 }
 
 template <class Rule>
-void read_rule(Builder& b, const Block& block, const Options& options) {
+void read_failure_rule(Builder& b, const Block& block, const Options& options) {
   const auto read = read_cards<Rule>(b, block, options);
   // After the laws have their curves.
   b.defer(Phase::systems, [row = read.first, rule = read.law](Builder& later) {
@@ -113,9 +113,9 @@ void add_keyword(std::vector<Keyword>& list) {
     row.options = {"TITLE"};
     for (const Card& card : layout_of<Law>()) row.layout.push_back({"", &card});
     if constexpr (FailureRuleWithCards<Law>)
-      row.read = read_rule<Law>;
+      row.read = read_failure_rule<Law>;
     else
-      row.read = read_law<Law>;
+      row.read = read_plain_law<Law>;
   }
 }
 

@@ -56,15 +56,15 @@ const CardOf<NormalCard> planar_card2{
     {&NormalCard::wvel,
      real("wvel", dimension::velocity, 0, at_least(0), "normal velocity above which a node stays fixed (fric 2, 3)")},
 };
-struct EdgeCard {
+struct WallEdgeCard {
   double xhev = 0, yhev = 0, zhev = 0, lenl = 0, lenm = 0, lenp = 0;
 };
-const CardOf<EdgeCard> finite_card{
-    {&EdgeCard::xhev, real("xhev", dimension::length, 0, any_value, "head of the first edge from the tail: x")},
-    {&EdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
-    {&EdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
-    {&EdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
-    {&EdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
+const CardOf<WallEdgeCard> finite_card{
+    {&WallEdgeCard::xhev, real("xhev", dimension::length, 0, any_value, "head of the first edge from the tail: x")},
+    {&WallEdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
+    {&WallEdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
+    {&WallEdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
+    {&WallEdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
 };
 struct MovingCard {
   double mass = 0, v0 = 0;
@@ -123,7 +123,7 @@ const CardOf<CylinderCard> cylinder_card{
     {&CylinderCard::nsegs,
      integer("nsegs", 0, at_least(0), "sections whose forces are listed apart; as many cards follow")},
 };
-const Card section_card{{
+const Card wall_section_card{{
     real("vl", dimension::length, 0, any_value, "distance of a section from the cylinder's foot, no effect"),
     real("height", dimension::length, 0, any_value, "its height, no effect"),
 }};
@@ -133,33 +133,33 @@ struct SphereCard {
 const CardOf<SphereCard> sphere_card{
     {&SphereCard::radsph, real("radsph", dimension::length, required, above_zero(), "radius")},
 };
-const CardOf<EdgeCard> flat_card{
-    {&EdgeCard::xhev, real("xhev", dimension::length, 0, any_value, "head of the first edge from the tail: x")},
-    {&EdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
-    {&EdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
-    {&EdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
-    {&EdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
+const CardOf<WallEdgeCard> flat_card{
+    {&WallEdgeCard::xhev, real("xhev", dimension::length, 0, any_value, "head of the first edge from the tail: x")},
+    {&WallEdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
+    {&WallEdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
+    {&WallEdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
+    {&WallEdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
 };
-const CardOf<EdgeCard> prism_card{
-    {&EdgeCard::xhev,
+const CardOf<WallEdgeCard> prism_card{
+    {&WallEdgeCard::xhev,
      real("xhev", dimension::length, 0, any_value, "head of the first edge of its front face from the tail: x")},
-    {&EdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
-    {&EdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
-    {&EdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
-    {&EdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
-    {&EdgeCard::lenp, real("lenp", dimension::length, 0, at_least(0), "depth behind the face; 0 infinite")},
+    {&WallEdgeCard::yhev, real("yhev", dimension::length, 0, any_value, "y")},
+    {&WallEdgeCard::zhev, real("zhev", dimension::length, 0, any_value, "z")},
+    {&WallEdgeCard::lenl, real("lenl", dimension::length, 0, at_least(0), "length of that edge; 0 infinite")},
+    {&WallEdgeCard::lenm, real("lenm", dimension::length, 0, at_least(0), "length of the other edge; 0 infinite")},
+    {&WallEdgeCard::lenp, real("lenp", dimension::length, 0, at_least(0), "depth behind the face; 0 infinite")},
 };
-struct MotionCard {
+struct WallMotionCard {
   int lcid = 0, opt = 0;
   double vx = 0, vy = 0, vz = 0;
 };
-const CardOf<MotionCard> motion_card{
-    {&MotionCard::lcid,
+const CardOf<WallMotionCard> wall_motion_card{
+    {&WallMotionCard::lcid,
      id("lcid", IdSpace::function, required, "curve of the wall's motion over the time since its birth")},
-    {&MotionCard::opt, integer("opt", 0, between(0, 1), "0 the curve is a velocity, 1 a displacement")},
-    {&MotionCard::vx, real("vx", dimension::number, 0, any_value, "direction of the motion: x")},
-    {&MotionCard::vy, real("vy", dimension::number, 0, any_value, "y")},
-    {&MotionCard::vz, real("vz", dimension::number, 0, any_value, "z")},
+    {&WallMotionCard::opt, integer("opt", 0, between(0, 1), "0 the curve is a velocity, 1 a displacement")},
+    {&WallMotionCard::vx, real("vx", dimension::number, 0, any_value, "direction of the motion: x")},
+    {&WallMotionCard::vy, real("vy", dimension::number, 0, any_value, "y")},
+    {&WallMotionCard::vz, real("vz", dimension::number, 0, any_value, "z")},
 };
 
 // ---- what all walls have in common
@@ -179,11 +179,11 @@ bool take_normal(Builder& builder, const Block& block, const RowOf<NormalCard>& 
 }
 
 /// The edges of a bounded plane: l from the tail to the given head, laid into the plane; m = n x l.
-bool take_edges(Builder& builder, const Block& block, const RowOf<EdgeCard>& row, RigidWall& wall) {
+bool take_edges(Builder& builder, const Block& block, const RowOf<WallEdgeCard>& row, RigidWall& wall) {
   const Vec3d edge = position(block, {row->xhev, row->yhev, row->zhev}) - wall.origin;
   const Vec3d in_plane = edge - dot(edge, wall.normal) * wall.normal;
   if (norm(in_plane) <= 1e-10 * norm(edge)) {
-    refuse(builder, row[&EdgeCard::xhev], "the edge from the tail to this point does not lie in the wall",
+    refuse(builder, row[&WallEdgeCard::xhev], "the edge from the tail to this point does not lie in the wall",
            "give a point of the wall other than its tail");
     return false;
   }
@@ -290,7 +290,7 @@ void take_nodes(Builder& builder, const RowOf<WallCard>& row, double reach, Rigi
   if (wall.birth == 0.0) report_nodes_behind(builder, row, wall);
 }
 
-void take_curve(Builder& builder, const deck::Entry& lcid, RigidWall& wall) {
+void take_wall_curve(Builder& builder, const deck::Entry& lcid, RigidWall& wall) {
   wall.motion_curve = builder.curve(lcid);
   if (!wall.motion_is_displacement || wall.motion_curve == none) return;
   const Curve& curve = builder.model.curves[wall.motion_curve];
@@ -311,7 +311,7 @@ void leave_wall(Builder& builder, const RowOf<WallCard>& row, double reach, Rigi
           b.findings, Severity::warning,
           fmt::format("the wall is activated after the end of the run ({:g}): it stops nothing", end),
           "give 0 if it is to act from the start");
-    if (curve) take_curve(b, *curve, wall);
+    if (curve) take_wall_curve(b, *curve, wall);
     if (wall.id == 0) {
       wall.id = static_cast<int>(b.model.walls.size());
       const auto taken = [&](const RigidWall& other) { return other.id == wall.id; };
@@ -336,7 +336,7 @@ RigidWall begin_wall(Cursor& cursor, const Options& options, Shape shape) {
 
 // ---- *RIGIDWALL_PLANAR
 
-void take_friction(Builder& builder, const RowOf<NormalCard>& row, RigidWall& wall) {
+void take_wall_friction(Builder& builder, const RowOf<NormalCard>& row, RigidWall& wall) {
   wall.friction = row->fric;
   wall.weld_velocity = row->wvel;
   if (wall.friction > 1.0 && wall.friction != 2.0 && wall.friction != 3.0)
@@ -352,7 +352,7 @@ void read_planar(Builder& builder, const Block& block, const Options& options) {
     wall.birth = row1->birth;
     wall.death = death_time(row1->death);
     bool sound = take_normal(builder, block, row2, wall);
-    take_friction(builder, row2, wall);
+    take_wall_friction(builder, row2, wall);
     if (options.contains("FINITE")) {
       const auto edge = cursor.read(finite_card);
       sound = sound && take_edges(builder, block, edge, wall);
@@ -381,13 +381,13 @@ void read_planar(Builder& builder, const Block& block, const Options& options) {
 enum class Form { flat, cylinder, sphere, prism };
 
 template <Form form>
-bool take_form(Builder& builder, const Block& block, Cursor& cursor, RigidWall& wall) {
+bool take_wall_form(Builder& builder, const Block& block, Cursor& cursor, RigidWall& wall) {
   if constexpr (form == Form::cylinder) {
     const auto cylinder = cursor.read(cylinder_card);
     wall.radius = cylinder->radcyl;
     wall.length = cylinder->lencyl;
     const int sections = cylinder->nsegs;
-    for (int i = 0; i < sections; ++i) cursor.read(section_card);
+    for (int i = 0; i < sections; ++i) cursor.read(wall_section_card);
     if (sections > 1)
       cylinder[&CylinderCard::nsegs].report(builder.findings, Severity::warning,
                                             "forces by section are not written yet; rwforc holds the wall's sum");
@@ -405,10 +405,11 @@ bool take_form(Builder& builder, const Block& block, Cursor& cursor, RigidWall& 
 }
 
 /// False (and a finding) where the motion has no direction. The curve is looked up later.
-bool take_motion(Builder& builder, const Block& block, const RowOf<MotionCard>& row, RigidWall& wall) {
+bool take_motion(Builder& builder, const Block& block, const RowOf<WallMotionCard>& row, RigidWall& wall) {
   const Vec3d along = direction(block, {row->vx, row->vy, row->vz});
   if (norm(along) == 0.0) {
-    refuse(builder, row[&MotionCard::vx], "the direction of the wall's motion has no length", "give its components");
+    refuse(builder, row[&WallMotionCard::vx], "the direction of the wall's motion has no length",
+           "give its components");
     return false;
   }
   wall.motion_direction = unit(along);
@@ -431,12 +432,12 @@ void read_geometric(Builder& builder, const Block& block, const Options& options
     wall.death = death_time(row1->death);
     wall.friction = row2->fric;
     bool sound = take_normal(builder, block, row2, wall);
-    sound = take_form<form>(builder, block, cursor, wall) && sound;
+    sound = take_wall_form<form>(builder, block, cursor, wall) && sound;
     std::optional<deck::Entry> curve;
     if (options.contains("MOTION")) {
-      const auto motion = cursor.read(motion_card);
+      const auto motion = cursor.read(wall_motion_card);
       sound = take_motion(builder, block, motion, wall) && sound;
-      curve = motion[&MotionCard::lcid];
+      curve = motion[&WallMotionCard::lcid];
     }
     skip_display(builder, cursor, options);
     if (sound) leave_wall(builder, row1, 0.0, std::move(wall), curve);
@@ -453,12 +454,12 @@ std::vector<Keyword> rigidwall_keywords() {
                               {{}, &geometric_card1},
                               {{}, &geometric_card2},
                               {{}, &form},
-                              {"with _MOTION", &motion_card},
+                              {"with _MOTION", &wall_motion_card},
                               {"with _DISPLAY; may be missing", &display_card}},
                    .read = read};
   };
   Keyword cylinder = geometric("RIGIDWALL_GEOMETRIC_CYLINDER", cylinder_card, read_geometric<Form::cylinder>);
-  cylinder.layout.insert(cylinder.layout.begin() + 4, {"nsegs times", &section_card});
+  cylinder.layout.insert(cylinder.layout.begin() + 4, {"nsegs times", &wall_section_card});
   const auto refused = [](std::string_view name, std::string_view why) {
     return Keyword{.name = name,
                    .options = {"FINITE", "MOVING", "FORCES", "MOTION", "DISPLAY", "ID"},

@@ -84,22 +84,23 @@ const CardOf<MembersCard> segment_card = with_attributes(
     "attribute, no effect");
 
 // What the numbers are depends on the option, so their offsets are applied by `general_step`.
-struct GeneralCard {
+struct GeneralSetCard {
   std::string option;
   std::array<int, 3> id{};
   std::array<double, 4> more{};
 };
-const CardOf<GeneralCard> general_card{
-    {&GeneralCard::option,
+const CardOf<GeneralSetCard> general_set_card{
+    {&GeneralSetCard::option,
      text("option", 10, "ALL, NODE, ELEM, PART, SEG, BOX, BRANCH, SET_... to add; with a D in front to take away")},
-    {at(&GeneralCard::id, 0), integer("id1", 0, any_value, "id")},
-    {at(&GeneralCard::id, 1), integer("id2", 0, any_value, "id")},
-    {at(&GeneralCard::id, 2), integer("id3", 0, any_value, "id")},
-    {at(&GeneralCard::more, 0), real("id4", dimension::number, 0, any_value,
-                                     "id; segments of parts, boxes, shells, sets of elements: attribute, no effect")},
-    {at(&GeneralCard::more, 1), real("id5", dimension::number, 0, any_value, "id")},
-    {at(&GeneralCard::more, 2), real("id6", dimension::number, 0, any_value, "id")},
-    {at(&GeneralCard::more, 3), real("id7", dimension::number, 0, any_value, "id")},
+    {at(&GeneralSetCard::id, 0), integer("id1", 0, any_value, "id")},
+    {at(&GeneralSetCard::id, 1), integer("id2", 0, any_value, "id")},
+    {at(&GeneralSetCard::id, 2), integer("id3", 0, any_value, "id")},
+    {at(&GeneralSetCard::more, 0),
+     real("id4", dimension::number, 0, any_value,
+          "id; segments of parts, boxes, shells, sets of elements: attribute, no effect")},
+    {at(&GeneralSetCard::more, 1), real("id5", dimension::number, 0, any_value, "id")},
+    {at(&GeneralSetCard::more, 2), real("id6", dimension::number, 0, any_value, "id")},
+    {at(&GeneralSetCard::more, 3), real("id7", dimension::number, 0, any_value, "id")},
 };
 
 struct AdvancedCard {
@@ -212,13 +213,13 @@ std::string upper(std::string text) {
 }
 
 std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCards& cards,
-                                    const RowOf<GeneralCard>& row) {
+                                    const RowOf<GeneralSetCard>& row) {
   const std::string name = upper(row->option);
   auto option = general_option(cards, name);
   const bool takes_away = !option && name.starts_with('D');
   if (takes_away) option = general_option(cards, std::string_view(name).substr(1));
   if (!option) {
-    refuse(b, row[&GeneralCard::option], "this option is not supported",
+    refuse(b, row[&GeneralSetCard::option], "this option is not supported",
            "use ALL, NODE, ELEM, PART, SEG, BOX, SET or SET_..., or list the members");
     return std::nullopt;
   }
@@ -319,7 +320,7 @@ void read_set(Builder& b, const Block& block, const Options& options, const Kind
   auto& steps = recipe.steps;
   if (options.contains("GENERAL")) {
     while (!at_end(cursor))
-      if (auto step = general_step(b, block, cards, cursor.read(general_card))) steps.push_back(std::move(*step));
+      if (auto step = general_step(b, block, cards, cursor.read(general_set_card))) steps.push_back(std::move(*step));
   } else if (options.contains("GENERATE")) {
     read_ranges(b, cursor, cards, options.contains("INCREMENT"), steps);
   } else if (options.contains("ADD") || options.contains("INTERSECT")) {
@@ -396,14 +397,14 @@ void read(Builder& b, const Block& block, const Options& options) {
 }
 
 template <const KindCards& cards>
-Keyword keyword(std::string_view name) {
+Keyword set_keyword(std::string_view name) {
   const bool is_segment = cards.kind == SetKind::segment;
   Keyword k{.name = name,
             .options = {"TITLE", "COLLECT", "GENERAL", "ADD", "INTERSECT"},
             .layout = {{"", cards.head},
                        {is_segment ? "repeated" : "as LIST (or nothing), repeated; as GENERATE: pairs of begin and end",
                         cards.ids},
-                       {"with _GENERAL, repeated", &general_card},
+                       {"with _GENERAL, repeated", &general_set_card},
                        {"with _ADD or _INTERSECT, repeated", &set_ids}},
             .read = read<cards>};
   if (is_segment) return k;
@@ -416,12 +417,12 @@ Keyword keyword(std::string_view name) {
 
 std::vector<Keyword> set_keywords() {
   return {
-      keyword<node_kind>("SET_NODE"),
-      keyword<part_kind>("SET_PART"),
-      keyword<segment_kind>("SET_SEGMENT"),
-      keyword<shell_kind>("SET_SHELL"),
-      keyword<solid_kind>("SET_SOLID"),
-      keyword<beam_kind>("SET_BEAM"),
+      set_keyword<node_kind>("SET_NODE"),
+      set_keyword<part_kind>("SET_PART"),
+      set_keyword<segment_kind>("SET_SEGMENT"),
+      set_keyword<shell_kind>("SET_SHELL"),
+      set_keyword<solid_kind>("SET_SOLID"),
+      set_keyword<beam_kind>("SET_BEAM"),
       {.name = "SET_NODE_ADD_ADVANCED",
        .options = {"TITLE", "COLLECT"},
        .layout = {{"", &head_card}, {"repeated", &advanced_card}},

@@ -21,8 +21,6 @@ using deck::Cursor;
 using deck::Row;
 using deck::RowOf;
 
-constexpr Dimension force_per_length{1, 0, -2}, viscosity{1, 0, -1};
-
 const CardOf<DiscreteCard> element_card{
     {&DiscreteCard::eid, wide(id("eid", IdSpace::element, required, "element id"), 8)},
     {&DiscreteCard::pid, wide(id("pid", IdSpace::part, required, "part id"), 8)},
@@ -35,19 +33,20 @@ const CardOf<DiscreteCard> element_card{
     {&DiscreteCard::offset, wide(real("offset", dimension::length, 0, any_value, "elongation or twist at time 0"), 16)},
 };
 
-struct SectionCard {
+struct DiscreteSectionCard {
   int secid = 0, dro = 0;
   double kd = 0, v0 = 0, cl = 0, fd = 0;
 };
-const CardOf<SectionCard> section_card{
-    {&SectionCard::secid, id("secid", IdSpace::other, required, "section id")},
-    {&SectionCard::dro,
+const CardOf<DiscreteSectionCard> discrete_section_card{
+    {&DiscreteSectionCard::secid, id("secid", IdSpace::other, required, "section id")},
+    {&DiscreteSectionCard::dro,
      integer("dro", 0, between(0, 1), "0 along its line (force, elongation), 1 about it (moment, twist)")},
-    {&SectionCard::kd, real("kd", dimension::number, 0, at_least(0), "the force is multiplied by 1 + KD |v|/V0")},
-    {&SectionCard::v0, real("v0", dimension::velocity, 0, at_least(0), "velocity that KD refers to")},
-    {&SectionCard::cl,
+    {&DiscreteSectionCard::kd,
+     real("kd", dimension::number, 0, at_least(0), "the force is multiplied by 1 + KD |v|/V0")},
+    {&DiscreteSectionCard::v0, real("v0", dimension::velocity, 0, at_least(0), "velocity that KD refers to")},
+    {&DiscreteSectionCard::cl,
      real("cl", dimension::length, 0, at_least(0), "clearance: compression without force, and none in tension")},
-    {&SectionCard::fd,
+    {&DiscreteSectionCard::fd,
      real("fd", dimension::length, 0, any_value, "fails at this elongation, or compression where negative; 0: never")},
 };
 
@@ -77,57 +76,57 @@ const CardOf<OrientationCard> orientation_card{
     {&OrientationCard::nid2, id("nid2", IdSpace::node, 0, "node 2")},
 };
 
-struct LawCard {
+struct SpringLawCard {
   int mid = 0;
 };
-constexpr IntegerField material_id = id("mid", IdSpace::material, required, "material id");
+constexpr IntegerField spring_material_id = id("mid", IdSpace::material, required, "material id");
 
-struct ElasticCard : LawCard {
+struct ElasticSpringCard : SpringLawCard {
   double k = 0;
 };
-const CardOf<ElasticCard> elastic_card{
-    {&LawCard::mid, material_id},
-    {&ElasticCard::k, real("k", force_per_length, required, above_zero(), "stiffness")},
+const CardOf<ElasticSpringCard> elastic_spring_card{
+    {&SpringLawCard::mid, spring_material_id},
+    {&ElasticSpringCard::k, real("k", dimension::force_per_length, required, above_zero(), "stiffness")},
 };
-struct ViscousCard : LawCard {
+struct ViscousCard : SpringLawCard {
   double dc = 0;
 };
 const CardOf<ViscousCard> viscous_card{
-    {&LawCard::mid, material_id},
-    {&ViscousCard::dc, real("dc", viscosity, required, above_zero(), "damping constant")},
+    {&SpringLawCard::mid, spring_material_id},
+    {&ViscousCard::dc, real("dc", dimension::damping_constant, required, above_zero(), "damping constant")},
 };
-struct ElastoplasticCard : LawCard {
+struct ElastoplasticCard : SpringLawCard {
   double k = 0, kt = 0, fy = 0;
 };
 const CardOf<ElastoplasticCard> elastoplastic_card{
-    {&LawCard::mid, material_id},
-    {&ElastoplasticCard::k, real("k", force_per_length, required, above_zero(), "stiffness up to yield")},
-    {&ElastoplasticCard::kt, real("kt", force_per_length, 0, at_least(0), "tangent stiffness beyond it")},
+    {&SpringLawCard::mid, spring_material_id},
+    {&ElastoplasticCard::k, real("k", dimension::force_per_length, required, above_zero(), "stiffness up to yield")},
+    {&ElastoplasticCard::kt, real("kt", dimension::force_per_length, 0, at_least(0), "tangent stiffness beyond it")},
     {&ElastoplasticCard::fy, real("fy", dimension::force, required, above_zero(), "yield force or moment")},
 };
-struct NonlinearCard : LawCard {
+struct NonlinearCard : SpringLawCard {
   int lcd = 0, lcr = 0;
 };
 const CardOf<NonlinearCard> nonlinear_card{
-    {&LawCard::mid, material_id},
+    {&SpringLawCard::mid, spring_material_id},
     {&NonlinearCard::lcd,
      id("lcd", IdSpace::function, required, "force over elongation; one that starts at 0 holds for both signs")},
     {&NonlinearCard::lcr, id("lcr", IdSpace::function, 0, "factor on that force over its rate; 0: 1")},
 };
-struct NonlinearViscousCard : LawCard {
+struct NonlinearViscousCard : SpringLawCard {
   int lcdr = 0;
 };
 const CardOf<NonlinearViscousCard> nonlinear_viscous_card{
-    {&LawCard::mid, material_id},
+    {&SpringLawCard::mid, spring_material_id},
     {&NonlinearViscousCard::lcdr,
      id("lcdr", IdSpace::function, required, "force over rate of elongation; one that starts at 0: both signs")},
 };
-struct ReversingCard : LawCard {
+struct ReversingCard : SpringLawCard {
   int lcdl = 0, lcdu = 0;
   double beta = 0, tyi = 0, cyi = 0;
 };
 const CardOf<ReversingCard> reversing_card{
-    {&LawCard::mid, material_id},
+    {&SpringLawCard::mid, spring_material_id},
     {&ReversingCard::lcdl,
      id("lcdl", IdSpace::function, required, "force over elongation while loading, from compression to tension")},
     {&ReversingCard::lcdu, id("lcdu", IdSpace::function, required, "the same while unloading; it rises everywhere")},
@@ -137,28 +136,28 @@ const CardOf<ReversingCard> reversing_card{
     {&ReversingCard::cyi,
      real("cyi", dimension::force, 0, {-std::numeric_limits<double>::infinity(), 0.0}, "in compression, negative")},
 };
-struct MaxwellCard : LawCard {
+struct MaxwellCard : SpringLawCard {
   double k0 = 0, ki = 0, beta = 0, tc = 0, fc = 0;
 };
 const CardOf<MaxwellCard> maxwell_card{
-    {&LawCard::mid, material_id},
-    {&MaxwellCard::k0, real("k0", force_per_length, required, above_zero(), "stiffness at once")},
-    {&MaxwellCard::ki, real("ki", force_per_length, 0, at_least(0), "stiffness in the end")},
+    {&SpringLawCard::mid, spring_material_id},
+    {&MaxwellCard::k0, real("k0", dimension::force_per_length, required, above_zero(), "stiffness at once")},
+    {&MaxwellCard::ki, real("ki", dimension::force_per_length, 0, at_least(0), "stiffness in the end")},
     {&MaxwellCard::beta, real("beta", dimension::rate, 0, at_least(0), "rate of relaxation")},
     {&MaxwellCard::tc, real("tc", dimension::time, 1e20, above_zero(), "after this time the force is fc")},
     {&MaxwellCard::fc, real("fc", dimension::force, 1e20, any_value, "force after tc")},
     real("copt", dimension::number, 0, only(0), "1: stiffness over the time of the run, also where nothing moves"),
 };
-struct InelasticCard : LawCard {
+struct InelasticCard : SpringLawCard {
   int lcfd = 0;
   double ku = 0, ctf = 0;
 };
 const CardOf<InelasticCard> inelastic_card{
-    {&LawCard::mid, material_id},
+    {&SpringLawCard::mid, spring_material_id},
     {&InelasticCard::lcfd,
      id("lcfd", IdSpace::function, required, "force over the amount of elongation, both positive")},
-    {&InelasticCard::ku,
-     real("ku", force_per_length, 0, at_least(0), "stiffness of unloading; at least the steepest slope of lcfd")},
+    {&InelasticCard::ku, real("ku", dimension::force_per_length, 0, at_least(0),
+                              "stiffness of unloading; at least the steepest slope of lcfd")},
     {&InelasticCard::ctf,
      real("ctf", dimension::number, 1, between(-1, 1), "1 in compression only, -1 in tension only")},
 };
@@ -217,7 +216,7 @@ void read_elements(Builder& b, const Block& block, const Options&) {
 void read_section(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
-    const auto row = cursor.read(section_card);
+    const auto row = cursor.read(discrete_section_card);
     const auto limits = cursor.read(limit_card);
     SectionDiscrete s;
     s.id = row->secid;
@@ -233,7 +232,7 @@ void read_section(Builder& b, const Block& block, const Options& options) {
       if (row->v0 > 0.0)
         s.magnification = row->kd / (row->v0 / lever);
       else
-        refuse(b, row[&SectionCard::v0], "KD needs the velocity that it refers to", "give V0");
+        refuse(b, row[&DiscreteSectionCard::v0], "KD needs the velocity that it refers to", "give V0");
     }
     if (s.torsional && (s.most_compression > 0.0 || s.most_elongation > 0.0))
       refuse(b, limits[s.most_compression > 0.0 ? &LimitCard::cdl : &LimitCard::tdl],
@@ -289,21 +288,21 @@ void read_orientation(Builder& b, const Block& block, const Options& options) {
 // length by which those of a twist, moment and angle, are converted besides: FCTLEN where the spring is torsional.
 // Curves stay, see *DEFINE_CURVE.
 
-Curve curve_of(Builder& b, const deck::Entry& field) {
+Curve spring_curve(Builder& b, const deck::Entry& field) {
   const Index c = b.curve(field);
   return c == none ? Curve{} : b.model.curves[c];
 }
 
-kernel::ForceCurve force_curve(Builder& b, const deck::Entry& field) {
-  const Curve c = curve_of(b, field);
+kernel::ForceCurve spring_force_curve(Builder& b, const deck::Entry& field) {
+  const Curve c = spring_curve(b, field);
   return c.empty() ? kernel::ForceCurve{} : kernel::ForceCurve(c);
 }
 
-using Kind = kernel::DiscreteSpring::Kind;
+using SpringKind = kernel::DiscreteSpring::Kind;
 
-void fill_elastic(Builder&, const RowOf<ElasticCard>& row, double lever, kernel::Spring& spring) {
+void fill_elastic(Builder&, const RowOf<ElasticSpringCard>& row, double lever, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
-  law.kind = Kind::linear;
+  law.kind = SpringKind::linear;
   law.stiffness = row->k * lever * lever;
   spring.law = law;
 }
@@ -321,7 +320,7 @@ void fill_elastoplastic(Builder& b, const RowOf<ElastoplasticCard>& row, double 
     return refuse(b, row[&ElastoplasticCard::kt], "the tangent stiffness must be less than the elastic one",
                   "*MAT_SPRING_ELASTIC needs none");
   kernel::DiscreteSpring law;
-  law.kind = Kind::elastoplastic;
+  law.kind = SpringKind::elastoplastic;
   law.stiffness = k;
   Curve hardening;
   hardening.x = {0.0, yield / k};
@@ -341,10 +340,10 @@ void report_leap(Builder& b, const deck::Entry& field, const kernel::ForceCurve&
 
 void fill_nonlinear(Builder& b, const RowOf<NonlinearCard>& row, double, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
-  law.kind = Kind::elastic;
-  law.load = force_curve(b, row[&NonlinearCard::lcd]);
+  law.kind = SpringKind::elastic;
+  law.load = spring_force_curve(b, row[&NonlinearCard::lcd]);
   report_leap(b, row[&NonlinearCard::lcd], law.load);
-  law.rate_scale = force_curve(b, row[&NonlinearCard::lcr]);
+  law.rate_scale = spring_force_curve(b, row[&NonlinearCard::lcr]);
   spring.law = law;
 }
 
@@ -362,9 +361,10 @@ std::optional<double> driving_rate(const Curve& curve, const kernel::ForceCurve&
 
 void fill_nonlinear_viscous(Builder& b, const RowOf<NonlinearViscousCard>& row, double, kernel::Spring& spring) {
   kernel::DiscreteSpring law;
-  law.damper = force_curve(b, row[&NonlinearViscousCard::lcdr]);
+  law.damper = spring_force_curve(b, row[&NonlinearViscousCard::lcdr]);
   report_leap(b, row[&NonlinearViscousCard::lcdr], law.damper);
-  if (const std::optional<double> rate = driving_rate(curve_of(b, row[&NonlinearViscousCard::lcdr]), law.damper); rate)
+  if (const std::optional<double> rate = driving_rate(spring_curve(b, row[&NonlinearViscousCard::lcdr]), law.damper);
+      rate)
     row[&NonlinearViscousCard::lcdr].report(
         b.findings, Severity::warning,
         fmt::format("at a rate of {:g} the force drives the motion: the damper makes energy", *rate),
@@ -386,8 +386,8 @@ std::optional<double> too_soft_unloading(const kernel::ReversingSpring& law) {
 
 void fill_reversing(Builder& b, const RowOf<ReversingCard>& row, double lever, kernel::Spring& spring) {
   kernel::ReversingSpring law;
-  law.load = curve_of(b, row[&ReversingCard::lcdl]);
-  law.unload = curve_of(b, row[&ReversingCard::lcdu]);
+  law.load = spring_curve(b, row[&ReversingCard::lcdl]);
+  law.unload = spring_curve(b, row[&ReversingCard::lcdu]);
   law.tension_yield = row->tyi * lever;
   law.compression_yield = row->cyi * lever;
   law.isotropic = row->beta == 1.0;
@@ -430,12 +430,12 @@ void fill_maxwell(Builder& b, const RowOf<MaxwellCard>& row, double lever, kerne
 
 void fill_inelastic(Builder& b, const RowOf<InelasticCard>& row, double lever, kernel::Spring& spring) {
   kernel::InelasticSpring law;
-  law.load = force_curve(b, row[&InelasticCard::lcfd]);
+  law.load = spring_force_curve(b, row[&InelasticCard::lcfd]);
   law.unloading = std::max(row->ku * lever * lever, law.load.steepest());
   law.tension = row->ctf == -1.0;
   if (std::abs(row->ctf) != 1.0) refuse(b, row[&InelasticCard::ctf], "expected -1 or 1");
   spring.law = law;
-  const Curve c = curve_of(b, row[&InelasticCard::lcfd]);
+  const Curve c = spring_curve(b, row[&InelasticCard::lcfd]);
   if (!c.empty() && (c.x.front() < 0.0 || law.load.lowest() < 0.0))
     refuse(b, row[&InelasticCard::lcfd], "the curve must lie in the positive quadrant, also for compression",
            "turn its signs");
@@ -472,14 +472,14 @@ std::size_t add_material(Builder& b, const Block& block, const Row& row, int id,
 }
 
 template <const auto& card, auto fill>
-void read_law(Builder& b, const Block& block, const Options& options) {
+void read_spring_law(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     std::string title = read_title(cursor, options);
     const auto row = cursor.read(card);
     const std::size_t index = add_material(b, block, row, row->mid, std::move(title));
     // Curves may be defined later in the deck, and which springs turn is known when parts have their sections.
     b.defer(Phase::systems, [row, index, length = length_factor(block)](Builder& later) {
-      const double lever = lever_of(later, row[&LawCard::mid], index, length);
+      const double lever = lever_of(later, row[&SpringLawCard::mid], index, length);
       fill(later, row, lever, std::get<kernel::Spring>(later.model.materials[index].law));
     });
   }
@@ -487,8 +487,11 @@ void read_law(Builder& b, const Block& block, const Options& options) {
 
 template <const auto& card, auto fill>
 Keyword law(std::string_view name, std::string_view number) {
-  return {
-      .name = name, .aliases = {number}, .options = {"TITLE"}, .layout = {{"", &card}}, .read = read_law<card, fill>};
+  return {.name = name,
+          .aliases = {number},
+          .options = {"TITLE"},
+          .layout = {{"", &card}},
+          .read = read_spring_law<card, fill>};
 }
 
 }  // namespace
@@ -502,13 +505,13 @@ std::vector<Keyword> spring_keywords() {
       {.name = "ELEMENT_DISCRETE", .layout = {{"", &element_card}}, .read = read_elements},
       {.name = "SECTION_DISCRETE",
        .options = {"TITLE"},
-       .layout = {{"", &section_card}, {"", &limit_card}},
+       .layout = {{"", &discrete_section_card}, {"", &limit_card}},
        .read = read_section},
       {.name = "DEFINE_SD_ORIENTATION",
        .options = {"TITLE"},
        .layout = {{"", &orientation_card}},
        .read = read_orientation},
-      law<elastic_card, fill_elastic>("MAT_SPRING_ELASTIC", "MAT_S01"),
+      law<elastic_spring_card, fill_elastic>("MAT_SPRING_ELASTIC", "MAT_S01"),
       law<viscous_card, fill_viscous>("MAT_DAMPER_VISCOUS", "MAT_S02"),
       law<elastoplastic_card, fill_elastoplastic>("MAT_SPRING_ELASTOPLASTIC", "MAT_S03"),
       law<nonlinear_card, fill_nonlinear>("MAT_SPRING_NONLINEAR_ELASTIC", "MAT_S04"),

@@ -15,8 +15,8 @@ namespace {
 using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
-using Excitation = FrequencyResponse::Excitation;
-using Quantity = FrequencyResponse::Quantity;
+using SteadyExcitation = FrequencyResponse::Excitation;
+using SteadyQuantity = FrequencyResponse::Quantity;
 
 struct ModesCard : SelectionCard {
   double fnmin = 0;
@@ -37,7 +37,7 @@ const CardOf<ModesCard> modes_card{
     {&ModesCard::relatv, integer("relatv", 0, between(0, 1), "1: responses to base motion are relative to it")},
 };
 
-const CardOf<DampingCard> damping_card = damping_card_of_response(
+const CardOf<DampingCard> steady_damping_card = damping_card_of_response(
     {{&DampingCard::dmpflg,
       integer("dmpflg", 0, between(0, 1),
               "1: dashpots and *DAMPING_PART_MASS, _STIFFNESS instead of the fields before this one")}});
@@ -141,8 +141,9 @@ const CardOf<BinaryCard> power_card{
 
 /// By VAD.
 Driven driven(int vad) {
-  using Kind = Excitation::Kind;
-  constexpr Quantity order[] = {Quantity::velocity, Quantity::acceleration, Quantity::displacement};
+  using Kind = SteadyExcitation::Kind;
+  constexpr SteadyQuantity order[] = {SteadyQuantity::velocity, SteadyQuantity::acceleration,
+                                      SteadyQuantity::displacement};
   if (vad <= 0) return Driven{Kind::force};
   if (vad == 1) return Driven{Kind::pressure};
   if (vad <= 4) return Driven{Kind::base, order[vad - 2]};
@@ -162,8 +163,8 @@ SteadyState& steady_state(Builder& b) {
 void check_together(Builder& b, const deck::Entry& vad, const SteadyState& s, const SteadyState::Case& c) {
   bool base = false, enforced = false;
   for (const SteadyState::Load& load : c.loads) {
-    base |= load.excitation.kind == Excitation::Kind::base;
-    enforced |= load.excitation.kind == Excitation::Kind::enforced;
+    base |= load.excitation.kind == SteadyExcitation::Kind::base;
+    enforced |= load.excitation.kind == SteadyExcitation::Kind::enforced;
   }
   if (base && enforced)
     refuse(b, vad, "motion of the base and enforced motion of nodes do not go together",
@@ -176,7 +177,7 @@ void check_together(Builder& b, const deck::Entry& vad, const SteadyState& s, co
 }
 
 /// What stands on the cards.
-struct Cards {
+struct SteadyStateCards {
   struct Case {
     std::string id, title;
     std::vector<RowOf<ExcitationCard>> loads;
@@ -229,7 +230,7 @@ SteadyState::RadiatedPower& radiated_power(Builder& b) {
   return *s.radiated_power;
 }
 
-void make_power(Builder& b, const Cards& cards) {
+void make_power(Builder& b, const SteadyStateCards& cards) {
   SteadyState::RadiatedPower& p = radiated_power(b);
   const RowOf<FluidCard>& row = *cards.fluid;
   p.density = row->ro;
@@ -254,7 +255,7 @@ void make_power(Builder& b, const Cards& cards) {
   for (const RowOf<PanelCard>& panel : cards.panels) p.panels.push_back(panel_of(b, panel));
 }
 
-void make_ssd(Builder& b, const Cards& cards) {
+void make_ssd(Builder& b, const SteadyStateCards& cards) {
   SteadyState& s = steady_state(b);
   const auto& [modes, damping, more, fluid, panels, cases, direct] = cards;
   if (!s.cases.empty())
@@ -283,7 +284,7 @@ void make_ssd(Builder& b, const Cards& cards) {
   }
   s.by_parts = modes->lcflag == 1;
   s.relative = modes->relatv == 1;
-  for (const Cards::Case& c : cases) {
+  for (const SteadyStateCards::Case& c : cases) {
     SteadyState::Case& made = s.cases.emplace_back(SteadyState::Case{c.id, c.title, {}});
     for (const RowOf<ExcitationCard>& load : c.loads)
       made.loads.push_back({excitation_of(b, load, driven(load->vad)), load->sf, b.curve(load[&ExcitationCard::lc1]),
@@ -292,7 +293,7 @@ void make_ssd(Builder& b, const Cards& cards) {
   if (fluid) make_power(b, cards);
 }
 
-void check_ssd(Builder& b, const Cards& cards) {
+void check_ssd(Builder& b, const SteadyStateCards& cards) {
   check_analysis(b, cards.modes[&SelectionCard::mdmin], !cards.direct);
   const SteadyState& s = steady_state(b);
   check_damped(b, cards.damping[&DampingCard::dampf], s.damping);
@@ -313,7 +314,7 @@ void check_ssd(Builder& b, const Cards& cards) {
            "add *DATABASE_HISTORY_NODE");
 }
 
-RowOf<ExcitationCard> read_load(Cursor& cursor) {
+RowOf<ExcitationCard> read_steady_load(Cursor& cursor) {
   return cursor.read(cursor.peek_number(1) == 0.0 ? load_of_node : load_of_set);
 }
 
@@ -323,15 +324,15 @@ bool of_one_family(const std::string& name, const std::string& other) {
 }
 
 /// False, and why, where the cards are not all there.
-bool read_subcases(Builder& b, Cursor& cursor, Cards& cards) {
+bool read_subcases(Builder& b, Cursor& cursor, SteadyStateCards& cards) {
   while (cursor.more()) {
     const auto row = cursor.read(case_card);
-    Cards::Case c{row->caseid, row->title, {}};
+    SteadyStateCards::Case c{row->caseid, row->title, {}};
     if (c.id.empty() || c.id.find_first_of("/ \\") != std::string::npos) {
       refuse(b, row[&CaseCard::caseid], "files are named by it: a name without blanks is needed", "give one");
       return false;
     }
-    for (const Cards::Case& before : cards.cases)
+    for (const SteadyStateCards::Case& before : cards.cases)
       if (of_one_family(before.id, c.id) || of_one_family(c.id, before.id)) {
         refuse(b, row[&CaseCard::caseid], fmt::format("its files would be taken for those of case {}", before.id),
                "give each case a name of its own, and not that of another with digits behind it");
@@ -342,7 +343,7 @@ bool read_subcases(Builder& b, Cursor& cursor, Cards& cards) {
         refuse(b, row[&CaseCard::nload], fmt::format("only {} loads are there", i), "give a card for each");
         return false;
       }
-      c.loads.push_back(read_load(cursor));
+      c.loads.push_back(read_steady_load(cursor));
     }
     cards.cases.push_back(std::move(c));
   }
@@ -355,9 +356,9 @@ void read_ssd(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   const bool power = options.contains("ERP"), subcases = options.contains("SUBCASE");
   const auto modes = cursor.read(modes_card);
-  const auto damping = cursor.read(damping_card);
+  const auto damping = cursor.read(steady_damping_card);
   const auto more = cursor.read(options_card);
-  Cards cards{modes, damping, more, {}, {}, {}, options.contains("DIRECT")};
+  SteadyStateCards cards{modes, damping, more, {}, {}, {}, options.contains("DIRECT")};
   if (cards.direct + power + subcases > 1)
     return refuse(b, modes[&SelectionCard::mdmin], "_DIRECT, _ERP and _SUBCASE do not go together",
                   "write one of them; `nugget frf --direct` solves any of them directly");
@@ -372,8 +373,8 @@ void read_ssd(Builder& b, const Block& block, const Options& options) {
   if (subcases) {
     if (!read_subcases(b, cursor, cards)) return;
   } else {
-    Cards::Case all;
-    while (cursor.more()) all.loads.push_back(read_load(cursor));
+    SteadyStateCards::Case all;
+    while (cursor.more()) all.loads.push_back(read_steady_load(cursor));
     if (all.loads.empty())
       return refuse(b, modes[&SelectionCard::mdmin], "no load is given", "give a load card after the first three");
     cards.cases.push_back(std::move(all));
@@ -451,7 +452,7 @@ std::vector<Keyword> steady_state_keywords() {
       {.name = "FREQUENCY_DOMAIN_SSD",
        .options = {"DIRECT", "ERP", "SUBCASE"},
        .layout = {{"", &modes_card},
-                  {"", &damping_card},
+                  {"", &steady_damping_card},
                   {"", &options_card},
                   {"with _ERP", &fluid_card},
                   {"with _ERP, for each panel", &panel_of_part},

@@ -52,7 +52,7 @@ struct WeldCards : MaterialCard {
   int con_id = 0, more = 0;
 };
 
-const CardOf<WeldCards> weld_card{
+const CardOf<WeldCards> weld_material_card{
     {&MaterialCard::mid, material_id},
     {&MaterialCard::ro, density},
     {&WeldCards::e, modulus},
@@ -66,7 +66,7 @@ const CardOf<WeldCards> weld_card{
     {&WeldCards::tfail, fail_time},
 };
 
-const CardOf<WeldCards> resultant_card{
+const CardOf<WeldCards> weld_resultant_card{
     {&WeldCards::efail, fail_strain},
     {at(&WeldCards::strength, 0),
      strength_or_curve("nrr", dimension::force, 0,
@@ -108,7 +108,7 @@ const CardOf<WeldCards> notch_card{
     {&WeldCards::nf, filter_length},
 };
 
-const CardOf<WeldCards> structural_card{
+const CardOf<WeldCards> weld_structural_card{
     {&WeldCards::efail, fail_strain},
     {&WeldCards::zd, real("zd", dimension::length, 0, at_least(0), "diameter; 0: the weld's own")},
     {&WeldCards::zt, real("zt", dimension::length, 0, at_least(0), "thickness of sheet 1; 0: the sheet's own")},
@@ -119,7 +119,7 @@ const CardOf<WeldCards> structural_card{
     unused(),
 };
 
-const CardOf<WeldCards> table_card{
+const CardOf<WeldCards> weld_table_card{
     {&WeldCards::efail, fail_strain}, unused(), unused(), unused(), unused(), unused(), unused(),
     {&WeldCards::nf, filter_length},
 };
@@ -159,7 +159,7 @@ CardOf<WeldCards> failure_card_of(const FieldOf<WeldCards>& fval) {
        real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12; -1: given on the next card")},
   };
 }
-const CardOf<WeldCards> failure_card = failure_card_of(
+const CardOf<WeldCards> weld_failure_card = failure_card_of(
     {&WeldCards::fval,
      real("fval", dimension::number, 0, any_value,
           "OPT 3 4 5: stress at failure; 6: cycles; 7 10: *DEFINE_SPOTWELD_FAILURE_RESULTANTS, _FAILURE")});
@@ -170,10 +170,10 @@ const CardOf<WeldCards> failure_by_table =
 
 const CardOf<WeldCards>& failure_card_for(int option) {
   if (option >= 3 && option <= 5) return failure_by_stress;
-  return option == 7 || option == 10 ? failure_by_table : failure_card;
+  return option == 7 || option == 10 ? failure_by_table : weld_failure_card;
 }
 
-const CardOf<WeldCards> damage_card{
+const CardOf<WeldCards> weld_damage_card{
     {&WeldCards::dmgopt, real("dmgopt", dimension::number, 0, any_value, "damage: 0 1 2 10 11 12")},
     {&WeldCards::fmode,
      real("fmode", dimension::number, 0, between(0, 1), "ratio of the failure surface that parts failure from damage")},
@@ -217,14 +217,14 @@ const CardOf<WeldCards>* strength_card(int option) {
   switch (option) {
     case -2:
     case -1:
-    case 0: return &resultant_card;
+    case 0: return &weld_resultant_card;
     case 1: return &stress_card;
     case 3:
     case 4: return &notch_card;
-    case 5: return &structural_card;
+    case 5: return &weld_structural_card;
     case 6:
     case 7:
-    case 10: return &table_card;
+    case 10: return &weld_table_card;
     case 11: return &direction_card;
     default: return nullptr;
   }
@@ -245,11 +245,11 @@ RowOf<WeldCards> peek_option(const Builder& b, const Block& block, const Options
   Cursor ahead(b.deck, block, unheard);
   read_title(ahead, options);
   for (int line = 0; line < 2 && ahead.more(); ++line) ahead.skip();
-  return ahead.read(failure_card);
+  return ahead.read(weld_failure_card);
 }
 
 /// The curve that the negative value of a field for numbers names.
-Index curve_of(Builder& b, const deck::Entry& field) {
+Index weld_curve(Builder& b, const deck::Entry& field) {
   const int id = static_cast<int>(std::lround(-field.value));
   const Index curve = b.curves.find(id);
   if (curve == none) refuse(b, field, fmt::format("curve {} is not defined", id), "define it, or give a number");
@@ -259,7 +259,7 @@ Index curve_of(Builder& b, const deck::Entry& field) {
 /// A strength: 0 and 1e20 leave it out, a negative value is a curve over the strain rate.
 RateValue strength(Builder& b, const deck::Entry& field) {
   if (field.value >= 0.0) return {failure_value(field.value), {}};
-  const Index curve = curve_of(b, field);
+  const Index curve = weld_curve(b, field);
   if (curve == none) return {};
   return {1.0, b.model.curves[curve]};
 }
@@ -405,7 +405,7 @@ void scale_rupture(const Block& block, WeldDamage& damage) {
 }
 
 /// What the third card and the one after it say; `failure_strain`: EFAIL.
-void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const RowOf<WeldCards>& row, double failure_strain) {
+void read_weld_damage(Builder& b, Cursor& cursor, WeldLaw& law, const RowOf<WeldCards>& row, double failure_strain) {
   WeldDamage& damage = law.damage;
   damage.rupture = failure_value(row->rs);
   damage.true_thickness = row->true_t;
@@ -416,7 +416,7 @@ void read_damage(Builder& b, Cursor& cursor, WeldLaw& law, const RowOf<WeldCards
     scale_rupture(cursor.block(), damage);
     return check_damage(b, row, row, damage, failure_strain);
   }
-  const auto more = cursor.read(damage_card);
+  const auto more = cursor.read(weld_damage_card);
   damage.option = static_cast<int>(more->dmgopt);
   scale_rupture(cursor.block(), damage);
   damage.mode = more->fmode;
@@ -488,7 +488,7 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
   }
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const auto row = cursor.read(weld_card);
+  const auto row = cursor.read(weld_material_card);
   const auto second = cursor.read(*strength_card(option));
   kernel::Spotweld law = point_law(*row);
   law.yield = row->sigy;
@@ -502,7 +502,7 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
   std::optional<RowOf<WeldCards>> failure;
   if (with_failure) {
     failure = cursor.read(failure_card_for(option));
-    read_damage(b, cursor, weld, *failure, law.failure_strain);
+    read_weld_damage(b, cursor, weld, *failure, law.failure_strain);
     law.damage = point_damage(weld.damage);
     set_weld_damage(weld.damage, law);
   }
@@ -534,7 +534,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   const auto row = cursor.read(connection_card);
-  const auto second = cursor.read(table_card);
+  const auto second = cursor.read(weld_table_card);
   const auto third = cursor.read(connection_failure_card);
   kernel::Spotweld law = point_law(*row);
   law.yield = std::numeric_limits<double>::max();  // until the connection is known; it stays if CON_ID < 0
@@ -568,26 +568,28 @@ std::vector<Keyword> weld_material_keywords() {
       {.name = "MAT_SPOTWELD",
        .aliases = {"MAT_100"},
        .options = {"TITLE", "UNIAXIAL"},
-       .layout = {{"", &weld_card}, {"", &resultant_card}},
+       .layout = {{"", &weld_material_card}, {"", &weld_resultant_card}},
        .read = read_plain},
       {.name = "MAT_SPOTWELD_DAMAGE-FAILURE",
        .aliases = {"MAT_100_DAMAGE-FAILURE"},
        .options = {"TITLE", "UNIAXIAL"},
-       .layout = {{"", &weld_card},
-                  {by_resultants, &resultant_card},
+       .layout = {{"", &weld_material_card},
+                  {by_resultants, &weld_resultant_card},
                   {by_stress, &stress_card},
                   {by_notch, &notch_card},
-                  {by_structure, &structural_card},
-                  {by_table, &table_card},
+                  {by_structure, &weld_structural_card},
+                  {by_table, &weld_table_card},
                   {by_direction, &direction_card},
-                  {"", &failure_card},
-                  {more, &damage_card}},
+                  {"", &weld_failure_card},
+                  {more, &weld_damage_card}},
        .read = read_failure},
       {.name = "MAT_SPOTWELD_DAIMLERCHRYSLER",
        .aliases = {"MAT_SPOTWELD_DAIMLER", "MAT_100_DAIMLERCHRYSLER", "MAT_100_DAIMLER", "MAT_100_DA"},
        .options = {"TITLE", "UNIAXIAL"},
-       .layout =
-           {{"", &connection_card}, {"", &table_card}, {"", &connection_failure_card}, {more, &connection_more_card}},
+       .layout = {{"", &connection_card},
+                  {"", &weld_table_card},
+                  {"", &connection_failure_card},
+                  {more, &connection_more_card}},
        .read = read_connection},
   };
 }

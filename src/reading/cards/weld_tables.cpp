@@ -42,18 +42,18 @@ const CardOf<PairDefaultCard> pair_default_card{
     {&PairDefaultCard::dlcidss, id("dlcidss", IdSpace::function, 0, "curve: factor on DSS over the strain rate")},
 };
 
-struct PairCard {
+struct StrengthPairCard {
   int pid_i = 0, pid_j = 0;
   double snij = 0, ssij = 0;
   int lcidsnij = 0, lcidssij = 0;
 };
-const CardOf<PairCard> pair_card{
-    {&PairCard::pid_i, id("pid_i", IdSpace::part, required, "part of one sheet")},
-    {&PairCard::pid_j, id("pid_j", IdSpace::part, required, "part of the other")},
-    {&PairCard::snij, real("snij", dimension::stress, 0, at_least(0), "axial stress at failure; 0: left out")},
-    {&PairCard::ssij, real("ssij", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out")},
-    {&PairCard::lcidsnij, id("lcidsnij", IdSpace::function, 0, "curve: factor on SNIJ over the strain rate")},
-    {&PairCard::lcidssij, id("lcidssij", IdSpace::function, 0, "curve: factor on SSIJ over the strain rate")},
+const CardOf<StrengthPairCard> strength_pair_card{
+    {&StrengthPairCard::pid_i, id("pid_i", IdSpace::part, required, "part of one sheet")},
+    {&StrengthPairCard::pid_j, id("pid_j", IdSpace::part, required, "part of the other")},
+    {&StrengthPairCard::snij, real("snij", dimension::stress, 0, at_least(0), "axial stress at failure; 0: left out")},
+    {&StrengthPairCard::ssij, real("ssij", dimension::stress, 0, at_least(0), "shear stress at failure; 0: left out")},
+    {&StrengthPairCard::lcidsnij, id("lcidsnij", IdSpace::function, 0, "curve: factor on SNIJ over the strain rate")},
+    {&StrengthPairCard::lcidssij, id("lcidssij", IdSpace::function, 0, "curve: factor on SSIJ over the strain rate")},
 };
 
 struct LoadRateCard {
@@ -115,7 +115,7 @@ const CardOf<LoadRateAddCard> load_rate_add_card{
 struct ConnectionCard {
   int con_id = 0, proprul = 0, areaeq = 0, dgtyp = 0, moarfl = 0;
 };
-const CardOf<ConnectionCard> connection_card{
+const CardOf<ConnectionCard> connection_table_card{
     {&ConnectionCard::con_id, id("con_id", IdSpace::define, required, "number of this connection")},
     {&ConnectionCard::proprul,
      integer("proprul", 0, between(0, 1), "which sheet counts: 0 and 1 that of lower rank; functions are not built")},
@@ -210,7 +210,7 @@ std::vector<RowOf<Values>> rest_of(Cursor& cursor, const CardOf<Values>& card) {
 
 /// Adds an empty table under the id of its first card.
 template <class Table>
-Table* add_table(Builder& b, std::vector<Table>& tables, Ids& ids, const Row& row, int id, std::string_view what) {
+Table* add_weld_table(Builder& b, std::vector<Table>& tables, Ids& ids, const Row& row, int id, std::string_view what) {
   if (!ids.add(id, static_cast<Index>(tables.size()), row.place(), row.keyword(), what, b.findings)) return nullptr;
   Table& table = tables.emplace_back();
   table.id = id;
@@ -222,18 +222,18 @@ void read_pair_strengths(Builder& b, const Block& block, const Options& options)
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const auto first = cursor.read(pair_default_card);
-  const auto pairs = rest_of(cursor, pair_card);
+  const auto pairs = rest_of(cursor, strength_pair_card);
   b.defer(Phase::curves, [first, pairs](Builder& later) {
     PairStrengths* table =
-        add_table(later, later.model.pair_strengths, later.pair_strengths, first, first->id, "table of pairs");
+        add_weld_table(later, later.model.pair_strengths, later.pair_strengths, first, first->id, "table of pairs");
     if (!table) return;
     table->standard = {{none, none},
                        rate_value(later, first->dsn, first[&PairDefaultCard::dlcidsn]),
                        rate_value(later, first->dss, first[&PairDefaultCard::dlcidss])};
     for (const auto& row : pairs)
-      table->pairs.push_back({{later.part(row[&PairCard::pid_i]), later.part(row[&PairCard::pid_j])},
-                              rate_value(later, row->snij, row[&PairCard::lcidsnij]),
-                              rate_value(later, row->ssij, row[&PairCard::lcidssij])});
+      table->pairs.push_back({{later.part(row[&StrengthPairCard::pid_i]), later.part(row[&StrengthPairCard::pid_j])},
+                              rate_value(later, row->snij, row[&StrengthPairCard::lcidsnij]),
+                              rate_value(later, row->ssij, row[&StrengthPairCard::lcidssij])});
   });
 }
 
@@ -256,8 +256,8 @@ void read_load_rate(Builder& b, const Block& block, const Options& options) {
   const auto second = cursor.read(load_rate_default_card);
   const auto rows = rest_of(cursor, by_pair ? load_rate_pair_card : load_rate_material_card);
   b.defer(Phase::curves, [first, second, rows, by_pair](Builder& later) {
-    LoadRateStrengths* table = add_table(later, later.model.load_rate_strengths, later.load_rate_strengths, first,
-                                         first->id, "table of weld strengths");
+    LoadRateStrengths* table = add_weld_table(later, later.model.load_rate_strengths, later.load_rate_strengths, first,
+                                              first->id, "table of weld strengths");
     if (!table) return;
     table->thickness_rule = first->tflag;
     table->dynamic = {first->dc1, first->dc2, first->dc3, first->dc4};
@@ -327,16 +327,16 @@ void warn_of_hyperbola(Builder& b, const RowOf<RecordCard>& row) {
                                    "hyperbolic damage is not public: the damage is linear", "leave it blank");
 }
 
-void read_connection(Builder& b, const Block& block, const Options& options) {
+void read_connection_table(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const auto first = cursor.read(connection_card);
+  const auto first = cursor.read(connection_table_card);
   const auto second = cursor.read(connection_default_card);
   const auto third = cursor.read(connection_default_more_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
   b.defer(Phase::curves, [=](Builder& later) {
     ConnectionProperties* table =
-        add_table(later, later.model.connections, later.connections, first, first->con_id, "connection");
+        add_weld_table(later, later.model.connections, later.connections, first, first->con_id, "connection");
     if (!table) return;
     table->rule = first->proprul;
     table->area_rule = first->areaeq;
@@ -353,7 +353,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
 void read_connection_add(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
-  const auto first = cursor.read(connection_card);
+  const auto first = cursor.read(connection_table_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
   // One phase later than the connections themselves.
   b.defer(Phase::mesh, [first, rows](Builder& later) {
@@ -374,7 +374,7 @@ std::vector<Keyword> weld_table_keywords() {
        .read = read_rupture_stress},
       {.name = "DEFINE_SPOTWELD_FAILURE_RESULTANTS",
        .options = {"TITLE"},
-       .layout = {{"", &pair_default_card}, {"repeated", &pair_card}},
+       .layout = {{"", &pair_default_card}, {"repeated", &strength_pair_card}},
        .read = read_pair_strengths},
       {.name = "DEFINE_SPOTWELD_FAILURE",
        .options = {"PID", "TITLE"},
@@ -389,15 +389,15 @@ std::vector<Keyword> weld_table_keywords() {
        .read = read_load_rate_add},
       {.name = "DEFINE_CONNECTION_PROPERTIES",
        .options = {"TITLE"},
-       .layout = {{"", &connection_card},
+       .layout = {{"", &connection_table_card},
                   {"", &connection_default_card},
                   {"", &connection_default_more_card},
                   {"repeated with the next", &connection_material_card},
                   {"repeated with the last", &connection_material_more_card}},
-       .read = read_connection},
+       .read = read_connection_table},
       {.name = "DEFINE_CONNECTION_PROPERTIES_ADD",
        .options = {"TITLE"},
-       .layout = {{"only CON_ID counts", &connection_card},
+       .layout = {{"only CON_ID counts", &connection_table_card},
                   {"repeated with the next", &connection_material_card},
                   {"repeated with the last", &connection_material_more_card}},
        .read = read_connection_add},

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/index.hpp"
 #include "reading/builder/passes.hpp"
 
 #include <fmt/format.h>
@@ -127,7 +126,7 @@ void report_failure(Builder& b, const Part& part, const std::vector<kernel::Lami
       part.place, "*PART_COMPOSITE",
       fmt::format("part {}: a shell is deleted when the last of its layers that can fail has failed; the "
                   "{} whose material knows no failure do not keep it",
-                  part.id, layers.size() - at(failing)),
+                  part.id, layers.size() - static_cast<std::size_t>(failing)),
       "give these a failure of their own, or use *INTEGRATION_SHELL with FAILOPT 1");
 }
 

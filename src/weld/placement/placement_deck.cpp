@@ -171,10 +171,10 @@ class PlacementWriter {
     constexpr std::size_t width = 78;
     std::string lines;
     while (name.size() > 80) {
-      lines += name.substr(0, width) + " +\n";
+      lines += fmt::format("{} +\n", name.substr(0, width));
       name.erase(0, width);
     }
-    return lines + name + '\n';
+    return fmt::format("{}{}\n", lines, name);
   }
 
   std::string head(const std::string& included, std::size_t spots) const {

@@ -12,7 +12,6 @@
 namespace nugget::weld {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Of two distances that differ by less than this share of the tolerance neither is the shorter one.
 constexpr double equal_share = 1e-6;
 /// A gap below this share of the tolerance needs no explanation by another sheet.
@@ -55,7 +54,7 @@ std::vector<Index> first_brick_part_at_nodes(const model::Model& model) {
   return part;
 }
 
-std::array<Index, 4> sorted(model::Segment nodes) {
+std::array<Index, 4> in_order(model::Segment nodes) {
   std::sort(nodes.begin(), nodes.end());
   return nodes;
 }
@@ -117,14 +116,14 @@ void Reference::add_face(const model::Segment& nodes, Index part) {
 
 void Reference::add_segments(const std::vector<model::Segment>& segments) {
   std::map<std::array<Index, 4>, Index> shell_of;
-  for (const model::Segment& nodes : segments) shell_of.emplace(sorted(nodes), none);
+  for (const model::Segment& nodes : segments) shell_of.emplace(in_order(nodes), none);
   for (Index e = 0; e < static_cast<Index>(model_.shells.size()); ++e) {
-    const auto wanted = shell_of.find(sorted(model_.shells.node[e]));
+    const auto wanted = shell_of.find(in_order(model_.shells.node[e]));
     if (wanted != shell_of.end() && wanted->second == none) wanted->second = e;
   }
   const std::vector<Index> part_at = first_brick_part_at_nodes(model_);
   for (const model::Segment& nodes : segments) {
-    const Index shell = shell_of.at(sorted(nodes));
+    const Index shell = shell_of.at(in_order(nodes));
     if (shell != none)
       add_shell(shell);
     else

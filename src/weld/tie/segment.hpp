@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "base/vec3.hpp"
 
@@ -9,6 +10,9 @@ namespace nugget::weld {
 
 /// How far beyond its border a segment still counts as lying under a node, in the parametric coordinate (MAXPAR).
 inline constexpr double parametric_extension = 1.025;
+
+/// The distance of what is nowhere near.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Corners of a segment in order; a triangle repeats its third.
 using Corners = std::array<Vec3d, 4>;

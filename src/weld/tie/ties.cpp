@@ -17,9 +17,8 @@
 namespace nugget::weld {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Parametric distance from an edge within which a node counts as lying on it.
-constexpr double on_edge = 1e-4;
+constexpr double edge_margin = 1e-4;
 /// A node lies in the plane of a sheet beside it if that plane is closer than this share of the distance it is moved.
 constexpr double in_plane_share = 0.5;
 /// A weld shorter than this share of the distance of two touching mid-surfaces is crushed.
@@ -514,12 +513,12 @@ int Tying::position_case(const Record& r) const {
   bool on_first = false, on_second = false;
   if (r.closest.segment.triangle()) {
     const double third = 1.0 - foot.xi - foot.eta;
-    on_second = std::max({foot.xi, foot.eta, third}) >= 1.0 - on_edge;
-    on_first = std::min({foot.xi, foot.eta, third}) <= on_edge;
+    on_second = std::max({foot.xi, foot.eta, third}) >= 1.0 - edge_margin;
+    on_first = std::min({foot.xi, foot.eta, third}) <= edge_margin;
     return on_second ? 3 : on_first ? 2 : 1;
   }
-  on_first = std::abs(foot.xi) >= 1.0 - on_edge;
-  on_second = std::abs(foot.eta) >= 1.0 - on_edge;
+  on_first = std::abs(foot.xi) >= 1.0 - edge_margin;
+  on_second = std::abs(foot.eta) >= 1.0 - edge_margin;
   return on_first && on_second ? 3 : on_first || on_second ? 2 : 1;
 }
 
