@@ -124,7 +124,7 @@ void Statics::hold(int node, std::initializer_list<int> dofs, double value) {
 Eigen::VectorXd Statics::solve() const {
   const Eigen::Index all = force.size();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(all);
-  std::vector<int> free(at(all), 0);
+  std::vector<int> free(static_cast<std::size_t>(all), 0);
   for (const auto& [dof, value] : held_) {
     free[dof] = -1;
     u(dof) = value;

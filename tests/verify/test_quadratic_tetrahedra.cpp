@@ -33,7 +33,7 @@ class Mesh {
     const auto inner = [&](int axis, int i) { return i > 0 && i < cells[axis]; };
     std::vector<int> nodes;
     const auto at = [&](int i, int j, int k) -> int& { return nodes[(k * (cells[1] + 1) + j) * (cells[0] + 1) + i]; };
-    nodes.resize(at((cells[0] + 1) * (cells[1] + 1) * (cells[2] + 1)));
+    nodes.resize(std::size_t((cells[0] + 1) * (cells[1] + 1) * (cells[2] + 1)));
     for (int k = 0; k <= cells[2]; ++k)
       for (int j = 0; j <= cells[1]; ++j)
         for (int i = 0; i <= cells[0]; ++i)

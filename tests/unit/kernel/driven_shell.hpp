@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "base/index.hpp"
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/full_shell.hpp"

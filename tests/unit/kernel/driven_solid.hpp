@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/index.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "motion.hpp"
 

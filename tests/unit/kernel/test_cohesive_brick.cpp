@@ -104,8 +104,8 @@ TEST(CohesiveBrick, PowerOfTheForcesIsThatOfTheTractions) {
     for (int p = 0; p < L::points; ++p)
       for (int i = 0; i < 3; ++i) {
         const auto place = at(L::point(p));
-        of_tractions += before[at] * before[at + L::traction + i] *
-                        (d.state[at + L::separation + i] - before[at + L::separation + i]) / dt;
+        of_tractions += before[place] * before[place + L::traction + i] *
+                        (d.state[place + L::separation + i] - before[place + L::separation + i]) / dt;
       }
     EXPECT_NEAR(power, of_tractions, 1e-5 * std::abs(of_tractions));
   }
@@ -140,7 +140,7 @@ TEST(CohesiveBrick, RotationAsARigidBodyMakesNoForce) {
     for (int p = 0; p < L::points; ++p)
       for (int i = 0; i < 3; ++i) {
         const auto place = at(L::point(p) + L::separation + i);
-        EXPECT_NEAR(d.state[at], held[at], 1e-8);
+        EXPECT_NEAR(d.state[place], held[place], 1e-8);
       }
     EXPECT_NEAR(greatest(out), before, 1e-5 * before);
   }

@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "base/index.hpp"
 #include "kernel/element/weld_beam.hpp"
 #include "motion.hpp"
 

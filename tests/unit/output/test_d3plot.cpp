@@ -5,6 +5,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "base/index.hpp"
 #include "output/d3plot.hpp"
 #include "unit/output/scratch.hpp"
 

@@ -30,12 +30,14 @@ struct Stack : Assembly {
     for (double height : z)
       for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i) grid.push_back(node({13.0 + 2 * i, 13.0 + 2 * j, height}));
-    const auto at = [&](std::size_t k, int i, int j) { return grid[k * at((n + 1) * (n + 1)) + at(j * (n + 1) + i)]; };
+    const auto corner = [&](std::size_t k, int i, int j) {
+      return grid[k * at((n + 1) * (n + 1)) + at(j * (n + 1) + i)];
+    };
     for (std::size_t k = 0; k + 1 < z.size(); ++k)
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
-          solid({at(k, i, j), at(k, i + 1, j), at(k, i + 1, j + 1), at(k, i, j + 1), at(k + 1, i, j),
-                 at(k + 1, i + 1, j), at(k + 1, i + 1, j + 1), at(k + 1, i, j + 1)});
+          solid({corner(k, i, j), corner(k, i + 1, j), corner(k, i + 1, j + 1), corner(k, i, j + 1),
+                 corner(k + 1, i, j), corner(k + 1, i + 1, j), corner(k + 1, i + 1, j + 1), corner(k + 1, i, j + 1)});
     if (tied) tie({bricks}, sheets);
   }
   void solid(const std::array<Index, 8>& nodes) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/index.hpp"
 #include "weld/placement/placement.hpp"
 
 #include <fmt/format.h>
@@ -115,7 +114,7 @@ TEST(Placement, SectionsHaveTheAreaOfTheCircleAndAreNumberedOneWay) {
   for (const auto& [quads, points] : {std::pair{1, 4u}, {4, 9u}, {8, 12u}}) {
     const model::WeldSection s = model::weld_section(quads, 6.0);
     EXPECT_EQ(s.point.size(), points);
-    ASSERT_EQ(s.quad.size(), at(quads));
+    ASSERT_EQ(s.quad.size(), std::size_t(quads));
     double sum = 0.0;
     for (const auto& q : s.quad) {
       const auto d = [&](int i, int k) { return s.point[q[i]][k] - s.point[q[i - 2]][k]; };
