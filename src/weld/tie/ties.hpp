@@ -85,6 +85,7 @@ struct Weld {
   double length = 0.0, length_before = 0.0;  ///< after and before projection [length]
   bool tied = false;                         ///< every node of it is attached
   bool deleted = false;                      ///< by SPOTSTP = 2
+  bool held_by_bricks = false;               ///< a brick inside a large nugget: by neighbours in place of a sheet
   std::vector<Projection>
       ends;  ///< beam: end 1, end 2; bricks: each node of the end faces once, in the elements' order; rigid: its nodes
   Place place;
