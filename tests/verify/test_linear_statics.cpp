@@ -148,5 +148,55 @@ TEST(LinearStatics, AMotionAroundAnAxisPullsByTheArc) {
   }
 }
 
+/// A sheet between a rigid disc of radius 3 in its middle and a clamped rim of radius 25, t = 1.5, in rings x around
+/// quadrilaterals or twice as many triangles: the moment about the normal that turns the disc by 1.
+double twist_of_a_disc(int rings, int around, bool triangles) {
+  constexpr double disc = 3.0, rim = 25.0, moment = 1e4;
+  Specimen s;
+  s.text(linear).text(ramp);
+  s.card("MAT_ELASTIC", {1, 7.85e-9, 210000.0, 0.3});
+  s.card("SECTION_SHELL", {1, 16, 0.833333, 2}).text("       1.5       1.5       1.5       1.5\n").part(1, 1, 1);
+  std::vector<int> node, held;
+  for (int i = 0; i <= rings; ++i)
+    for (int j = 0; j < around; ++j) {
+      const double r = disc * std::pow(rim / disc, double(i) / rings), phi = 2.0 * M_PI * j / around;
+      node.push_back(s.node({r * std::cos(phi), r * std::sin(phi), 0.0}));
+      if (i == rings) held.push_back(node.back());
+    }
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < around; ++j) {
+      const auto corner = [&](int ring, int way) { return node[ring * around + way % around]; };
+      const int a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
+      if (triangles) {
+        s.shell(1, {a, b, c, c});
+        s.shell(1, {a, c, d, d});
+      } else {
+        s.shell(1, {a, b, c, d});
+      }
+    }
+  s.node_set(1, held).card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1});
+  s.node_set(7, {node.begin(), node.begin() + around}).card("CONSTRAINED_NODAL_RIGID_BODY", {7, 0, 7});
+  s.card("LOAD_RIGID_BODY", {7, 7, 9, moment});
+  return moment * moment / (2.0 * solve(LinearExperiment(s.deck())).energy);
+}
+
+// Plane elasticity: 4 pi G t / (1/a^2 - 1/b^2), whatever the spins of the nodes. Sabotage: drilling stiffness that does
+// not go by the element's size (decision 0018: + 2.7, 4.5, 6.1 %), or none of triangles that does.
+TEST(LinearStatics, ARigidDiscTurnsInItsSheet) {
+  const double exact = 4.0 * M_PI * (210000.0 / 2.6) * 1.5 / (1.0 / 9.0 - 1.0 / 625.0);
+  const auto expect = [&](int rings, int around, bool triangles, double gate) {
+    const double stiffness = twist_of_a_disc(rings, around, triangles);
+    expect_reference("rigid disc twisted in its sheet",
+                     fmt::format("{} x {} {}: stiffness [N mm/rad]", rings, around,
+                                 triangles ? "pairs of triangles" : "quadrilaterals"),
+                     stiffness, exact, gate);
+    return std::abs(stiffness / exact - 1.0);
+  };
+  expect(14, 36, false, 0.01);
+  const double medium = expect(28, 72, false, 0.005), fine = expect(56, 144, false, 0.005);
+  EXPECT_LT(fine, 0.6 * medium);
+  expect(56, 144, true, 0.005);
+}
+
 }  // namespace
 }  // namespace nugget::verify

@@ -128,6 +128,32 @@ TEST(Modes, FreeSquarePlate) {
   EXPECT_GT((coarse[5] / 7.3560 - 1.0) / fine, 3.5);
 }
 
+// A sheet folded at right angles, t = 2 in shells of 1 x 1, whose drilling stiffness goes with their area: six rigid
+// motions, and its first modes are those of shells of 2 x 2. Sabotage: no drilling stiffness (a seventh motion and
+// more).
+TEST(Modes, AFoldedSheetOfSmallShellsIsFreeInSixWays) {
+  const auto folded = [](int n) {
+    Specimen s;
+    s.card("CONTROL_IMPLICIT_GENERAL", {1, 1}).card("CONTROL_IMPLICIT_EIGENVALUE", {20});
+    s.card("MAT_ELASTIC", {1, 7.85e-9, 210000.0, 0.3});
+    s.text("*SECTION_SHELL\n" + fields({1, 16, 5.0 / 6.0, 2}) + fields({2, 2, 2, 2})).part(1, 1, 1);
+    const int along = 4 * n, up = n;
+    std::vector<int> node;
+    for (int i = 0; i <= along; ++i)
+      for (int j = -up; j <= up; ++j)
+        node.push_back(s.node({40.0 * i / along, j < 0 ? -10.0 * j / up : 0.0, j > 0 ? 10.0 * j / up : 0.0}));
+    const int row = 2 * up + 1;
+    for (int i = 0; i < along; ++i)
+      for (int j = 0; j < row - 1; ++j) {
+        const int a = i * row + j;
+        s.shell(1, {node[a], node[a + row], node[a + row + 1], node[a + 1]});
+      }
+    return LinearExperiment(s.deck()).elastic_frequencies(3);
+  };
+  const std::vector<double> fine = folded(10), coarse = folded(5);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(fine[i], coarse[i], 0.02 * coarse[i]) << i;
+}
+
 TEST(Modes, CantileverSquarePlate) {
   Sheet plate = large_plate(16);
   plate.hold(1, plate.grid.across(0), {1, 1, 1, 1, 1, 1});

@@ -55,7 +55,7 @@ NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const LawKernel<L
   R drilling[3]{}, around{};
   if (shell.drilling > 0.0) {
     R power{};
-    resist_drilling(shell, e, rates.spin, dt, state, drilling, power);
+    resist_drilling(shell, e, mid.area, rates.spin, dt, state, drilling, power);
     around = resist_around(shell, e, mid, s12 + s23 - s13, dt, state, power);
     store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * power);
   }

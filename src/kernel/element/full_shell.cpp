@@ -183,9 +183,11 @@ template <class R>
 /// Drilling moments at the end of the step; stored, and their work added up, in the state.
 template <class R>
 [[gnu::always_inline]] inline void resist_drilling(const ShellProperties& shell, const ElasticConstants& e,
-                                                   const R (&spin)[4], double dt, double* state, R (&moment)[4]) {
+                                                   const R& area, const R (&spin)[4], double dt, double* state,
+                                                   R (&moment)[4]) {
   using L = ShellLayout;
-  const R t = load_field<R>(state, L::thickness), stiffness = (0.25 * shell.drilling * e.shear * dt) * (t * t * t);
+  const R t = load_field<R>(state, L::thickness),
+          stiffness = (0.25 * shell.drilling * e.shear * dt) * (drilling_length2(t, area) * t);
   R power = R(0.0);
   for (int i = 0; i < 4; ++i) {
     const R old = load_field<R>(state, L::hourglass + i);
@@ -286,7 +288,7 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel
   if (shell.drilling > 0.0) {
     if (any(!alive))
       for (R& spin : drilling.spin) spin = select(alive, spin, R(0.0));
-    resist_drilling(shell, e, drilling.spin, dt, state, moment);
+    resist_drilling(shell, e, mid.area, drilling.spin, dt, state, moment);
   }
 
   const R t = load_field<R>(state, L::thickness);

@@ -108,7 +108,7 @@ NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const L
   R drilling[3]{};
   if (shell.drilling > 0.0) {
     R power{};
-    resist_drilling(shell, e, rates.spin, dt, state, drilling, power);
+    resist_drilling(shell, e, mid.area, rates.spin, dt, state, drilling, power);
     store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * power);
   }
 

@@ -39,7 +39,8 @@ struct ShellProperties {
   double membrane_hourglass = 0.1, bending_hourglass = 0.1, warping_hourglass = 0.1;  ///< QM, QB, QW [1]
   ThicknessUpdate thickness_update = ThicknessUpdate::none;
   bool warping_stiffness = false;  ///< BWC 1; of the fully integrated shell IHQ 8
-  double drilling = 0.0;  ///< stiffness against drilling rotations, a share of G t^3 / corners a node; not in ELFORM 2
+  /// Stiffness against drilling rotations, a share of G t min(t^2, A) / corners a node; not in ELFORM 2.
+  double drilling = 0.0;
   ShellLength length = ShellLength::area_over_side;
   double bulk_quadratic = 0.0, bulk_linear = 0.0;  ///< Q1, Q2 of CONTROL_BULK_VISCOSITY TYPE -1, -2; 0: off
 };

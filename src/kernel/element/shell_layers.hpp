@@ -177,6 +177,13 @@ template <class R, class Law>
   return on_thickness(shell, c.n, thinned(shell, c.thinning, t, state));
 }
 
+/// What drilling stiffness goes by besides G t: the square of the thickness in elements that are large beside it, the
+/// area in small ones, where it vanishes under refinement (docs/theory/shell.md#drilling-stiffness).
+template <class R>
+R drilling_length2(const R& t, const R& area) {
+  return min(t * t, area);
+}
+
 /// Viscous pressure a length in a shell that is compressed in its plane
 /// (docs/theory/shell.md#bulk-viscosity-in-the-plane); 0 when stretched.
 template <class R, class Law>

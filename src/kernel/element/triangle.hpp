@@ -90,10 +90,10 @@ template <class R>
 /// Moments against drilling at the end of the step; twice their power is added to `power`.
 template <class R>
 [[gnu::always_inline]] inline void resist_drilling(const ShellProperties& shell, const ElasticConstants& e,
-                                                   const R (&spin)[3], double dt, double* state, R (&moment)[3],
-                                                   R& power) {
+                                                   const R& area, const R (&spin)[3], double dt, double* state,
+                                                   R (&moment)[3], R& power) {
   const R t = load_field<R>(state, ShellLayout::thickness), gt = e.shear * dt * t;
-  const R stiffness = (shell.drilling / 3.0) * gt * (t * t);
+  const R stiffness = (shell.drilling / 3.0) * gt * drilling_length2(t, area);
   for (int i = 0; i < 3; ++i) moment[i] = resist(i, stiffness, spin[i], state, power);
 }
 

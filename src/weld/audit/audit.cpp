@@ -49,7 +49,8 @@ CheckResult worse_end(Measure measure) {
 CheckResult check_two_sheets(const Inspection& in, const Weld& weld) {
   const auto [first, second] = weld.sheets;
   const auto wrong = [](std::string text) { return CheckResult{nothing, 2.0, std::move(text)}; };
-  if (first == none && second == none) return {};  // reported as an untied weld
+  if (first == none && second == none) return {};   // reported as an untied weld
+  if (weld.tied && weld.held_by_bricks) return {};  // the bricks between it and the other sheet hold it
   if (first == second) return wrong(fmt::format("both ends on {}", part_name(in, first)));
   if (first == none || second == none)
     return wrong(fmt::format("on one sheet only, {}", part_name(in, first == none ? second : first)));

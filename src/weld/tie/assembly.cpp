@@ -16,11 +16,6 @@ namespace {
 /// Of *DEFINE_HEX_SPOTWELD_ASSEMBLY.
 constexpr std::size_t most_bricks = 16;
 
-Facet sorted(Facet face) {
-  std::sort(face.begin(), face.end());
-  return face;
-}
-
 Facet reversed(const Facet& face) {
   return {face[0], face[3], face[2], face[1]};
 }
@@ -86,6 +81,30 @@ void find_faces_by_shape(const model::Model& model, Weld& weld, const std::map<F
     for (std::size_t end = 0; end < 2; ++end)
       if (count.at(sorted(chosen[end])) == 1) weld.facets[end].push_back(chosen[end]);
   }
+}
+
+/// Of a brick that shares a face with another weld: the pair of faces that is held best, of equal ones the one with the
+/// shortest distance; false for any other weld.
+bool find_held_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at, const std::set<Facet>& between) {
+  if (weld.elements.size() != 1 || between.empty()) return false;
+  const std::vector<Vec3d>& x = model.nodes.x;
+  const auto held = [&](const Facet& f) {
+    return sheet_of(f, sheet_at) != none ? 3 : between.contains(sorted(f)) ? 1 : 0;
+  };
+  const auto centre = [&](const Facet& f) { return 0.25 * (x[f[0]] + x[f[1]] + x[f[2]] + x[f[3]]); };
+  bool shares = false;
+  int most = -1;
+  double shortest = 0.0;
+  for (const auto& pair : opposite_faces(model.solids.node[weld.elements.front()])) {
+    shares = shares || between.contains(sorted(pair[0])) || between.contains(sorted(pair[1]));
+    const int hold = held(pair[0]) + held(pair[1]);
+    const double length = norm(centre(pair[1]) - centre(pair[0]));
+    if (hold < most || (hold == most && length >= shortest)) continue;
+    most = hold;
+    shortest = length;
+    weld.facets = {std::vector<Facet>{pair[0]}, {pair[1]}};
+  }
+  return shares;
 }
 
 class Clusters {
@@ -172,9 +191,30 @@ std::vector<Weld> join_clusters(const model::Model& model, std::vector<Weld> wel
   return welds;
 }
 
-void find_end_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at) {
+Facet sorted(Facet face) {
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+std::set<Facet> faces_between_welds(const model::Model& model, const std::vector<Weld>& welds) {
+  std::map<Facet, std::size_t> first;
+  std::set<Facet> shared;
+  for (std::size_t w = 0; w < welds.size(); ++w) {
+    if (!welds[w].of_bricks()) continue;
+    for (Index e : welds[w].elements)
+      for (const auto& pair : opposite_faces(model.solids.node[e]))
+        for (const Facet& face : pair) {
+          const auto [place, is_new] = first.emplace(sorted(face), w);
+          if (!is_new && place->second != w && welds[place->second].part == welds[w].part) shared.insert(place->first);
+        }
+  }
+  return shared;
+}
+
+void find_end_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at, const std::set<Facet>& between) {
   const std::map<Facet, int> count = count_faces(model, weld);
-  if (!find_faces_on_sheets(model, weld, count, sheet_at)) find_faces_by_shape(model, weld, count);
+  if (!find_faces_on_sheets(model, weld, count, sheet_at) && !find_held_faces(model, weld, sheet_at, between))
+    find_faces_by_shape(model, weld, count);
   const auto take = [](std::vector<Index>& nodes, Index n) {
     if (std::find(nodes.begin(), nodes.end(), n) == nodes.end()) nodes.push_back(n);
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "weld/tie/ties.hpp"
@@ -20,9 +21,16 @@ using SheetAt = std::function<Index(Index node)>;
 std::vector<Weld> join_clusters(const model::Model& model, std::vector<Weld> welds, const SheetAt& sheet_at,
                                 Findings& findings);
 
+/// A face whatever corner it starts at and which way round it runs.
+Facet sorted(Facet face);
+
+/// The faces, `sorted`, that bricks of different welds of one part share.
+std::set<Facet> faces_between_welds(const model::Model& model, const std::vector<Weld>& welds);
+
 /// Lays the end faces of a weld of bricks, and with them `ends`. They are the outer faces of its bricks that lie with
 /// all corners on one of two sheets. Where there are no two such sheets, each brick gives the pair of opposite faces
-/// that it shares least with others of the weld, of equal ones the pair with the shortest distance.
-void find_end_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at);
+/// that it shares least with others of the weld, of equal ones the pair with the shortest distance; a single brick that
+/// shares a face with another weld (`between`) the pair that is held best: on a sheet, then by such a brick.
+void find_end_faces(const model::Model& model, Weld& weld, const SheetAt& sheet_at, const std::set<Facet>& between);
 
 }  // namespace nugget::weld

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "base/parallel.hpp"
 #include "weld/tie/assembly.hpp"
@@ -23,6 +24,8 @@ constexpr double edge_margin = 1e-4;
 constexpr double in_plane_share = 0.5;
 /// A weld shorter than this share of the distance of two touching mid-surfaces is crushed.
 constexpr double crushed_share = 0.05;
+/// An edge of a brick whose ends come closer than this share of its length, projected, would be crushed.
+constexpr double crushed_edge_share = 0.5;
 /// Sheets that are closer than touching by more than this share penetrate each other.
 constexpr double penetration_share = 0.01;
 /// A weld below this share of its diameter has no direction that projection could turn over.
@@ -99,6 +102,7 @@ class Tying {
       if (model_.contacts[c].tie()) work_through(c);
     const auto sheet = [this](Index node) { return sheet_at(node); };
     result_.welds = join_clusters(model_, std::move(result_.welds), sheet, findings_);
+    faces_ = faces_between_welds(model_, result_.welds);
     rejection_.resize(result_.welds.size(), 0);
     for (std::size_t w = 0; w < result_.welds.size(); ++w) classify_weld(w);
     release_nodes_of_lost_welds();
@@ -115,6 +119,8 @@ class Tying {
   void choose_beam_segments(const Weld& weld);
   static const Candidate* best(const Record& record, Index part_to_avoid);
   static void choose_segment(Record& record, const Candidate* candidate);
+  void free_inner_nodes();
+  bool free_farther_node(Index a, Index b);
   void report_loose_nodes(Index contact, const std::vector<Tracked>& tracked);
   void classify_weld(std::size_t w);
   int distorted(const End& a, const End& b, double diameter) const;
@@ -140,6 +146,16 @@ class Tying {
     const Record* r = record(node);
     return belongs_to_sheet(node) || (r && r->tied);
   }
+  /// Whether a node of a weld's end faces lies inside a nugget of more bricks than a weld may have: on a face that
+  /// bricks of two welds share and that lies on no sheet.
+  bool inside(const Weld& weld, Index node) const {
+    for (const std::vector<Facet>& facets : weld.facets)
+      for (const Facet& f : facets)
+        if (std::find(f.begin(), f.end(), node) != f.end() && faces_.contains(sorted(f)) &&
+            std::none_of(f.begin(), f.end(), [this](Index n) { return attached(n); }))
+          return true;
+    return false;
+  }
   Index sheet_at(Index node) const;
   Vec3d foot(Index node) const;
   Vec3d projected(Index node) const;
@@ -153,6 +169,7 @@ class Tying {
   std::vector<Record> records_;
   std::vector<Index> only_part_;  // of each node, by *ELEMENT_BEAM_PID
   std::vector<int> rejection_;    // of each weld: 0, or the projection case 7 or 8
+  std::set<Facet> faces_;         // that bricks of two welds share
   Ties result_;
 };
 
@@ -193,6 +210,7 @@ void Tying::work_through(Index contact) {
     if (weld.kind == Weld::Kind::beam || weld.kind == Weld::Kind::connector) choose_beam_segments(weld);
   for (const Tracked& t : tracked)
     if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) choose_segment(r, best(r, none));
+  free_inner_nodes();
   for (const Tracked& t : tracked) record(t.node)->within_tolerance.clear();
   report_loose_nodes(contact, tracked);
 }
@@ -290,6 +308,45 @@ void Tying::choose_segment(Record& record, const Candidate* candidate) {
   }
 }
 
+/// Nodes between the layers of a nugget of bricks may be in reach of a sheet and belong to none: of an edge that
+/// projection onto one sheet would crush only the nearer end is tied to that sheet. What its other end loses, its
+/// neighbours may gain, so this goes on until nothing changes.
+void Tying::free_inner_nodes() {
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (const Weld& weld : result_.welds) {
+      if (!weld.of_bricks()) continue;
+      for (Index e : weld.elements)
+        for (const auto& [from, to] : opposite_faces(model_.solids.node[e]))
+          for (std::size_t i = 0; i < 4; ++i) changed = free_farther_node(from[i], to[i]) || changed;
+    }
+  }
+}
+
+/// Takes a sheet away from the farther node of an edge that is crushed onto it; it gets its next best. Nodes that an
+/// earlier contact has tied stay.
+bool Tying::free_farther_node(Index a, Index b) {
+  Record *near = record(a), *far = record(b);
+  if (!near || !far || !near->tied || !far->tied) return false;
+  if (near->closest.foot.gap > far->closest.foot.gap) std::swap(near, far);
+  const Candidate &kept = near->closest, &lost = far->closest;
+  const std::vector<Vec3d>& x = model_.nodes.x;
+  if (far->within_tolerance.empty() || kept.segment.part != lost.segment.part || kept.foot.gap == lost.foot.gap ||
+      norm(lost.foot.point - kept.foot.point) >= crushed_edge_share * norm(x[far->node] - x[near->node]))
+    return false;
+  const Candidate* other = best(*far, lost.segment.part);
+  if (other) {
+    const Index part = lost.segment.part;
+    far->closest = *other;
+    std::erase_if(far->within_tolerance, [part](const Candidate& c) { return c.segment.part == part; });
+  } else {
+    far->found = far->tied = false;
+    far->only_sheet_taken = true;
+  }
+  return true;
+}
+
 /// One summary of the tracked nodes that belong to no weld and found nothing.
 void Tying::report_loose_nodes(Index contact, const std::vector<Tracked>& tracked) {
   std::vector<Index> loose;
@@ -362,7 +419,9 @@ int Tying::distorted(const End& a, const End& b, double diameter) const {
 /// Whether weld `w` is refused, tied, to be deleted.
 void Tying::classify_weld(std::size_t w) {
   Weld& weld = result_.welds[w];
-  if (weld.of_bricks()) find_end_faces(model_, weld, [this](Index node) { return sheet_at(node); });
+  if (weld.of_bricks())
+    find_end_faces(
+        model_, weld, [this](Index node) { return sheet_at(node); }, faces_);
   const WeldSize size = measure(weld, model_.nodes.x);
   weld.length = weld.length_before = size.length;
   weld.diameter = size.diameter;
@@ -372,9 +431,11 @@ void Tying::classify_weld(std::size_t w) {
   }
   const End a = end(weld, 0), b = end(weld, 1);
   if (a.moved || b.moved) rejection_[w] = distorted(a, b, weld.diameter);
-  const auto is_attached = [&](const Projection& p) { return attached(p.node); };
+  const auto is_inside = [&](const Projection& p) { return inside(weld, p.node); };
+  const auto is_attached = [&](const Projection& p) { return attached(p.node) || is_inside(p); };
   const auto is_tracked = [&](const Projection& p) { return record(p.node) != nullptr; };
   weld.tied = rejection_[w] == 0 && std::all_of(weld.ends.begin(), weld.ends.end(), is_attached);
+  weld.held_by_bricks = std::any_of(weld.ends.begin(), weld.ends.end(), is_inside);
   // SPOTSTP is about nodes that a contact tracks in vain.
   const bool in_vain = !weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), is_tracked);
   weld.deleted = in_vain && model_.control.untied_weld == 2;
@@ -486,6 +547,11 @@ Projection Tying::projection(std::size_t w, Index node, double penetration) cons
   Projection p;
   p.node = node;
   const Record* r = record(node);
+  if (inside(result_.welds[w], node)) {
+    p.tied = rejection_[w] == 0;
+    p.reason = "inside the nugget, on no sheet; held by the bricks on both sides";
+    return p;
+  }
   if (!r || (!r->found && belongs_to_sheet(node))) {
     p.tied = belongs_to_sheet(node);
     p.reason = around_.rigid_body[node] != none

@@ -85,6 +85,7 @@ struct Weld {
   double length = 0.0, length_before = 0.0;  ///< after and before projection [length]
   bool tied = false;                         ///< every node of it is attached
   bool deleted = false;                      ///< by SPOTSTP = 2
+  bool held_by_bricks = false;               ///< a brick inside a large nugget: by neighbours in place of a sheet
   std::vector<Projection>
       ends;  ///< beam: end 1, end 2; bricks: each node of the end faces once, in the elements' order; rigid: its nodes
   Place place;
@@ -106,8 +107,10 @@ struct Ties {
 ///     negative,
 /// where t_node is the diameter of a beam, the thickness of a shell, 0 for a brick. The closest one wins, of equal ones
 /// (within 1e-6 of that tolerance) the first in the order of the reference side. The two ends of a beam weld go to
-/// different parts; the parts of *ELEMENT_BEAM_PID are obeyed; of two contacts that could tie a node the first does.
-/// Projection goes onto the surface through the segment's nodes (LS-DYNA's CNTCO = 0), unless TIEDPRJ = 1.
+/// different parts; so do those of an edge of a weld brick that one part would crush, or the farther one stays free:
+/// the nodes between the layers of a nugget. The parts of *ELEMENT_BEAM_PID are obeyed; of two contacts that could tie
+/// a node the first does. Projection goes onto the surface through the segment's nodes (LS-DYNA's CNTCO = 0), unless
+/// TIEDPRJ = 1.
 ///
 /// Findings: each weld node out of reach (then SPOTSTP: 0 and 3 go on, 1 makes an error after all are listed, 2 deletes
 /// the weld), sheets that penetrate or cross, nodes constrained twice, segments that are constrained themselves,

@@ -104,6 +104,18 @@ TEST(FullShell, OnlyRigidMotionIsFree) {
   EXPECT_EQ(zero_modes(stiffness_by_dual<Full>(free, square()), 24), 10);  // and the drilling of four nodes
 }
 
+// 0.1 G t min(t^2, A) / 4 a node. Sabotage: t^2 alone.
+TEST(FullShell, DrillingGoesByThicknessOrArea) {
+  for (const double t : {1.2, 5.0, 20.0}) {
+    Driven<Elastic, Full> d(drilled(), steel, square(), t);
+    const double area = shell_area(positions(d.nodes));
+    for (int i = 0; i < 4; ++i) d.nodes.w[i] = {0, 0, 1e-9};
+    d.step(1.0);
+    const double expected = 0.1 * steel_E / (2.0 * (1.0 + steel_nu)) * t * std::min(t * t, area) / 4.0 * 1e-9;
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(d.at(ShellLayout::hourglass + i), expected, 1e-12 * expected) << t;
+  }
+}
+
 TEST(FullShell, NoModeIsFasterThanTheStableStep) {
   // omega = 2 / dt of the lumped element bounds every mesh of it (Irons).
   Random random;

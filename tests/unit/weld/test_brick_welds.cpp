@@ -6,6 +6,7 @@
 
 #include "assembly.hpp"
 #include "base/index.hpp"
+#include "weld/audit/audit.hpp"
 #include "weld/failure/brick_section.hpp"
 #include "weld/tie/ties.hpp"
 
@@ -95,6 +96,120 @@ TEST(BrickWelds, TwoLayersBetweenTwoSheetsAreOneWeld) {
   EXPECT_EQ(w.ends.size(), 8u);
   EXPECT_TRUE(w.tied);  // by its ends
   EXPECT_NEAR(w.length, 1.0, 1e-12);
+}
+
+/// Two sheets of 1.5, `height` apart, and n x n columns of `layers` bricks of 2 x 2 between them; `turned`: the bricks'
+/// own third direction lies in the sheets.
+struct Layered : Stack {
+  std::vector<std::vector<Index>> grid;  ///< nodes by layer
+
+  Layered(int layers, int n, double height = 1.5, bool turned = false) : Stack({0.0, height}, 0, false) {
+    for (double& t : model.shells.thickness) t = 1.5;
+    for (int k = 0; k <= layers; ++k) {
+      grid.emplace_back();
+      for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) grid.back().push_back(node({11.0 + 2 * i, 11.0 + 2 * j, height * k / layers}));
+    }
+    for (int k = 0; k < layers; ++k)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+          const int a = j * (n + 1) + i, b = a + n + 1;
+          const auto &low = grid[k], &up = grid[k + 1];
+          if (turned)
+            solid({low[a], up[a], up[a + 1], low[a + 1], low[b], up[b], up[b + 1], low[b + 1]});
+          else
+            solid({low[a], low[a + 1], low[b + 1], low[b], up[a], up[a + 1], up[b + 1], up[b]});
+        }
+    tie({bricks}, sheets);
+  }
+  /// The nodes of all layers but the outer ones stand where they stood and are tied to nothing; the outer ones are
+  /// tied.
+  void expect_outer_nodes_tied(const Ties& ties) const {
+    std::vector<Index> outer = grid.front(), tied;
+    outer.insert(outer.end(), grid.back().begin(), grid.back().end());
+    for (const Tie& t : ties.ties) {
+      tied.push_back(t.node);
+      EXPECT_EQ(t.part, sheets[t.node < grid.back().front() ? 0 : 1]) << t.node;
+    }
+    EXPECT_THAT(tied, ::testing::UnorderedElementsAreArray(outer));
+    for (std::size_t n = 0; n < ties.x.size(); ++n)
+      EXPECT_LT(norm(ties.x[n] - model.nodes.x[n]), 1e-12) << model.nodes.id[n];
+  }
+};
+
+// Nodes in the middle are in reach of a sheet here (0.6 x 1.5), and belong to none. Sabotage: they are tied, as all in
+// reach.
+TEST(BrickWelds, NodesBetweenLayersBelongToNoSheet) {
+  for (const int layers : {1, 2, 3})
+    for (const int n : {1, 2})
+      for (const bool turned : {false, true}) {
+        if (layers * n * n > 16) continue;
+        SCOPED_TRACE(::testing::Message() << layers << " layers of " << n << " x " << n << (turned ? ", turned" : ""));
+        Layered a(layers, n, 1.5, turned);
+        const Ties ties = a.tied();
+        a.expect_outer_nodes_tied(ties);
+        ASSERT_EQ(ties.welds.size(), 1u);
+        const Weld& w = ties.welds[0];
+        EXPECT_TRUE(w.tied);
+        EXPECT_EQ(w.ends.size(), 2 * a.grid[0].size());
+        EXPECT_NEAR(w.length, 1.5, 1e-12);
+        EXPECT_EQ(w.sheets, (std::array<Index, 2>{a.sheets[0], a.sheets[1]}));
+        EXPECT_EQ(text(a.findings).find("warning"), std::string::npos) << text(a.findings);
+      }
+}
+
+// Two contacts, one a sheet: the middle is in reach in both.
+TEST(BrickWelds, NodesBetweenLayersBelongToNoSheetInAnyContact) {
+  Layered a(3, 1);
+  a.model.contacts.clear();
+  for (const Index sheet : a.sheets) a.tie({a.bricks}, {sheet});
+  const Ties ties = a.tied();
+  a.expect_outer_nodes_tied(ties);
+  EXPECT_TRUE(ties.welds[0].tied);
+}
+
+// 32 and 48 bricks are more than one weld has: each is one, and holds on by its face on a sheet and by its neighbours.
+TEST(BrickWelds, BricksInsideALargeNuggetAreHeldByTheirNeighbours) {
+  for (const int layers : {2, 3}) {
+    Layered a(layers, 4);
+    const Ties ties = a.tied();
+    a.expect_outer_nodes_tied(ties);
+    ASSERT_EQ(ties.welds.size(), at(16 * layers));
+    for (const Weld& w : ties.welds) {
+      EXPECT_TRUE(w.tied) << w.id;
+      EXPECT_EQ(w.ends.size(), 8u);
+      for (const Projection& p : w.ends) EXPECT_TRUE(p.tied) << w.id << ": " << p.reason;
+    }
+    EXPECT_THAT(text(a.findings), HasSubstr("more than the 16"));
+    EXPECT_EQ(text(a.findings).find("not tied"), std::string::npos) << text(a.findings);
+    const auto inner = [](const Projection& p) { return p.reason.starts_with("inside the nugget"); };
+    const Weld& first = ties.welds.front();
+    EXPECT_EQ(std::count_if(first.ends.begin(), first.ends.end(), inner), 4);
+    EXPECT_EQ(first.sheets, (std::array<Index, 2>{a.sheets[0], none}));
+    for (const Report& report : audit(a.model, ties, a.findings))
+      for (const Remark& remark : report.remarks) EXPECT_NE(remark.check->name, "sheets") << remark.text;
+  }
+}
+
+// Sheets 1 apart, a flat brick near the lower one: both faces are nearest to that, the upper one goes to the other.
+TEST(BrickWelds, FacesOfAFlatBrickGoToTwoSheets) {
+  Layered a(1, 1, 1.0);
+  for (const Index n : a.grid[0]) a.model.nodes.x[n].z = 0.05;
+  for (const Index n : a.grid[1]) a.model.nodes.x[n].z = 0.45;
+  const Ties ties = a.tied();
+  EXPECT_TRUE(ties.welds[0].tied) << text(a.findings);
+  EXPECT_EQ(ties.welds[0].sheets, (std::array<Index, 2>{a.sheets[0], a.sheets[1]}));
+  EXPECT_NEAR(ties.welds[0].length, 1.0, 1e-12);
+}
+
+// One sheet only: the farther face stays free, and the weld is reported.
+TEST(BrickWelds, ABrickOverOneSheetIsNotTied) {
+  Layered a(1, 1, 0.5);
+  a.model.contacts[0].b.parts = {a.sheets[0]};
+  const Ties ties = a.tied();
+  EXPECT_FALSE(ties.welds[0].tied);
+  EXPECT_EQ(ties.ties.size(), 4u);
+  EXPECT_THAT(text(a.findings), HasSubstr("holds the weld's other end"));
 }
 
 TEST(BrickWelds, MoreThanSixteenBricksAreNoWeld) {
