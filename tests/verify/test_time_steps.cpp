@@ -229,6 +229,22 @@ TEST(TimeSteps, Dt2ms) {
                    run.simulation().first_step(), 9e-7, 1e-4);
 }
 
+// Both: welds go to DT, which is physical mass, and then to |DT2MS TSSFAC|, which is added mass; the step is that of
+// DT2MS. Sabotage to be caught: DT alone, as the step was then; all mass told as physical.
+TEST(TimeSteps, DtBesideDt2ms) {
+  WeldData weld;
+  weld.mass_step = 5e-7;
+  Experiment run("*KEYWORD\n" + termination(1e-5, 0.9, -1e-6) + welded_pair(weld, 10.0) + "*END\n");
+  run.run([](const impact::Snapshot&) {});
+  const system::System::Masses masses = run.system().masses();
+  const auto factor = [](double step) { return (step / 2.89087e-7) * (step / 2.89087e-7); };
+  expect_reference("mass scaling of a weld", "mass added by DT2MS beside DT [t]", masses.added,
+                   3.308097e-7 * (factor(9e-7) - factor(5e-7)), 1e-3);
+  expect_reference("mass scaling of a weld", "mass added by DT and DT2MS [t]", masses.added_to_welds,
+                   3.308097e-7 * (factor(9e-7) - 1.0), 1e-3);
+  expect_reference("mass scaling of a weld", "step with DT beside DT2MS [s]", run.simulation().first_step(), 9e-7, 1e-4);
+}
+
 // Without lateral contraction transverse shear and spin are faster than a wave across a square with inertia m A/8: all
 // motions of a strip stay bounded at TSSFAC 0.9. Sabotage: that inertia.
 TEST(TimeSteps, ShellsWithoutLateralContractionAreStable) {
