@@ -36,7 +36,11 @@ Json to_json(const WeldReport& w) {
       {"failure_time", w.failure_time ? Json(*w.failure_time) : Json()},
       {"failure_mode", w.failure_mode},
       {"peak",
-       {{"axial", w.peak.axial}, {"shear", w.peak.shear}, {"bending", w.peak.bending}, {"torsion", w.peak.torsion}}},
+       {{"axial", w.peak.axial},
+        {"shear", w.peak.shear},
+        {"bending", w.peak.bending},
+        {"torsion", w.peak.torsion},
+        {"force", w.peak.force}}},
       {"remarks", w.remarks}};
 }
 
