@@ -33,10 +33,10 @@ std::vector<bool> System::deleted_with_welds(bool bricks) const {
   return deleted;
 }
 
-void System::scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law) const {
+void System::scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law, bool held) const {
   group.weld = true;
   group.physical_mass_step = law.mass_step;
-  if (model.control.mass_step == 0.0) return;
+  if (model.control.mass_step == 0.0 || !held) return;
   // S. Bala's talk: welds are scaled to |DT2MS TSSFAC|, which is the step that will be run with.
   group.mass_step = std::abs(model.control.mass_step) * model.control.step_scale;
   group.step_share = 1.0;

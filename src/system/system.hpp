@@ -177,13 +177,13 @@ class System {
                        const kernel::HexahedronProperties& brick, const kernel::Spotweld& law);
   /// By model element of a kind: whether SPOTSTP = 2 took its weld out; it then has no mass and no group.
   std::vector<bool> deleted_with_welds(bool bricks) const;
-  /// DT of the weld material, and what stands in for it.
-  void scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law) const;
+  /// DT of the weld material, and DT2MS for welds that are held by sheets, or not.
+  void scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law, bool held) const;
   void make_weld_beams(Findings& findings);
   void make_springs();
   void add_beams(std::size_t part, const std::vector<model::Index>& chosen);
   void add_discrete_beams(std::size_t part, const std::vector<model::Index>& chosen, Findings& findings);
-  void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion);
+  void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion, bool held);
 
   void make_constraints(Findings& findings);
   void make_bodies();

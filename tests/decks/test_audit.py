@@ -244,6 +244,19 @@ class RefusedDecks(CommandTest):
                         self.assertEqual((told[0]["severity"], told[0]["keyword"], told[0]["field"], told[0]["remedy"]),
                                          ("warning", "*MAT_SPOTWELD", "dt", "DT = 0 where DT2MS is used"))
 
+    def test_a_weld_with_a_free_end_is_scaled_as_other_elements(self):
+        """To |DT2MS|, not to TSSFAC times it, which would be its very limit. Node 302 is 7.8 above its sheet, out of reach."""
+        step, mass = 9.0 / (210000.0 / 7.85e-9) ** 0.5, 7.85e-9 * math.pi * 9.0 * 9.0
+        self.write(lap_joint(("       0.0       0.9\n", "       0.0       0.9         0       0.0  -3.0e-06\n"),
+                             (f"{302:8d}{9.0:16.4f}{9.0:16.4f}{1.2:16.4f}", f"{302:8d}{9.0:16.4f}{9.0:16.4f}{9.0:16.4f}")))
+        self.nugget("check", "model.k", "-o", "audit")
+        self.nugget("run", "model.k", "-o", "run", "--quiet")
+        (audited,), (ran,) = self.welds(), self.welds("run")
+        self.assertEqual((ran["tied"], ran["length"]), ("no", "9"))
+        for added in (audited["mass_by_dt2ms"], ran["mass_by_dt2ms"], ran["added_mass"]):
+            self.assertAlmostEqual(float(added) / mass, (3e-6 / step) ** 2 - 1.0, delta=1e-4)
+        self.assertAlmostEqual(self.json("run/summary.json")["time_step"]["first"] / 2.7e-6, 1.0, delta=1e-6)
+
     def test_camry_has_2632_weld_beams_and_no_sheet_for_any(self):
         run, welds, found = self.refused(self.shared("decks/camry_roof_crush_includes/Camry_RC_main.k"))
         self.assertEqual(len(welds), 2632)

@@ -89,7 +89,8 @@ MassScalingCost mass_scaling_cost(const model::Model& model, const std::vector<V
       weld.kind == Weld::Kind::beam ? beam_cost(model, weld, material) : brick_cost(model, x, weld, material);
   const double dt = std::get<kernel::Spotweld>(material.law).mass_step;
   cost.mass_by_dt = mass_to_add(dt, cost.time_step, cost.mass);
-  const double target = std::abs(model.control.mass_step * model.control.step_scale);
+  const double target =
+      std::abs(model.control.mass_step) * (scaled_to_the_step_of_the_run(model, weld) ? model.control.step_scale : 1.0);
   cost.mass_by_dt2ms =
       dt > 0.0 ? mass_to_add(target, std::max(cost.time_step, dt), cost.mass + cost.mass_by_dt)
                : mass_by_dt2ms(model, target, cost.time_step, cost.mass);
