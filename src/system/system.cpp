@@ -117,7 +117,7 @@ void System::make_constraints(Findings& findings) {
       springs.push_back({t, node_of[tie.node], anchor});
       add_tie(anchor, tie, projected || !tie.lever ? Vec3d{} : gap, true);
     } else if (claim(tie.node, {.contact = tie.contact}, contact.place)) {
-      add_tie(node_of[tie.node], tie, projected ? Vec3d{} : gap, tie.rotations);
+      add_tie(node_of[tie.node], tie, projected || !tie.lever ? Vec3d{} : gap, tie.rotations);
     }
   }
   for (std::size_t k = 0; k < model.interpolations.size(); ++k) {
