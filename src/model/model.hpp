@@ -26,6 +26,7 @@
 #include "model/parts.hpp"
 #include "model/requests.hpp"
 #include "model/rigid_weld.hpp"
+#include "model/user_function.hpp"
 #include "model/weld_law.hpp"
 
 // The checked, immutable meaning of a deck. Inside, everything is an index (position in its array, from 0); the user's
@@ -193,6 +194,7 @@ struct Model : LoadLists {
 
   std::vector<Curve> curves;  ///< offsets and scales applied
   std::vector<Table> tables;
+  std::vector<UserFunction> functions;
   std::vector<PartFriction> part_friction;
   std::vector<CoordinateSystem> systems;
   std::vector<SpringOrientation> spring_orientations;

@@ -49,6 +49,7 @@ std::string_view to_string(FailureMode mode) {
     case FailureMode::nugget: return "stress in the nugget";
     case FailureMode::tension: return "tension at its angle";
     case FailureMode::compression: return "compression at its angle";
+    case FailureMode::user: return "user's function";
     case FailureMode::time: return "failure time";
     case FailureMode::plastic_strain: return "plastic strain";
     case FailureMode::sheet_deleted: return "deleted sheet";

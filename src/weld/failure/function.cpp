@@ -205,6 +205,7 @@ namespace {
 std::unique_ptr<Function> plain_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
                                          const Place& place, Findings& findings) {
   if (law.connection) return by_connection(model, law, weld, place, findings);
+  if (law.function != none) return user_formula(model.functions[law.function].formula, law, weld);
   switch (law.option) {
     case 1: return beam_stress(law.normal_stress, law.shear_stress, weld);
     case 3:
@@ -227,14 +228,14 @@ std::unique_ptr<Function> plain_function(const model::Model& model, const model:
   }
 }
 
-/// Those that ask for bending moments at the ends: OPT -2 to 1, 7 and _DA.
+/// Those that ask for bending moments at the ends: OPT -2 to 2, 7, 12, 22 and _DA.
 bool has_moments(const model::WeldLaw& law) {
-  return law.connection || law.option <= 1 || law.option == 7;
+  return law.connection || law.option <= 1 || law.option == 7 || law.user();
 }
 
 /// Those whose terms add up to the value.
 bool is_sum(const model::WeldLaw& law) {
-  return !law.connection && (law.option <= 1 || law.option == 6 || law.option == 7 || law.option == 10);
+  return !law.connection && law.function == none && (law.option <= 1 || law.option == 6 || law.option == 7 || law.option == 10);
 }
 
 bool is_scaled(const Geometry& weld) {

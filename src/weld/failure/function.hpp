@@ -104,6 +104,8 @@ std::unique_ptr<Function> structural_stress(double diameter, std::array<double, 
 std::unique_ptr<Function> load_rate_stress(const model::LoadRateStrengths& table, double normal, double shear,
                                            double diameter, double thickness);
 std::unique_ptr<Function> direction(const model::WeldLaw& law);  ///< OPT 11
+/// FVAL of OPT -2 -1 0 2 12 22: a *DEFINE_FUNCTION. `formula` must outlive it.
+std::unique_ptr<Function> user_formula(const Formula& formula, const model::WeldLaw& law, const Geometry& weld);
 /// MAT_100_DA. `rate_filter`: RFILTF. `properties` must outlive it.
 std::unique_ptr<Function> connection_stress(const model::ConnectionProperties& properties,
                                             const model::ConnectionProperties::Record& record, double rate_filter,
