@@ -378,9 +378,9 @@ Index table_of(Builder& b, const deck::Entry& fval, const Ids& ids, const Tables
 /// FVAL of OPT -2 -1 0, which then takes the place of the resultant surface, and of the user's own OPT.
 void set_function(Builder& b, WeldLaw& law, const deck::Entry& fval) {
   const int id = fval.integer();
-  if (id == 0 && law.user())
+  if (id == 0 && law.user() && !b.model.weld_library)
     return refuse(b, fval, fmt::format("OPT {} is a failure function of the user's own, and none is given", law.option),
-                  "give FVAL, the id of a *DEFINE_FUNCTION");
+                  "give FVAL, the id of a *DEFINE_FUNCTION, or a library: --weld-law FILE.so");
   if (id == 0) return;
   law.function = b.functions.find(id);
   if (law.function == none)
