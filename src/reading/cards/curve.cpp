@@ -190,6 +190,7 @@ Curve smooth_curve(int id, double start, double end, double rise, double velocit
 void read_function(Builder& b, const Block& block, const Options&) {
   Cursor cursor(b.deck, block, b.findings);
   const auto row = cursor.read(function_card);
+  refuse_unit_factors(b, block);
   std::string text;
   std::vector<std::pair<std::size_t, Place>> lines;  // where in the text a line begins
   while (cursor.more()) {
