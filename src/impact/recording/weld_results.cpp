@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/index.hpp"
+#include "model/history_files.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::impact {

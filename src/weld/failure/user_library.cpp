@@ -79,7 +79,7 @@ std::shared_ptr<const model::WeldLibrary> open_library(const std::string& path, 
     return refuse(fmt::format("the library cannot be opened: {}", dlerror()),
                   "compile it as a shared library: cc -shared -fPIC law.c -o law.so");
   library->handle.reset(handle, dlclose);
-  const auto* version = function_of<int(void)>(handle, "nugget_weld_law_version");
+  auto* version = function_of<int(void)>(handle, "nugget_weld_law_version");
   library->value = function_of<decltype(nugget_weld_law)>(handle, "nugget_weld_law");
   library->memory = function_of<decltype(nugget_weld_law_memory)>(handle, "nugget_weld_law_memory");
   const std::string header = "include src/model/nugget_weld_law.h, in C++ too";
