@@ -53,7 +53,8 @@ RunArguments resumed_arguments(const RunArguments& asked, const output::RestartH
 void expect_same_deck(const std::string& deck, std::uint64_t checksum, const output::RestartHead& head) {
   if (checksum != head.deck_checksum)
     throw ArchiveError(deck +
-                       ", a file that it includes, or the library of --weld-law, is not what it was when the restart file was written: bring it "
+                       ", a file that it includes, or the library of --weld-law, is not what it was when the restart "
+                       "file was written: bring it "
                        "back, or run the deck from its start");
 }
 

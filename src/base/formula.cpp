@@ -25,14 +25,22 @@ struct NamedFunctionOfTwo {
 };
 
 constexpr std::array<NamedFunction, 17> functions{{
-    {"abs", [](double x) { return std::abs(x); }},     {"fabs", [](double x) { return std::abs(x); }},
-    {"sqrt", [](double x) { return std::sqrt(x); }},   {"exp", [](double x) { return std::exp(x); }},
-    {"log", [](double x) { return std::log(x); }},     {"log10", [](double x) { return std::log10(x); }},
-    {"sin", [](double x) { return std::sin(x); }},     {"cos", [](double x) { return std::cos(x); }},
-    {"tan", [](double x) { return std::tan(x); }},     {"asin", [](double x) { return std::asin(x); }},
-    {"acos", [](double x) { return std::acos(x); }},   {"atan", [](double x) { return std::atan(x); }},
-    {"sinh", [](double x) { return std::sinh(x); }},   {"cosh", [](double x) { return std::cosh(x); }},
-    {"tanh", [](double x) { return std::tanh(x); }},   {"floor", [](double x) { return std::floor(x); }},
+    {"abs", [](double x) { return std::abs(x); }},
+    {"fabs", [](double x) { return std::abs(x); }},
+    {"sqrt", [](double x) { return std::sqrt(x); }},
+    {"exp", [](double x) { return std::exp(x); }},
+    {"log", [](double x) { return std::log(x); }},
+    {"log10", [](double x) { return std::log10(x); }},
+    {"sin", [](double x) { return std::sin(x); }},
+    {"cos", [](double x) { return std::cos(x); }},
+    {"tan", [](double x) { return std::tan(x); }},
+    {"asin", [](double x) { return std::asin(x); }},
+    {"acos", [](double x) { return std::acos(x); }},
+    {"atan", [](double x) { return std::atan(x); }},
+    {"sinh", [](double x) { return std::sinh(x); }},
+    {"cosh", [](double x) { return std::cosh(x); }},
+    {"tanh", [](double x) { return std::tanh(x); }},
+    {"floor", [](double x) { return std::floor(x); }},
     {"ceil", [](double x) { return std::ceil(x); }},
 }};
 constexpr std::array<NamedFunctionOfTwo, 7> functions_of_two{{
@@ -103,8 +111,8 @@ class FormulaReader {
       else if (rest.starts_with("//"))
         at_ = std::min(text_.size(), text_.find('\n', at_));
       else if (rest.starts_with("/*"))
-        at_ = std::min(text_.size(), text_.find("*/", at_) == std::string_view::npos ? text_.size()
-                                                                                      : text_.find("*/", at_) + 2);
+        at_ = std::min(text_.size(),
+                       text_.find("*/", at_) == std::string_view::npos ? text_.size() : text_.find("*/", at_) + 2);
       else
         return;
     }

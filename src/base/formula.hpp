@@ -18,9 +18,9 @@ namespace nugget {
 ///       return s / 2.0;
 ///     }
 /// Types are float, double and int (whose values are cut to whole numbers); + - * / += -= *= /= < <= > >= == != && || !
-/// ?: and the functions of C: abs fabs sqrt exp log log10 pow sin cos tan asin acos atan atan2 sinh cosh tanh floor ceil
-/// fmod min max fmin fmax. A division of whole numbers, which C would cut, is a fault. Angles in radians. Names keep
-/// their case. A variable that nothing was given to is 0.
+/// ?: and the functions of C: abs fabs sqrt exp log log10 pow sin cos tan asin acos atan atan2 sinh cosh tanh floor
+/// ceil fmod min max fmin fmax. A division of whole numbers, which C would cut, is a fault. Angles in radians. Names
+/// keep their case. A variable that nothing was given to is 0.
 class Formula {
  public:
   struct Fault {

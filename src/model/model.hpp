@@ -27,8 +27,8 @@
 #include "model/requests.hpp"
 #include "model/rigid_weld.hpp"
 #include "model/user_function.hpp"
-#include "model/weld_library.hpp"
 #include "model/weld_law.hpp"
+#include "model/weld_library.hpp"
 
 // The checked, immutable meaning of a deck. Inside, everything is an index (position in its array, from 0); the user's
 // ids stand beside, in arrays `id`. Values are in the deck's own units.
@@ -187,7 +187,7 @@ struct Model : LoadLists {
   std::vector<Material> materials;
   std::vector<Hourglass> hourglass;
 
-  std::vector<WeldLaw> weld_laws;  ///< what the *MAT_SPOTWELD of `materials` say of welds as a whole
+  std::vector<WeldLaw> weld_laws;                   ///< what the *MAT_SPOTWELD of `materials` say of welds as a whole
   std::shared_ptr<const WeldLibrary> weld_library;  ///< of OPT 2, 12, 22; null: none is given
   std::vector<RuptureStress> rupture_stresses;
   std::vector<PairStrengths> pair_strengths;

@@ -18,13 +18,13 @@ enum class WeldKind { constraint = 0, generalized = 1, beam = 2, solid = 3, nonn
 struct SwforcRow {
   int id = 0;  ///< user id of the element, the assembly or the constraint
   WeldKind kind = WeldKind::beam;
-  double axial = 0.0;             ///< N_rr [force]
-  double shear = 0.0;             ///< sqrt(N_rs^2 + N_rt^2) [force]
-  double length = 0.0;            ///< now [length]
-  double resultant_moment = 0.0;  ///< sqrt(M_ss^2 + M_tt^2) [force length]
-  double torsion = 0.0;           ///< M_rr [force length]
-  double failure = 0.0;           ///< value of the failure function; 1 is failure
-  double failure_time = 0.0;      ///< 0 while the weld holds
+  double axial = 0.0;                                        ///< N_rr [force]
+  double shear = 0.0;                                        ///< sqrt(N_rs^2 + N_rt^2) [force]
+  double length = 0.0;                                       ///< now [length]
+  double resultant_moment = 0.0;                             ///< sqrt(M_ss^2 + M_tt^2) [force length]
+  double torsion = 0.0;                                      ///< M_rr [force length]
+  double failure = 0.0;                                      ///< value of the failure function; 1 is failure
+  double failure_time = 0.0;                                 ///< 0 while the weld holds
   double force() const { return std::hypot(axial, shear); }  ///< resultant of both [force]
   /// Largest failure value so far and its time, where OPT = -2 asks for them.
   std::optional<std::pair<double, double>> peak = std::nullopt;
@@ -32,7 +32,7 @@ struct SwforcRow {
 
 struct SwforcState {
   double time = 0.0;
-  std::vector<SwforcRow> rows;  ///< the same welds in the same order in every state
+  std::vector<SwforcRow> rows;   ///< the same welds in the same order in every state
   bool resultant_force = false;  ///< written beside axial and shear force; LS-DYNA has no such column
 };
 

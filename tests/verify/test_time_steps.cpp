@@ -136,8 +136,8 @@ TEST(TimeSteps, StabilityLimitOfAWeldBeamIsExact) {
   EXPECT_GT(growth(model, 1.05, 30), 1e6);
 }
 
-// With DT2MS a weld that sheets hold is scaled to the step of the run; one with free ends would stand at its exact limit
-// there and gain energy without end. Sabotage to be caught: free welds scaled like held ones.
+// With DT2MS a weld that sheets hold is scaled to the step of the run; one with free ends would stand at its exact
+// limit there and gain energy without end. Sabotage to be caught: free welds scaled like held ones.
 TEST(TimeSteps, FreeWeldBeamUnderDt2msIsSteady) {
   const std::string model = lone_weld({.yield = 1e9}) + velocity(1, -1e-3) + velocity(2, 1e-3);
   expect_reference("mass scaling of a weld", "free weld beam with DT2MS, 22000 steps: growth of the energy",
@@ -250,7 +250,8 @@ TEST(TimeSteps, DtBesideDt2ms) {
                    3.308097e-7 * (factor(9e-7) - factor(5e-7)), 1e-3);
   expect_reference("mass scaling of a weld", "mass added by DT and DT2MS [t]", masses.added_to_welds,
                    3.308097e-7 * (factor(9e-7) - 1.0), 1e-3);
-  expect_reference("mass scaling of a weld", "step with DT beside DT2MS [s]", run.simulation().first_step(), 9e-7, 1e-4);
+  expect_reference("mass scaling of a weld", "step with DT beside DT2MS [s]", run.simulation().first_step(), 9e-7,
+                   1e-4);
 }
 
 // Without lateral contraction transverse shear and spin are faster than a wave across a square with inertia m A/8: all

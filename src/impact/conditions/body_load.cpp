@@ -70,8 +70,7 @@ void ActingLoad<model::BodyLoad>::load_parts() {
     for (std::size_t e = 0; e < group->size(); ++e) {
       const auto nodes = group->nodes(e);
       const double physical = group->physical_mass_scale(e);
-      const double weight =
-          physical + system_.model.control.weight_of_added_mass * (group->mass_scale(e) - physical);
+      const double weight = physical + system_.model.control.weight_of_added_mass * (group->mass_scale(e) - physical);
       for (int a = 0; a < group->nodes_per_element; ++a) mass[nodes[a]] += weight * group->nodal_mass(e, a);
     }
   }

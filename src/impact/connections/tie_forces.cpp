@@ -255,10 +255,11 @@ void TieForces::report_weak(const system::State& start, double step, Findings& f
     if (w.weak == 0) continue;
     findings.warning(
         model.contacts[c].place, weld::name_contact(model.contacts[c]),
-        fmt::format("{} of {} nodes tied by springs carry less than 95 % of what a constraint would, as little as {:.2g} "
-                    "%: at node {} a spring of {:.3g} holds elements of {:.3g}{}",
-                    w.weak, w.springs, 100.0 * w.least, model.nodes.id[w.node], w.spring, w.tied,
-                    w.limited ? fmt::format("; its mass and a step of {:.3g} bear no stiffer one", step) : ""),
+        fmt::format(
+            "{} of {} nodes tied by springs carry less than 95 % of what a constraint would, as little as {:.2g} "
+            "%: at node {} a spring of {:.3g} holds elements of {:.3g}{}",
+            w.weak, w.springs, 100.0 * w.least, model.nodes.id[w.node], w.spring, w.tied,
+            w.limited ? fmt::format("; its mass and a step of {:.3g} bear no stiffer one", step) : ""),
         w.limited ? "free the node and its segment of bodies, supports and other ties, so that a constraint holds it"
                   : "a larger SFSA; 1 and more tie by constraint where nothing else holds the node");
   }

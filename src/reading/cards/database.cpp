@@ -33,9 +33,10 @@ const CardOf<IntervalCard> interval_card{
              "next output: 1 after the curve's value at this one, 2 where its own value is what has passed, 3 at each "
              "of the "
              "curve's abscissas")},
-    {at(&IntervalCard::option, 0),
-     real("option1", dimension::number, 0, any_value, "more output: of swforc 1 gives the resultant force of each weld (ours; LS-DYNA has no such field there); of other "
-          "files a finer nodout, history variables in elout, which are not written")},
+    {at(&IntervalCard::option, 0), real("option1", dimension::number, 0, any_value,
+                                        "more output: of swforc 1 gives the resultant force of each weld (ours; "
+                                        "LS-DYNA has no such field there); of other "
+                                        "files a finer nodout, history variables in elout, which are not written")},
     {at(&IntervalCard::option, 1), real("option2", dimension::number, 0, any_value, "the same")},
     {at(&IntervalCard::option, 2), real("option3", dimension::number, 0, any_value, "the same")},
     {at(&IntervalCard::option, 3), real("option4", dimension::number, 0, any_value, "the same")},

@@ -147,8 +147,14 @@ FieldOf<WeldCards> user_value(std::size_t i) {
 }
 
 const CardOf<WeldCards> user_card{
-    {&WeldCards::efail, fail_strain}, user_value(0), user_value(1), user_value(2),
-    user_value(3),                    user_value(4), user_value(5), {&WeldCards::nf, filter_length},
+    {&WeldCards::efail, fail_strain},
+    user_value(0),
+    user_value(1),
+    user_value(2),
+    user_value(3),
+    user_value(4),
+    user_value(5),
+    {&WeldCards::nf, filter_length},
 };
 const CardOf<WeldCards> more_user_card{user_value(6),  user_value(7),  user_value(8),  user_value(9),
                                        user_value(10), user_value(11), user_value(12), user_value(13)};
@@ -168,7 +174,8 @@ constexpr IntegerField correction =
 CardOf<WeldCards> failure_card_of(const FieldOf<WeldCards>& fval) {
   return {
       {&WeldCards::rs, rupture},
-      {&WeldCards::opt, real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 2 3 4 5 6 7 10 11 12 22")},
+      {&WeldCards::opt,
+       real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 2 3 4 5 6 7 10 11 12 22")},
       fval,
       {&WeldCards::true_t, true_thickness},
       {&WeldCards::asff, whole},
@@ -622,8 +629,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
 std::vector<Keyword> weld_material_keywords() {
   constexpr std::string_view by_resultants = "OPT -2, -1, 0", by_stress = "OPT 1", by_notch = "OPT 3, 4",
                              by_structure = "OPT 5", by_table = "OPT 6, 7, 10", by_direction = "OPT 11",
-                             by_user = "OPT 2, 12, 22",
-                             more = "if DMGOPT = -1";
+                             by_user = "OPT 2, 12, 22", more = "if DMGOPT = -1";
   return {
       {.name = "MAT_SPOTWELD",
        .aliases = {"MAT_100"},

@@ -289,12 +289,14 @@ void find_double_mass_scaling(const model::Model& model, Findings& findings) {
     const double step = std::abs(model.control.mass_step) * model.control.step_scale;
     const std::string larger =
         law->mass_step < step
-            ? fmt::format("; DT is the smaller one, so that it changes nothing but which mass is told as added ({:.4g} "
-                          "beside {:.4g})",
-                          law->mass_step, step)
+            ? fmt::format(
+                  "; DT is the smaller one, so that it changes nothing but which mass is told as added ({:.4g} "
+                  "beside {:.4g})",
+                  law->mass_step, step)
             : fmt::format("; DT is the larger one and costs mass for which no step is gained ({:.4g} beside {:.4g})",
                           law->mass_step, step);
-    findings.add({Severity::warning, material.place, "*" + material.keyword, "dt", fmt::format("{:.6g}", law->mass_step),
+    findings.add({Severity::warning, material.place, "*" + material.keyword, "dt",
+                  fmt::format("{:.6g}", law->mass_step),
                   "DT beside DT2MS: welds are scaled to a step of DT first, which counts as physical mass, then to "
                   "|DT2MS| TSSFAC, which is added mass" +
                       larger,

@@ -91,9 +91,8 @@ MassScalingCost mass_scaling_cost(const model::Model& model, const std::vector<V
   cost.mass_by_dt = mass_to_add(dt, cost.time_step, cost.mass);
   const double target =
       std::abs(model.control.mass_step) * (scaled_to_the_step_of_the_run(model, weld) ? model.control.step_scale : 1.0);
-  cost.mass_by_dt2ms =
-      dt > 0.0 ? mass_to_add(target, std::max(cost.time_step, dt), cost.mass + cost.mass_by_dt)
-               : mass_by_dt2ms(model, target, cost.time_step, cost.mass);
+  cost.mass_by_dt2ms = dt > 0.0 ? mass_to_add(target, std::max(cost.time_step, dt), cost.mass + cost.mass_by_dt)
+                                : mass_by_dt2ms(model, target, cost.time_step, cost.mass);
   return cost;
 }
 

@@ -244,7 +244,8 @@ bool remembers(const model::WeldLaw& law) {
 
 /// Those whose terms add up to the value.
 bool is_sum(const model::WeldLaw& law) {
-  return !law.connection && law.function == none && (law.option <= 1 || law.option == 6 || law.option == 7 || law.option == 10);
+  return !law.connection && law.function == none &&
+         (law.option <= 1 || law.option == 6 || law.option == 7 || law.option == 10);
 }
 
 bool is_scaled(const Geometry& weld) {

@@ -23,9 +23,9 @@ struct Geometry {
   std::array<double, 2> thickness;  ///< of the shells that its ends are tied to; 0: none [length]
   std::array<model::Index, 2> sheet{model::none, model::none};  ///< their parts
 
-  int id = 0;                      ///< of the weld
+  int id = 0;  ///< of the weld
   model::Index part = model::none;
-  double length = 0.0;             ///< at the start [length]
+  double length = 0.0;  ///< at the start [length]
 
   double height = 0.0;  ///< of bricks: over which the shear force makes moments at the ends; 0: none [length]
   /// LCT, LCS, T_ORT and T_ORS of *CONTROL_SPOTWELD_BEAM at the shells that the ends of a beam, or of bricks for it,

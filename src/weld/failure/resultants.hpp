@@ -14,9 +14,9 @@ struct Resultants {
   double moment_s = 0.0, moment_t = 0.0;  ///< M_ss, M_tt [moment]
 
   double force() const { return std::hypot(axial, shear_s, shear_t); }  ///< the resultant of all three
-  double shear() const { return std::hypot(shear_s, shear_t); }     ///< sqrt(N_rs^2 + N_rt^2)
-  double moment() const { return std::hypot(moment_s, moment_t); }  ///< sqrt(M_ss^2 + M_tt^2)
-  double tension() const { return axial > 0.0 ? axial : 0.0; }      ///< N_rr, compression left out
+  double shear() const { return std::hypot(shear_s, shear_t); }         ///< sqrt(N_rs^2 + N_rt^2)
+  double moment() const { return std::hypot(moment_s, moment_t); }      ///< sqrt(M_ss^2 + M_tt^2)
+  double tension() const { return axial > 0.0 ? axial : 0.0; }          ///< N_rr, compression left out
 };
 
 /// Largest magnitudes of a weld's forces and moments so far, each at its own time.

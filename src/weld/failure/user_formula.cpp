@@ -36,7 +36,8 @@ class UserFormula final : public Function {
 
  private:
   const Formula* formula_;
-  std::array<double, at(model::weld_function_arguments)> argument_{};  ///< those of the load are given anew in every cycle
+  std::array<double, at(model::weld_function_arguments)>
+      argument_{};  ///< those of the load are given anew in every cycle
 };
 
 }  // namespace

@@ -40,13 +40,14 @@ class UserLibrary final : public Function {
     weld_.area = weld.area;
     weld_.section_modulus = weld.section_modulus;
     std::copy(law.user_values.begin(), law.user_values.end(), weld_.value);
-    if (library_->memory != nullptr) memory_.assign(static_cast<std::size_t>(std::max(library_->memory(&weld_), 0)), 0.0);
+    if (library_->memory != nullptr)
+      memory_.assign(static_cast<std::size_t>(std::max(library_->memory(&weld_), 0)), 0.0);
   }
 
   Value operator()(const Load& load) override {
     const Resultants& r = load.resultants;
-    const nugget_weld_load now{load.time,  load.time - time_, r.axial,    r.shear_s, r.shear_t,
-                               r.torsion,  r.moment_s,        r.moment_t, load.rate, load.plastic_strain};
+    const nugget_weld_load now{load.time, load.time - time_, r.axial,    r.shear_s, r.shear_t,
+                               r.torsion, r.moment_s,        r.moment_t, load.rate, load.plastic_strain};
     time_ = load.time;
     Value f;
     f.add(FailureMode::user, library_->value(&weld_, &now, memory_.data()));

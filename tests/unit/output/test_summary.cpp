@@ -109,7 +109,8 @@ TEST(WeldsCsv, HasARowForEachWeld) {
       content(scratch / "welds.csv"),
       "id,kind,part,sheet1,sheet2,x,y,z,diameter,length,tied,failed,failure_time,failure_mode,peak_axial,peak_shear,"
       "peak_bending,peak_torsion,peak_force,peak_failure,peak_failure_time,last_axial,last_shear,last_bending,"
-      "last_torsion,last_force,last_strain_rate,last_failure,last_terms,last_bending_1,last_bending_2,damage,energy,added_mass,remarks,node1,"
+      "last_torsion,last_force,last_strain_rate,last_failure,last_terms,last_bending_1,last_bending_2,damage,energy,"
+      "added_mass,remarks,node1,"
       "case1,moved1,xi1,eta1,segment1,reason1,node2,case2,moved2,xi2,eta2,segment2,reason2\n"
       "17,beam,5,1,2,10,20.5,-3,6,1.5,yes,yes,0.1,resultant,8000,0.3333333333333333,0,,8000.5,1.02,0.1,8000,500,60,7,"
       "8015.609770940699,2.5,1.02,"

@@ -71,7 +71,8 @@ TEST(WeldCards, FunctionsOfTheUsersOwn) {
     EXPECT_EQ(b.model.functions[0].formula(std::vector{80.0, 60.0}), 0.2);
     EXPECT_EQ(weld(b).user_values[5], weld(b).user() ? 16.0 : 0.0);
   }
-  const auto more = built("*MAT_100_DAMAGE-FAILURE\n" + first + ",1,2,3,4,5,6\n,22,7\n7,8,9,10,11,12,13,14\n15,16\n" + function);
+  const auto more =
+      built("*MAT_100_DAMAGE-FAILURE\n" + first + ",1,2,3,4,5,6\n,22,7\n7,8,9,10,11,12,13,14\n15,16\n" + function);
   EXPECT_EQ(more.findings.errors(), 0) << more.all_findings();
   EXPECT_EQ(weld(more).user_values[13], 14.0);
   EXPECT_EQ(weld(more).user_values[15], 16.0);
