@@ -220,7 +220,7 @@ class RefusedDecks(CommandTest):
         for dt, dt2ms in ((5e-7, -1e-6), (1.5e-6, -1e-6), (0.0, -1e-6), (5e-7, 0.0), (5e-7, 1e-6), (0.0, 2e-7)):
             with self.subTest(dt=dt, dt2ms=dt2ms):
                 self.write(lap_joint(("       0.0       0.9\n", f"       0.0       0.9         0       0.0{dt2ms:10.1e}\n"),
-                                     ("       0.0    8000.0", f"{dt:10.1e}    8000.0")))
+                                     ("       0.3     500.0    1000.0\n", f"       0.3     500.0    1000.0{dt:10.1e}\n")))
                 self.nugget("check", "model.k", "-o", "audit")
                 self.nugget("run", "model.k", "-o", "run", "--quiet")
                 (audited,), (ran,) = self.welds(), self.welds("run")

@@ -103,8 +103,8 @@ TEST(TieForms, TranslationsOnlyAreFlagged) {
 }
 
 // Both ends of the beam keep their rotations: V = G A u / L of the one-point beam, whatever the form of the tie. With
-// springs alone the forms by penalty gave a twentieth of it to a third (their stiffness is bounded by the weld's mass
-// and the step). Sabotage to be caught: springs in place of the constraint; the gap of _OFFSET as a lever.
+// springs, whose stiffness is bounded by the weld's mass and the step, it is less.
+// Sabotage to be caught: springs in place of the constraint; the gap of _OFFSET as a lever.
 TEST(TieForms, PenaltyCarriesWhatAConstraintCarries) {
   const WeldData w;
   const Path shift = [](double s) { return std::array{1e-3 * ramp(s), 0.0, 0.0, 0.0, 0.0, 0.0}; };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <ranges>
+#include <set>
 
 #include "base/index.hpp"
 #include "kernel/contact/penalty.hpp"
@@ -53,6 +54,17 @@ double volume(const std::array<Vec3d, 8>& x) {
     v += dot(0.25 * (a + b + c + d) - x[0], 0.5 * cross(c - a, d - b)) / 3.0;
   }
   return std::abs(v);
+}
+
+/// Nodes that do not move freely, whatever pulls them.
+std::set<int> supported_nodes(const system::System& system) {
+  std::set<int> supported;
+  for (const model::SinglePointConstraint& spc : system.model.spcs)
+    if ((spc.fixed & 7u) != 0) supported.insert(system.node_of[spc.node]);
+  for (const model::PrescribedMotion& motion : system.model.motions)
+    if (motion.target == model::PrescribedMotion::Target::nodes)
+      for (const model::Index n : motion.nodes) supported.insert(system.node_of[n]);
+  return supported;
 }
 
 /// Volume of the brick behind a face; 0 if there is none.
@@ -227,9 +239,10 @@ void TieForces::report_weak(const system::State& start, double step, Findings& f
   constexpr double enough = 0.95;
   const model::Model& model = system_.model;
   const std::map<int, Matrix3> surroundings = stiffness_of_surroundings(start);
-  const auto give = [&](int node) {  // of what holds a node, 1 / its stiffness; a body gives nothing
+  const std::set<int> supported = supported_nodes(system_);
+  const auto give = [&](int node) {  // of what holds a node, 1 / its stiffness; bodies and supports give nothing
     const double k = system::Mobility::largest(surroundings.at(node));
-    return k > 0.0 && system_.rigid_body_of_node(node) < 0 ? 1.0 / k : 0.0;
+    return k > 0.0 && system_.rigid_body_of_node(node) < 0 && !supported.contains(node) ? 1.0 / k : 0.0;
   };
   struct Weak {
     int springs = 0, weak = 0;
