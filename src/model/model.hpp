@@ -18,6 +18,7 @@
 #include "model/damping.hpp"
 #include "model/discrete.hpp"
 #include "model/frequency.hpp"
+#include "model/heat_zone.hpp"
 #include "model/implicit.hpp"
 #include "model/initial_state.hpp"
 #include "model/interpolation.hpp"
@@ -193,6 +194,9 @@ struct Model : LoadLists {
   std::vector<PairStrengths> pair_strengths;
   std::vector<LoadRateStrengths> load_rate_strengths;
   std::vector<ConnectionProperties> connections;
+
+  std::vector<HeatZone> heat_zones;
+  std::vector<WeldSeam> weld_seams;
 
   std::vector<Curve> curves;  ///< offsets and scales applied
   std::vector<Table> tables;

@@ -17,6 +17,7 @@
 #include "system/element_group.hpp"
 #include "system/rigid_body.hpp"
 #include "system/state.hpp"
+#include "weld/failure/heat_zones.hpp"
 #include "weld/tie/ties.hpp"
 
 namespace nugget::system {
@@ -163,8 +164,12 @@ class System {
   const model::Hourglass& hourglass_of(const model::Part& part) const;
   void make_groups(Findings& findings);
   void make_shells();
+  /// `softening`: by shell; empty: none is softened.
   template <ShellKind Kind>
-  void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
+  void add_shells(std::size_t part, const std::vector<model::Index>& chosen,
+                  const std::vector<weld::Softening>& softening);
+  template <ShellKind Kind>
+  void add_shells(std::size_t part, const std::vector<model::Index>& chosen, const weld::Softening& softening);
   void make_bricks();
   /// The different nodes of solids only; see model::Solids::different_nodes.
   Members different_nodes(const std::vector<model::Index>& solids) const;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "weld/audit/inspection.hpp"
+#include "weld/failure/heat_zones.hpp"
 #include "weld/tie/tie_findings.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -364,6 +365,7 @@ std::vector<Report> audit(const model::Model& model, const Ties& ties, Findings&
   if (!ties.welds.empty()) find_sliding_welds(model, findings);
   find_several_ties(model, findings);
   find_double_mass_scaling(model, findings);
+  note_heat_zones(model, ties, findings);
   return reports;
 }
 
