@@ -24,7 +24,8 @@ CardOf<HeatZoneCard> heat_zone_card_of(IdSpace parts) {
       {&HeatZoneCard::pid_typ, integer("pid_typ", 0, between(0, 1), "what PID is: 0 a part, 1 a part set")},
   };
 }
-const CardOf<HeatZoneCard> zone_of_part = heat_zone_card_of(IdSpace::part), zone_of_set = heat_zone_card_of(IdSpace::set);
+const CardOf<HeatZoneCard> zone_of_part = heat_zone_card_of(IdSpace::part),
+                           zone_of_set = heat_zone_card_of(IdSpace::set);
 
 struct FactorCard {
   std::array<int, 8> curve{};  ///< ISS IFS ISB IFB ISC IFC ISW IFW
@@ -33,7 +34,8 @@ FieldOf<FactorCard> factor_field(std::size_t i, std::string_view name, std::stri
   return {at(&FactorCard::curve, i), or_negative(id(name, IdSpace::function, 0, meaning), IdSpace::function)};
 }
 const CardOf<FactorCard> factor_card{
-    factor_field(0, "iss", "curve: factor on the yield stress over the distance from a brick weld; negative: in diameters"),
+    factor_field(0, "iss",
+                 "curve: factor on the yield stress over the distance from a brick weld; negative: in diameters"),
     factor_field(1, "ifs", "on the strain at failure, from a brick weld"),
     factor_field(2, "isb", "on the yield stress, from a beam weld"),
     factor_field(3, "ifb", "on the strain at failure, from a beam weld"),

@@ -152,10 +152,10 @@ void note_heat_zones(const model::Model& model, const Ties& ties, Findings& find
       least = {std::min(least.yield, all[e].yield), std::min(least.strain, all[e].strain)};
     }
     if (count == 0)
-      findings.warning(zone.place, "*DEFINE_HAZ_PROPERTIES",
-                       fmt::format("zone {} changes no shell: none of its parts carries a weld that it has a curve for",
-                                   zone.id),
-                       "see whether its parts and curves are meant");
+      findings.warning(
+          zone.place, "*DEFINE_HAZ_PROPERTIES",
+          fmt::format("zone {} changes no shell: none of its parts carries a weld that it has a curve for", zone.id),
+          "see whether its parts and curves are meant");
     else
       findings.note(zone.place, "*DEFINE_HAZ_PROPERTIES",
                     fmt::format("zone {} changes {} shells; least factor {:.3g} on the yield stress, {:.3g} on the "
