@@ -13,6 +13,7 @@ namespace {
 
 using model::HeatZone;
 using test::Assembly;
+using test::text;
 using testing::HasSubstr;
 
 Curve line(double x1, double y1) {
@@ -96,7 +97,7 @@ TEST(HeatZones, SeamsAreLines) {
 }
 
 TEST(HeatZones, TheWholeYieldCurveIsScaled) {
-  kernel::PiecewiseLinear curves{.E = 210000.0, .nu = 0.3};
+  kernel::PiecewiseLinear curves;
   curves.yield.emplace_back();
   curves.yield[0].x = {0.0, 0.1};
   curves.yield[0].y = {300.0, 500.0};
