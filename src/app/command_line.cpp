@@ -97,6 +97,8 @@ int nugget::app::command_line(int argc, char** argv) {
   run_command->add_option("--max-cycles", run.max_cycles, "stop after so many cycles")->check(count);
   CLI::Option* run_skip = run_command->add_flag("--skip-unsupported", run.skip_unsupported,
                                                 "leave out what is not supported, with a warning each");
+  const char* weld_law = "shared library with your own failure function of welds: OPT 2, 12, 22";
+  run_command->add_option("--weld-law", run.weld_law, weld_law);
   run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
   run_command
       ->add_option("--checkpoint", run.checkpoint,
@@ -149,6 +151,7 @@ int nugget::app::command_line(int argc, char** argv) {
   check_command->add_option("--target-step", check.target_step, "mass or stiffness that each weld takes for this step")
       ->check(time);
   check_command->add_option("-j,--threads", check.deck.threads, "threads (default: all cores)")->check(count);
+  check_command->add_option("--weld-law", check.deck.weld_law, weld_law);
   check_command->add_flag("--skip-unsupported", check.deck.skip_unsupported, "unsupported keywords are warnings");
 
   nugget::app::WeldArguments weld;

@@ -103,7 +103,8 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .skip_unsupported = arguments.skip_unsupported,
           .until = arguments.until,
           .max_cycles = arguments.max_cycles,
-          .checkpoint = arguments.checkpoint};
+          .checkpoint = arguments.checkpoint,
+          .weld_law = arguments.weld_law};
 }
 
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as

@@ -26,6 +26,7 @@ struct RunArguments {
   double until = 0.0;
   long max_cycles = 0;
   std::string checkpoint;  ///< when restart files are written, see read_checkpoints(); empty: as the deck says
+  std::string weld_law;    ///< shared library with the user's own failure function of welds; empty: none
   std::string resume;      ///< folder of a run that is resumed; empty: a new run
   bool skip_unsupported = false;
   bool quiet = false;
@@ -41,7 +42,7 @@ struct ModesArguments {
 };
 
 struct CheckArguments {
-  RunArguments deck;         ///< of these: deck, directory, threads, skip_unsupported
+  RunArguments deck;         ///< of these: deck, directory, threads, skip_unsupported, weld_law
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 

@@ -4,13 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <memory>
 
 #include "app/clock.hpp"
 #include "app/refused_welds.hpp"
+#include "base/checksum.hpp"
 #include "deck/checksum.hpp"
 #include "reading/build.hpp"
 #include "weld/failure/missing_data.hpp"
+#include "weld/failure/user_library.hpp"
 #include "weld/tie/inferred_welds.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -57,6 +62,19 @@ output::WeldReport weld_report(const model::Model& model, const std::vector<Vec3
   return r;
 }
 
+std::string file_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A library that no weld asks for is hardly meant.
+void note_unused_library(const model::Model& model, Findings& findings) {
+  const auto asks = [](const model::WeldLaw& law) { return law.user() && law.function == model::none; };
+  if (std::ranges::none_of(model.weld_laws, asks))
+    findings.warning({model.weld_library->path, 0, 0}, "--weld-law", "no weld of the deck asks for the library",
+                     "give *MAT_SPOTWELD_DAMAGE-FAILURE with OPT 2, 12 or 22 and FVAL blank");
+}
+
 void tie_and_audit(PreparedDeck& p, Findings& findings) {
   Clock clock;
   p.ties = weld::tie(p.model, findings);
@@ -77,7 +95,13 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   p.has_text = deck.bytes > 0;
   p.deck_checksum = deck::checksum(deck);
   if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
-  p.model = reading::build(deck, findings, arguments.skip_unsupported);
+  std::shared_ptr<const model::WeldLibrary> library;
+  if (!arguments.weld_law.empty()) {
+    library = weld::failure::open_library(arguments.weld_law, findings);
+    p.deck_checksum = checksum(file_bytes(arguments.weld_law), p.deck_checksum);
+  }
+  p.model = reading::build(deck, findings, arguments.skip_unsupported, library);
+  if (library) note_unused_library(p.model, findings);
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
   tie_and_audit(p, findings);

@@ -39,6 +39,7 @@ RunArguments resumed_arguments(const RunArguments& asked, const output::RestartH
   if (run.until == 0.0) run.until = head.until;
   if (run.max_cycles == 0) run.max_cycles = head.max_cycles;
   if (run.checkpoint.empty()) run.checkpoint = head.checkpoint;
+  if (run.weld_law.empty()) run.weld_law = head.weld_law;
   if (!run.deck.empty()) return run;
   run.deck = head.deck;
   std::error_code error;
@@ -52,7 +53,8 @@ RunArguments resumed_arguments(const RunArguments& asked, const output::RestartH
 void expect_same_deck(const std::string& deck, std::uint64_t checksum, const output::RestartHead& head) {
   if (checksum != head.deck_checksum)
     throw ArchiveError(deck +
-                       ", or a file that it includes, is not what it was when the restart file was written: bring it "
+                       ", a file that it includes, or the library of --weld-law, is not what it was when the restart "
+                       "file was written: bring it "
                        "back, or run the deck from its start");
 }
 

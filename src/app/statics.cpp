@@ -18,7 +18,7 @@ void fill_weld_forces(const nvh::Statics& statics, std::vector<output::WeldRepor
   for (std::size_t i = 0; i < welds.size(); ++i) {
     if (!statics.weld[i]) continue;
     const weld::Resultants& r = statics.weld[i]->resultants;
-    welds[i].peak = {std::abs(r.axial), r.shear(), r.moment(), std::abs(r.torsion)};
+    welds[i].peak = {std::abs(r.axial), r.shear(), r.moment(), std::abs(r.torsion), r.force()};
     welds[i].peak_failure = statics.weld[i]->failure;
     welds[i].last = {r.axial, r.shear(), r.moment(), r.torsion, 0.0, statics.weld[i]->failure, {}};
   }

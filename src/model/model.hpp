@@ -18,6 +18,7 @@
 #include "model/damping.hpp"
 #include "model/discrete.hpp"
 #include "model/frequency.hpp"
+#include "model/heat_zone.hpp"
 #include "model/implicit.hpp"
 #include "model/initial_state.hpp"
 #include "model/interpolation.hpp"
@@ -26,7 +27,9 @@
 #include "model/parts.hpp"
 #include "model/requests.hpp"
 #include "model/rigid_weld.hpp"
+#include "model/user_function.hpp"
 #include "model/weld_law.hpp"
+#include "model/weld_library.hpp"
 
 // The checked, immutable meaning of a deck. Inside, everything is an index (position in its array, from 0); the user's
 // ids stand beside, in arrays `id`. Values are in the deck's own units.
@@ -185,14 +188,19 @@ struct Model : LoadLists {
   std::vector<Material> materials;
   std::vector<Hourglass> hourglass;
 
-  std::vector<WeldLaw> weld_laws;  ///< what the *MAT_SPOTWELD of `materials` say of welds as a whole
+  std::vector<WeldLaw> weld_laws;                   ///< what the *MAT_SPOTWELD of `materials` say of welds as a whole
+  std::shared_ptr<const WeldLibrary> weld_library;  ///< of OPT 2, 12, 22; null: none is given
   std::vector<RuptureStress> rupture_stresses;
   std::vector<PairStrengths> pair_strengths;
   std::vector<LoadRateStrengths> load_rate_strengths;
   std::vector<ConnectionProperties> connections;
 
+  std::vector<HeatZone> heat_zones;
+  std::vector<WeldSeam> weld_seams;
+
   std::vector<Curve> curves;  ///< offsets and scales applied
   std::vector<Table> tables;
+  std::vector<UserFunction> functions;
   std::vector<PartFriction> part_friction;
   std::vector<CoordinateSystem> systems;
   std::vector<SpringOrientation> spring_orientations;

@@ -22,7 +22,8 @@ struct Request {
   double interval = 0.0;  ///< DT [time]
   Index curve = none;     ///< LCUR: interval over time
   Rule rule = Rule::from_last;
-  int binary = 0;  ///< 0 as on this machine (ASCII), 1 ASCII, 2 binout, 3 both
+  int binary = 0;                ///< 0 as on this machine (ASCII), 1 ASCII, 2 binout, 3 both
+  bool resultant_force = false;  ///< OPTION1 = 1 of swforc: that of each weld beside axial and shear force
   bool ascii() const { return interval > 0.0 && binary != 2; }
   bool binout() const { return interval > 0.0 && binary >= 2; }
   bool asked() const { return interval > 0.0; }

@@ -15,6 +15,10 @@
 // (elasticity, hardening, EFAIL) is kernel::Spotweld. Formulas: docs/theory/failure.md.
 namespace nugget::model {
 
+/// Arguments that a *DEFINE_FUNCTION of a weld's failure value may have: six resultants, strain rate, diameter, two
+/// thicknesses, plastic strain, time, USRV1 to USRV22.
+inline constexpr int weld_function_arguments = 34;
+
 /// A strength or factor that may depend on the effective strain rate: value times factor(rate).
 struct RateValue {
   double value = 0.0;  ///< 0: not given, its term is left out
@@ -42,7 +46,7 @@ struct WeldDamage {
 
 /// MAT_100 but for the law of its points.
 struct WeldLaw {
-  int option = 0;                         ///< OPT: -2 -1 0 1 3 4 5 6 7 10 11; what computes the failure value
+  int option = 0;                         ///< OPT: -2 -1 0 1 2 3 4 5 6 7 10 11 12 22; what computes the failure value
   std::array<RateValue, 6> strength{};    ///< OPT -2 -1 0: NRR NRS NRT [force], MRR MSS MTT [moment]
   RateValue normal_stress, shear_stress;  ///< OPT 1: SIGAX, SIGTAU [stress]
   double diameter = 0.0;                  ///< OPT 3 4 5: ZD; 0: the weld's own [length]
@@ -53,9 +57,13 @@ struct WeldLaw {
   double limit = 0.0;                     ///< FVAL of OPT 3 4 5: the stress (4: stress intensity) at failure
   int cycles = 0;                         ///< FVAL of OPT 6: consecutive cycles at or beyond the surface before failure
   Index table = none;                     ///< OPT 7: in Model::pair_strengths; OPT 10: in Model::load_rate_strengths
+  Index function = none;                  ///< FVAL of OPT -2 -1 0 2 12 22: in Model::functions
+  std::array<double, 22> user_values{};   ///< USRV1 to USRV22 of OPT 2, 12, 22
   int filter = 0;                         ///< NF: resultant vectors averaged for the failure function
   double failure_time = 0.0;              ///< TFAIL [time]; 0: none
   WeldDamage damage;
+  /// The user's own failure value by OPT: of a function of the deck or of a library.
+  bool user() const { return option == 2 || option == 12 || option == 22; }
   bool connection = false;       ///< _DA: strengths and damage come from `properties`
   Index properties = none;       ///< CON_ID: in Model::connections; none (_DA with CON_ID < 0): failure is off
   double rate_filter = 0.0;      ///< RFILTF of _DA: share of the last strain rate that is kept

@@ -35,6 +35,7 @@ Json to_json(const RestartHead& h) {
           {"until", h.until},
           {"max_cycles", h.max_cycles},
           {"checkpoint", h.checkpoint},
+          {"weld_law", h.weld_law},
           {"time", h.time},
           {"cycle", h.cycle}};
 }
@@ -51,6 +52,7 @@ RestartHead from_json(const Json& j) {
   j.at("until").get_to(h.until);
   j.at("max_cycles").get_to(h.max_cycles);
   j.at("checkpoint").get_to(h.checkpoint);
+  j.at("weld_law").get_to(h.weld_law);
   j.at("time").get_to(h.time);
   j.at("cycle").get_to(h.cycle);
   return h;

@@ -27,7 +27,8 @@ struct RestartHead {
   double until = 0.0;
   long max_cycles = 0;
   std::string checkpoint;
-  double time = 0.0;  ///< of the model
+  std::string weld_law;  ///< library, as it was named
+  double time = 0.0;     ///< of the model
   long cycle = 0;
 };
 

@@ -22,22 +22,25 @@ Json to_json(const WeldProjection& p) {
 Json to_json(const WeldReport& w) {
   Json projections = Json::array();
   for (const WeldProjection& projection : w.projections) projections.push_back(to_json(projection));
-  return {
-      {"id", w.id},
-      {"kind", w.kind},
-      {"part", w.part},
-      {"parts", w.sheets},
-      {"diameter", w.diameter},
-      {"length", w.length},
-      {"tied", w.tied},
-      {"projection", projections},
-      {"added_mass", w.added_mass},
-      {"failed", w.failed},
-      {"failure_time", w.failure_time ? Json(*w.failure_time) : Json()},
-      {"failure_mode", w.failure_mode},
-      {"peak",
-       {{"axial", w.peak.axial}, {"shear", w.peak.shear}, {"bending", w.peak.bending}, {"torsion", w.peak.torsion}}},
-      {"remarks", w.remarks}};
+  return {{"id", w.id},
+          {"kind", w.kind},
+          {"part", w.part},
+          {"parts", w.sheets},
+          {"diameter", w.diameter},
+          {"length", w.length},
+          {"tied", w.tied},
+          {"projection", projections},
+          {"added_mass", w.added_mass},
+          {"failed", w.failed},
+          {"failure_time", w.failure_time ? Json(*w.failure_time) : Json()},
+          {"failure_mode", w.failure_mode},
+          {"peak",
+           {{"axial", w.peak.axial},
+            {"shear", w.peak.shear},
+            {"bending", w.peak.bending},
+            {"torsion", w.peak.torsion},
+            {"force", w.peak.force}}},
+          {"remarks", w.remarks}};
 }
 
 Json to_json(const ModeReport& m) {

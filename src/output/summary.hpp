@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -29,6 +30,7 @@ struct WeldProjection {
 struct WeldPeak {
   double axial = 0.0, shear = 0.0;      ///< [force]
   double bending = 0.0, torsion = 0.0;  ///< [force length]
+  double force = 0.0;                   ///< resultant of axial and shear force [force]
 };
 
 /// How a weld was loaded in the cycle in which it failed; of one that holds, at the end of the run.
@@ -40,6 +42,8 @@ struct WeldLoad {
   std::string terms;                    ///< what it is made of, e.g. `axial force 0.81, shear force 0.19`
   /// Bending moment at the first and the second sheet; `bending` is that at mid-length [force length].
   std::array<double, 2> bending_at{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  /// Resultant of axial and shear force; of what has no shear force that is known, none [force].
+  double force() const { return std::hypot(axial, shear); }
 };
 
 /// One weld: the audit before the run, the history after it. A line of welds.csv, an entry of `weld` in summary.json.

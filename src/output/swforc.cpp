@@ -19,14 +19,17 @@ const char* label(WeldKind kind) {
   return "";
 }
 
-/// A Fortran E7.2: the E gives way to the sign of the exponent.
+/// A number of 0 and more in seven columns, with as many digits as fit.
 std::string number_in_seven(double value) {
+  constexpr double below_failure = 0.99999;  // what is below 1 is not rounded to it
+  constexpr double least_fixed = 1e-3, most_fixed = 999999.0;
   if (std::isnan(value)) return "    nan";
-  if (value < 1e-99) return "0.00+00";
-  std::string text = fmt::format("{:.2E}", std::min(value, 9.99e99));
-  if (value < 1.0 && text.starts_with("1.00E+00")) return "9.99-01";  // below 1 is below failure
-  text.erase(text.find('E'), 1);
-  return fmt::format("{:>7}", text);
+  if (value < 1e-99) return "0.00000";
+  if (value < 1.0) value = std::min(value, below_failure);
+  if (value < least_fixed || value > most_fixed) return fmt::format("{:.1E}", std::min(value, 9.9e99));
+  for (int digits = 5;; --digits)
+    if (const std::string text = fmt::format("{:.{}f}", value, digits); text.size() <= 7 || digits == 0)
+      return fmt::format("{:>7}", text);
 }
 
 bool is_brick(WeldKind kind) {
@@ -37,6 +40,11 @@ bool is_brick(WeldKind kind) {
 std::string peak(const SwforcRow& row) {
   if (!row.peak) return "";
   return fmt::format(" fcmx={} t={:8.2E}", number_in_seven(row.peak->first), row.peak->second);
+}
+
+/// ` fres=  1.23450E+03`, where it is asked for.
+std::string resultant(const SwforcRow& row, const SwforcState& state) {
+  return state.resultant_force ? fmt::format(" fres={:13.5E}", column(row.force())) : "";
 }
 
 /// What stands behind the label: length, moment and torsion where the kind has them, or when the weld failed.
@@ -66,7 +74,7 @@ void print(AsciiFile& file, const SwforcState& state) {
       file.print(" {:8.4f}    ", row.failure);
     else
       file.print("  {}    ", failure_column(row.failure, row.failure_time > 0.0));
-    file.print("{}{:8}{}\n", label(row.kind), row.id, tail(row));
+    file.print("{}{:8}{}{}\n", label(row.kind), row.id, tail(row), resultant(row, state));
   }
 }
 
@@ -104,6 +112,9 @@ const HistoryFormat<SwforcState>& swforc() {
                                   "resultant bending moment"},
                                  {"torsion", &SwforcRow::torsion, dimension::moment, "torsional moment"},
                              }) +
+                     columns(&SwforcState::rows, {{"resultant_force", &SwforcRow::force, dimension::force,
+                                                   "resultant of axial and shear force; with OPTION1 = 1 only"}})
+                         .where([](const SwforcState& s) { return s.resultant_force; }) +
                      columns(&SwforcState::rows,
                              {
                                  {"max_failure", [](const SwforcRow& r) { return r.peak ? r.peak->first : 0.0; },

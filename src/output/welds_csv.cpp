@@ -68,12 +68,14 @@ void head(std::string& out, std::size_t projections, const std::vector<WeldRepor
                            "peak_shear",
                            "peak_bending",
                            "peak_torsion",
+                           "peak_force",
                            "peak_failure",
                            "peak_failure_time",
                            "last_axial",
                            "last_shear",
                            "last_bending",
                            "last_torsion",
+                           "last_force",
                            "last_strain_rate",
                            "last_failure",
                            "last_terms",
@@ -122,9 +124,10 @@ void history_cells(CsvLine& line, const WeldReport& weld) {
   line.flag(weld.failed);
   line.cell(weld.failure_time ? fmt::format("{}", *weld.failure_time) : std::string());
   line.cell(weld.failure_mode);
-  for (const double value : {weld.peak.axial, weld.peak.shear, weld.peak.bending, weld.peak.torsion, weld.peak_failure,
-                             weld.peak_failure_time, weld.last.axial, weld.last.shear, weld.last.bending,
-                             weld.last.torsion, weld.last.strain_rate, weld.last.failure})
+  for (const double value :
+       {weld.peak.axial, weld.peak.shear, weld.peak.bending, weld.peak.torsion, weld.peak.force, weld.peak_failure,
+        weld.peak_failure_time, weld.last.axial, weld.last.shear, weld.last.bending, weld.last.torsion,
+        weld.last.force(), weld.last.strain_rate, weld.last.failure})
     line.cell(value);
   line.cell(weld.last.terms);
   for (const double value : weld.last.bending_at) line.cell(value);

@@ -90,8 +90,10 @@ void read_block(Builder& b, const deck::Block& block, KeywordSummary& summary) {
 
 }  // namespace
 
-model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported) {
+model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported,
+                   std::shared_ptr<const model::WeldLibrary> weld_library) {
   Builder b(deck, findings);
+  b.model.weld_library = std::move(weld_library);
   b.skip_unsupported = skip_unsupported;
   b.model.deck = deck.path.string();
   KeywordSummary summary(b.model.keyword_uses);

@@ -9,7 +9,8 @@ namespace nugget::reading {
 
 /// Turns a deck into a model. Unknown and refused keywords are errors (with `skip_unsupported`: warnings, their cards
 /// left out); unknown *DATABASE_ requests are warnings. All findings come at once; the model is usable only if there
-/// are no errors.
-model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported = false);
+/// are no errors. `weld_library`: the user's own failure function of welds, or null.
+model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported = false,
+                   std::shared_ptr<const model::WeldLibrary> weld_library = nullptr);
 
 }  // namespace nugget::reading

@@ -35,6 +35,7 @@ std::vector<Keyword> all_families() {
            cohesive_material_keywords,
            weld_material_keywords,
            weld_table_keywords,
+           heat_zone_keywords,
            weld_brick_keywords,
            discrete_beam_keywords,
            spring_keywords,

@@ -190,7 +190,7 @@ std::string weld_line(const WeldRow& weld) {
                               escaped(cell(weld, "id")), escaped(cell(weld, "kind")), escaped(sheets),
                               number(real(weld, "diameter")));
   s += fmt::format("<td class=\"text {}\">{}</td><td class=\"text {}\">{}</td>", v.kind, escaped(what), v.kind, bar);
-  for (const char* column : {"peak_axial", "peak_shear", "peak_bending", "peak_torsion", "energy"})
+  for (const char* column : {"peak_axial", "peak_shear", "peak_force", "peak_bending", "peak_torsion", "energy"})
     s += fmt::format("<td>{}</td>", number(real(weld, column)));
   return s + "</tr>\n";
 }
@@ -218,7 +218,7 @@ std::string weld_table(const RunData& run) {
   std::string s = fmt::format(
       "<p id=\"weld-tally\">{} welds: {}</p>\n<table id=\"welds\"><tr><th>weld</th><th class=\"text\">kind</th>"
       "<th>sheets</th><th>diameter</th><th class=\"text\">verdict</th><th class=\"text\">largest failure value</th>"
-      "<th>axial</th><th>shear</th><th>bending</th><th>torsion</th><th>energy</th></tr>\n",
+      "<th>axial</th><th>shear</th><th>resultant</th><th>bending</th><th>torsion</th><th>energy</th></tr>\n",
       run.welds.size(), tally);
   for (std::size_t i = 0; i < order.size() && i < most; ++i) s += weld_line(*order[i]);
   s += "</table>\n";

@@ -53,9 +53,12 @@ bool free_to_twist(const model::Model& model, const weld::Weld& w) {
 void System::make_weld_beams(Findings& findings) {
   beam_location.assign(model.beams.size(), {});
   const std::vector<bool> deleted = deleted_with_welds(false);
-  std::vector<bool> untwistable(model.beams.size(), false);
-  for (const weld::Weld& w : ties.welds)
-    if (w.kind == weld::Weld::Kind::beam) untwistable[w.element] = free_to_twist(model, w);
+  std::vector<bool> untwistable(model.beams.size(), false), held(model.beams.size(), true);
+  for (const weld::Weld& w : ties.welds) {
+    if (w.kind != weld::Weld::Kind::beam) continue;
+    untwistable[w.element] = free_to_twist(model, w);
+    held[w.element] = weld::scaled_to_the_step_of_the_run(model, w);
+  }
   std::size_t untwisted = 0;
   const auto sorted = by_part(model.beams, model.parts.size(), ties.x);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
@@ -72,14 +75,13 @@ void System::make_weld_beams(Findings& findings) {
       continue;
     }
     const bool wants_torsion = model.beam_sections[model.parts[p].section].torsion;
-    std::vector<model::Index> with, without;
+    std::array<std::vector<model::Index>, 4> chosen;  // held or not, each with torsion and without
     for (model::Index e : sorted[p]) {
       if (deleted[e]) continue;
       untwisted += wants_torsion && untwistable[e];
-      (wants_torsion && !untwistable[e] ? with : without).push_back(e);
+      chosen[(held[e] ? 0 : 2) + (wants_torsion && !untwistable[e] ? 0 : 1)].push_back(e);
     }
-    add_weld_beams(p, with, true);
-    add_weld_beams(p, without, false);
+    for (int i = 0; i < 4; ++i) add_weld_beams(p, chosen[i], i % 2 == 0, i < 2);
   }
   if (untwisted > 0)
     findings.note(
@@ -174,7 +176,7 @@ void System::make_springs() {
   }
 }
 
-void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion) {
+void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion, bool held) {
   if (chosen.empty()) return;
   const model::Part& part = model.parts[p];
   const model::Material& material = model.materials[part.material];
@@ -189,7 +191,7 @@ void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chos
   beam.no_torsion = !torsion;
   add_group(WeldBeamElement{{beam, kernel::LawKernel<kernel::Spotweld>(*law), law->nu, model.beams, ties.x}},
             model::ElementKind::beam, p, members(model.beams, chosen), beam_location);
-  scale_weld_mass(*groups.back(), *law);
+  scale_weld_mass(*groups.back(), *law, held);
 }
 
 }  // namespace nugget::system

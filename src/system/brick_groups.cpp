@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "kernel/law/law_components.hpp"
 #include "model/bond.hpp"
@@ -154,10 +155,11 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
     if (w.kind != weld::Weld::Kind::rigid && w.of_bricks())
       for (model::Index e : w.elements) weld_of[e] = &w;
   // Connections have yield stresses of their own: a group for each law.
-  std::map<std::pair<double, double>, std::pair<kernel::Spotweld, std::vector<model::Index>>> by_law;
+  std::map<std::tuple<double, double, bool>, std::pair<kernel::Spotweld, std::vector<model::Index>>> by_law;
   for (model::Index e : chosen) {
     const kernel::Spotweld own = weld_of[e] ? weld::points_of(model, *weld_of[e], law) : law;
-    auto& [shared, bricks] = by_law[{own.yield, own.hardening}];
+    const bool free = weld_of[e] && !weld::scaled_to_the_step_of_the_run(model, *weld_of[e]);
+    auto& [shared, bricks] = by_law[{own.yield, own.hardening, free}];
     shared = own;
     bricks.push_back(e);
   }
@@ -175,7 +177,7 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
       add_group(full_brick(element, section), model::ElementKind::solid, p, m, solid_location);
     else
       add_group(element, model::ElementKind::solid, p, m, solid_location);
-    scale_weld_mass(*groups.back(), own);
+    scale_weld_mass(*groups.back(), own, !std::get<2>(key));
   }
 }
 

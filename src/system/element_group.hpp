@@ -143,10 +143,19 @@ class ElementGroup {
   /// Share of the stable step that may be taken: TSSFAC, or 1 for welds whose mass was scaled to a step that contains
   /// it.
   double step_share = 0.9;
-  /// Step below which the density of these elements is raised; 0: never. Set by System.
+  /// Step below which the density of these elements is raised by DT2MS; 0: never. Set by System.
   double mass_step = 0.0;
-  /// Mass added through the weld material's own DT counts as physical.
-  bool added_mass_is_physical = false;
+  /// DT of the weld material, to which the density is raised before that; 0: none. The mass that it adds is physical.
+  double physical_mass_step = 0.0;
+  /// The part of mass_scale(e) that comes from that DT.
+  double physical_mass_scale(std::size_t e) const {
+    return physical_mass_scale_.empty() ? 1.0 : physical_mass_scale_[e];
+  }
+  /// The density factor that brings element e up to these steps; that of DT is kept.
+  double wanted_mass_scale(std::size_t e);
+
+ private:
+  std::vector<double> physical_mass_scale_;
 };
 
 }  // namespace nugget::system

@@ -33,16 +33,13 @@ std::vector<bool> System::deleted_with_welds(bool bricks) const {
   return deleted;
 }
 
-void System::scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law) const {
+void System::scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law, bool held) const {
   group.weld = true;
-  if (law.mass_step > 0.0) {
-    group.mass_step = law.mass_step;
-    group.added_mass_is_physical = true;
-  } else if (model.control.mass_step != 0.0) {
-    // S. Bala's talk: with DT = 0 welds are scaled to |DT2MS TSSFAC|, which is the step that will be run with.
-    group.mass_step = std::abs(model.control.mass_step) * model.control.step_scale;
-    group.step_share = 1.0;
-  }
+  group.physical_mass_step = law.mass_step;
+  if (model.control.mass_step == 0.0 || !held) return;
+  // S. Bala's talk: welds are scaled to |DT2MS TSSFAC|, which is the step that will be run with.
+  group.mass_step = std::abs(model.control.mass_step) * model.control.step_scale;
+  group.step_share = 1.0;
 }
 
 }  // namespace nugget::system

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <functional>
+#include <map>
 #include <variant>
 
 #include "kernel/law/laminate_kernel.hpp"
 #include "system/groups.hpp"
 #include "system/shell_elements.hpp"
+#include "weld/failure/heat_zones.hpp"
 
 // Which kernel runs which shells.
 namespace nugget::system {
@@ -111,7 +114,16 @@ kernel::ShellProperties shell_properties(const model::Part& part, const model::S
 }  // namespace
 
 template <ShellKind Kind>
-void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) {
+void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen,
+                        const std::vector<weld::Softening>& softening) {
+  if (softening.empty()) return add_shells<Kind>(p, chosen, weld::Softening{});
+  std::map<weld::Softening, std::vector<model::Index>, std::greater<>> alike;  // the sound ones first
+  for (const model::Index e : chosen) alike[softening[e]].push_back(e);
+  for (const auto& [factors, shells] : alike) add_shells<Kind>(p, shells, factors);
+}
+
+template <ShellKind Kind>
+void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen, const weld::Softening& softening) {
   if (chosen.empty()) return;
   const model::Part& part = model.parts[p];
   const model::SectionShell& section = model.shell_sections[part.section];
@@ -119,7 +131,8 @@ void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) 
   const kernel::ShellProperties shell = shell_properties(part, section, material, hourglass_of(part), model.control);
   const Members m = members(model.shells, chosen);
   constexpr int corners = ShellElement<kernel::Elastic, Kind>::corners;
-  const bool computed = with_shell_law(material.law, [&]<class Law>(const Law& law) {
+  const model::Law own = softening == weld::Softening{} ? material.law : weld::softened(material.law, softening);
+  const bool computed = with_shell_law(own, [&]<class Law>(const Law& law) {
     add_group(ShellElement<Law, Kind>{shell, kernel::LawKernel<Law>(law), model.shells, section.extra_mass},
               model::ElementKind::shell, p, m, shell_location);
   });
@@ -140,6 +153,7 @@ void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen) 
 void System::make_shells() {
   shell_location.assign(model.shells.size(), {});
   const auto sorted = by_part(model.shells, model.parts.size(), ties.x);
+  const std::vector<weld::Softening> softening = weld::softening(model, ties);
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     if (sorted[p].empty()) continue;
     const model::SectionShell& section = model.shell_sections[model.parts[p].section];
@@ -148,13 +162,13 @@ void System::make_shells() {
     for (model::Index e : sorted[p])
       (formulation != 0 && model.shells.triangle(at(e)) ? triangles : quads).push_back(e);
     if (fully_integrated(section))
-      add_shells<ShellKind::full>(p, quads);
+      add_shells<ShellKind::full>(p, quads, softening);
     else
-      add_shells<ShellKind::one_point>(p, quads);
+      add_shells<ShellKind::one_point>(p, quads, softening);
     if (formulation == 17)
-      add_shells<ShellKind::kirchhoff>(p, triangles);
+      add_shells<ShellKind::kirchhoff>(p, triangles, softening);
     else
-      add_shells<ShellKind::triangle>(p, triangles);
+      add_shells<ShellKind::triangle>(p, triangles, softening);
   }
 }
 

@@ -117,7 +117,7 @@ void System::make_constraints(Findings& findings) {
       springs.push_back({t, node_of[tie.node], anchor});
       add_tie(anchor, tie, projected || !tie.lever ? Vec3d{} : gap, true);
     } else if (claim(tie.node, {.contact = tie.contact}, contact.place)) {
-      add_tie(node_of[tie.node], tie, projected ? Vec3d{} : gap, tie.rotations);
+      add_tie(node_of[tie.node], tie, projected || !tie.lever ? Vec3d{} : gap, tie.rotations);
     }
   }
   for (std::size_t k = 0; k < model.interpolations.size(); ++k) {
@@ -515,18 +515,20 @@ bool System::scale_mass(bool at_start) {
   if (!at_start && model.control.mass_scaling_at_start_only) return false;
   bool changed = false;
   for (auto& group : groups) {
-    const double target = group->mass_step;
+    const double target = std::max(group->mass_step, group->physical_mass_step);
     if (target <= 0.0) continue;
-    // DT2MS > 0: every element gets exactly this step, mass added or taken away.
-    const bool exactly = at_start && model.control.mass_step > 0.0 && !group->added_mass_is_physical;
+    // DT2MS > 0: every element gets exactly this step, mass added or taken away, but for what DT of a weld added.
+    const bool exactly = at_start && model.control.mass_step > 0.0 && group->physical_mass_step == 0.0;
     const std::size_t width = group->block_width();
     for (std::size_t b = 0; b < group->blocks(); ++b) {
       if (!exactly && !(group->block_step[b] < target * (1.0 - 1e-9))) continue;
       for (std::size_t e = b * width; e < std::min(group->size(), (b + 1) * width); ++e) {
-        const double step = group->stable_step(e);
+        const double step = group->stable_step(e), now = group->mass_scale(e);
         // What is inside out has no step, and no mass would give it one.
-        if (!group->alive(e) || step == 0.0 || (!exactly && !(step < target * (1.0 - 1e-9)))) continue;
-        set_mass_scale(*group, e, group->mass_scale(e) * (target / step) * (target / step));
+        if (!group->alive(e) || step == 0.0) continue;
+        const double wanted = exactly ? now * (target / step) * (target / step) : group->wanted_mass_scale(e);
+        if (!exactly && wanted == now) continue;
+        set_mass_scale(*group, e, wanted);
         changed = true;
       }
     }
@@ -540,15 +542,12 @@ System::Masses System::masses() const {
   m.added_by_part.assign(model.parts.size(), 0.0);
   for (const auto& group : groups) {
     for (std::size_t e = 0; e < group->size(); ++e) {
-      const double own = group->mass(e), extra = own * (group->mass_scale(e) - 1.0);
-      m.physical += own;
-      if (group->weld) m.added_to_welds += extra;
-      if (group->added_mass_is_physical) {
-        m.physical += extra;
-      } else {
-        m.added += extra;
-        m.added_by_part[group->part] += extra;
-      }
+      const double own = group->mass(e), by_dt = own * (group->physical_mass_scale(e) - 1.0),
+                   extra = own * (group->mass_scale(e) - group->physical_mass_scale(e));
+      m.physical += own + by_dt;
+      if (group->weld) m.added_to_welds += by_dt + extra;
+      m.added += extra;
+      m.added_by_part[group->part] += extra;
     }
   }
   for (const MassOnlyElement& mass_only : mass_only_elements_) m.physical += mass_only.mass;

@@ -17,6 +17,7 @@
 #include "system/element_group.hpp"
 #include "system/rigid_body.hpp"
 #include "system/state.hpp"
+#include "weld/failure/heat_zones.hpp"
 #include "weld/tie/ties.hpp"
 
 namespace nugget::system {
@@ -163,8 +164,12 @@ class System {
   const model::Hourglass& hourglass_of(const model::Part& part) const;
   void make_groups(Findings& findings);
   void make_shells();
+  /// `softening`: by shell; empty: none is softened.
   template <ShellKind Kind>
-  void add_shells(std::size_t part, const std::vector<model::Index>& chosen);
+  void add_shells(std::size_t part, const std::vector<model::Index>& chosen,
+                  const std::vector<weld::Softening>& softening);
+  template <ShellKind Kind>
+  void add_shells(std::size_t part, const std::vector<model::Index>& chosen, const weld::Softening& softening);
   void make_bricks();
   /// The different nodes of solids only; see model::Solids::different_nodes.
   Members different_nodes(const std::vector<model::Index>& solids) const;
@@ -177,13 +182,13 @@ class System {
                        const kernel::HexahedronProperties& brick, const kernel::Spotweld& law);
   /// By model element of a kind: whether SPOTSTP = 2 took its weld out; it then has no mass and no group.
   std::vector<bool> deleted_with_welds(bool bricks) const;
-  /// DT of the weld material, and what stands in for it.
-  void scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law) const;
+  /// DT of the weld material, and DT2MS for welds that are held by sheets, or not.
+  void scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law, bool held) const;
   void make_weld_beams(Findings& findings);
   void make_springs();
   void add_beams(std::size_t part, const std::vector<model::Index>& chosen);
   void add_discrete_beams(std::size_t part, const std::vector<model::Index>& chosen, Findings& findings);
-  void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion);
+  void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion, bool held);
 
   void make_constraints(Findings& findings);
   void make_bodies();

@@ -4,6 +4,7 @@ truth as there is about decks that are refused."""
 import collections
 import csv
 import io
+import math
 import re
 import unittest
 
@@ -146,6 +147,52 @@ class Audit(CommandTest):
         _, found, _ = self.check(text)
         (told,) = [f for f in found if "in this sliding contact" in f["text"]]
         self.assertEqual(told["severity"], "note")
+
+    def test_the_audit_tells_the_mass_that_the_run_adds(self):
+        """DT of the weld material and DT2MS, alone and together; L = 1.2, d = 6. Together: DT first, physical mass, then DT2MS."""
+        step, mass = 1.2 / (210000.0 / 7.85e-9) ** 0.5, 7.85e-9 * math.pi * 9.0 * 1.2
+        up = lambda to, of: max((to / step) ** 2 - (of / step) ** 2, 0.0)  # noqa: E731
+        for dt, dt2ms in ((5e-7, -1e-6), (1.5e-6, -1e-6), (0.0, -1e-6), (5e-7, 0.0), (5e-7, 1e-6), (0.0, 2e-7)):
+            with self.subTest(dt=dt, dt2ms=dt2ms):
+                self.write(lap_joint(("       0.0       0.9\n", f"       0.0       0.9         0       0.0{dt2ms:10.1e}\n"),
+                                     ("       0.3     500.0    1000.0\n", f"       0.3     500.0    1000.0{dt:10.1e}\n")))
+                self.nugget("check", "model.k", "-o", "audit")
+                self.nugget("run", "model.k", "-o", "run", "--quiet")
+                (audited,), (ran,) = self.welds(), self.welds("run")
+                by_dt = mass * up(dt, step)
+                by_dt2ms = mass * up(0.9 * abs(dt2ms), max(step, dt))
+                if dt2ms == 2e-7:  # above 0 every element gets exactly that step, welds TSSFAC times it: lighter here
+                    by_dt2ms = mass * ((0.9 * dt2ms / step) ** 2 - 1.0)
+                for welds in (audited, ran):
+                    self.assertAlmostEqual(float(welds["mass_by_dt"]) / mass, by_dt / mass, delta=1e-4)
+                    self.assertAlmostEqual(float(welds["mass_by_dt2ms"]) / mass, by_dt2ms / mass, delta=1e-4)
+                self.assertAlmostEqual(float(ran["added_mass"]) / mass, (by_dt + by_dt2ms) / mass, delta=1e-4)
+                summary = self.json("run/summary.json")
+                self.assertAlmostEqual(summary["mass"]["added_to_welds"] / mass, (by_dt + by_dt2ms) / mass, delta=1e-4)
+                if dt2ms < 0.0:
+                    self.assertAlmostEqual(summary["mass"]["added"] / mass, by_dt2ms / mass, delta=1e-4)
+                if dt2ms < 0.0 and dt < 9e-7:  # else the weld does not control it
+                    self.assertAlmostEqual(summary["time_step"]["first"] / 9e-7, 1.0, delta=1e-6)
+                for folder in ("audit", "run"):
+                    told = [f for f in self.json(folder + "/findings.json") if f["text"].startswith("DT beside DT2MS")]
+                    self.assertEqual(len(told), 1 if dt and dt2ms else 0)
+                    if told:
+                        self.assertEqual((told[0]["severity"], told[0]["keyword"], told[0]["field"], told[0]["remedy"]),
+                                         ("warning", "*MAT_SPOTWELD", "dt", "DT = 0 where DT2MS is used"))
+
+    def test_a_weld_with_a_free_end_is_scaled_as_other_elements(self):
+        """To |DT2MS|, not to TSSFAC times it, which would be its very limit. Node 302 is 7.8 above its sheet, out of reach."""
+        step, mass = 9.0 / (210000.0 / 7.85e-9) ** 0.5, 7.85e-9 * math.pi * 9.0 * 9.0
+        self.write(lap_joint(("       0.0       0.9\n", "       0.0       0.9         0       0.0  -3.0e-06\n"),
+                             (f"{302:8d}{9.0:16.4f}{9.0:16.4f}{1.2:16.4f}", f"{302:8d}{9.0:16.4f}{9.0:16.4f}{9.0:16.4f}"),
+                             ("         0         0         0         0         1\n*DATABASE_GLSTAT", "         0         0         0         0         0\n*DATABASE_GLSTAT")))
+        self.nugget("check", "model.k", "-o", "audit")
+        self.nugget("run", "model.k", "-o", "run", "--quiet")
+        (audited,), (ran,) = self.welds(), self.welds("run")
+        self.assertEqual((ran["tied"], ran["length"]), ("no", "9"))
+        for added in (audited["mass_by_dt2ms"], ran["mass_by_dt2ms"], ran["added_mass"]):
+            self.assertAlmostEqual(float(added) / mass, (3e-6 / step) ** 2 - 1.0, delta=1e-4)
+        self.assertAlmostEqual(self.json("run/summary.json")["time_step"]["first"] / 2.7e-6, 1.0, delta=1e-6)
 
 
 class RefusedDecks(CommandTest):

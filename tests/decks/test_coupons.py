@@ -6,11 +6,12 @@ Sabotage that this catches: a weld that hands over no moment (peel goes soft), b
 a failure function that sees the grip's force instead of the weld's, shells that yield at another force than solids do.
 """
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
 
-from nugget_command import NUGGET, SOURCE
+from nugget_command import NUGGET, SOURCE, CommandTest
 
 sys.path.insert(0, str(SOURCE / "examples" / "coupons"))
 import study  # noqa: E402
@@ -59,6 +60,36 @@ class Coupons(unittest.TestCase):
         u, force = study.SOLIDS["lap"][0][0]
         for name, curve in self.run_all("lap_1", "lap_4", "lap_8").items():
             self.assertAlmostEqual(curve.force(u) / force, 1.0, delta=0.05, msg=name)
+
+
+class WeldPlacement(CommandTest):
+    """examples/weld_placement/compare.py on the coupon as `nugget weld` makes it of sheets and a point."""
+
+    def compared(self, *cases):
+        run = subprocess.run([sys.executable, str(SOURCE / "examples" / "weld_placement" / "compare.py"), str(self.folder), *cases],
+                             capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return {line.split()[0]: line.split()[1:] for line in run.stdout.splitlines() if line.split()[0] in cases}
+
+    def test_beams_and_bricks_side_by_side(self):
+        """Over the centre of an element all are within 5 % of the solid model: 62.5 kN/mm, as the talk's coupon study has it."""
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "weld_placement" / "make.py"), str(self.folder)], check=True)
+        forms = ("beam", "solid", "solid4", "solid8")
+        for form in forms:
+            self.nugget("weld", "placed/points.csv", "placed/sheets.k", "-o", f"{form}.k", "--as", form)
+            self.nugget("run", f"{form}.k", "-o", form, "--until", 6e-4, "--quiet")
+        rows = self.compared(*forms)
+        self.assertEqual(set(rows), set(forms))
+        for form, (stiffness, share, *_, failure) in rows.items():
+            self.assertAlmostEqual(float(stiffness) / 62.5, 1.0, delta=0.05, msg=form)
+            self.assertAlmostEqual(float(share), 100.0, delta=5.0, msg=form)
+            self.assertEqual(failure, "none")
+        self.assertEqual(len({line.split(",")[0] for line in self.read("histories.csv").splitlines()}), 1 + len(forms))
+
+    def test_a_run_too_short_for_a_stiffness_has_none(self):
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "weld_placement" / "make.py"), str(self.folder)], check=True)
+        self.nugget("run", "centre.k", "-o", "centre", "--until", 2e-5, "--quiet")
+        self.assertEqual(self.compared("centre")["centre"][:2], ["none", "none"])
 
 
 if __name__ == "__main__":

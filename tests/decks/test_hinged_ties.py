@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ties: shells that are tied by their translations alone keep their rotations; springs of ties hold rigid bodies."""
+import csv
+import io
 import re
 import unittest
 
 from few_elements import card, curve, nodes, part
+from lap_joint import deck as lap_joint
 from nugget_command import CommandTest
 
 LENGTH, WIDTH, THICKNESS, YOUNG, PRESSURE, SHELLS = 100.0, 5.0, 2.0, 210000.0, 0.002, 20
@@ -98,6 +101,35 @@ class TiedBodies(CommandTest):
         self.pulled("*CONTACT_TIED_SURFACE_TO_SURFACE\n" + card(2, 1, 3, 3), False)
         self.assertIn("4 tracked nodes belong to rigid bodies and stay with them, untied", self.told)
         self.assertIn("or use the _OFFSET form, whose springs hold bodies", self.told)
+
+
+class PenaltyTies(CommandTest):
+    """The lap joint tied by each form. Its weld ends stand on the sheets, so no gap tells the forms apart."""
+
+    def peaks(self, form, stiffness=1.0):
+        contact = "*CONTACT_SPOTWELD{}\n         3         1         3         2\n       0.0\n{:10.2f}\n"
+        self.write(lap_joint((contact.format("", 1.0).replace("      1.00", "       1.0"), contact.format(form, stiffness))))
+        self.told = self.nugget("run", "model.k", "--quiet").stderr
+        (weld,) = csv.DictReader(io.StringIO(self.read("welds.csv")))
+        return {name: float(weld["peak_" + name]) for name in ("axial", "shear", "bending", "force")}
+
+    def test_forms_by_penalty_carry_what_the_constraint_carries(self):
+        expected = self.peaks("")
+        self.assertGreater(expected["shear"], 100.0)
+        for form in ("_CONSTRAINED_OFFSET", "_BEAM_OFFSET", "_OFFSET", "_PENALTY"):
+            with self.subTest(form):
+                found = self.peaks(form)
+                for name, value in expected.items():
+                    self.assertAlmostEqual(found[name] / value, 1.0, delta=1e-9, msg=name)
+                self.assertEqual("by the constraint that springs stand for" in self.told, form != "_CONSTRAINED_OFFSET")
+                self.assertNotIn("of what a constraint would", self.told)
+
+    def test_weak_springs_are_warned_of_in_check_and_run(self):
+        expected = self.peaks("")
+        self.assertLess(self.peaks("_BEAM_OFFSET", 0.5)["shear"], 0.95 * expected["shear"])
+        warning = "warning: *CONTACT_SPOTWELD_BEAM_OFFSET 1: 2 of 2 nodes tied by springs carry less than 95 % of what a constraint would"
+        self.assertIn(warning, self.told)
+        self.assertIn(warning, self.nugget("check", "model.k", "-o", "audit").stderr)
 
 
 if __name__ == "__main__":

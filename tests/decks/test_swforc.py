@@ -2,6 +2,7 @@
 """swforc of every kind of weld that a lap joint can have, and what welds.csv says of each."""
 import csv
 import io
+import math
 import unittest
 
 import lsda
@@ -101,7 +102,7 @@ class Swforc(CommandTest):
         self.assertEqual({r[3] for r in rows}, {0.0})
         self.assertGreater(max(abs(r[2]) for r in rows), 0.0)
         for row in rows:
-            self.assertEqual(row[5], "failure" if row[4] > 1.501e-5 else "0.00+00", row)
+            self.assertEqual(row[5], "failure" if row[4] > 1.501e-5 else "0.00000", row)
             if row[4] < 1.5e-5:
                 self.assertAlmostEqual(float(row[6][0]), 1.2, delta=1e-9)
             elif row[4] > 1.501e-5:
@@ -192,6 +193,37 @@ class Swforc(CommandTest):
             self.assertIn("shear force", weld["last_terms"])
             self.assertEqual((weld["last_strain_rate"], weld["energy"]), ("", ""))
         self.assertEqual((rivet["last_shear"], rivet["peak_failure"], rivet["energy"]), ("", "", ""))
+
+    def test_resultant_force_where_it_is_asked_for(self):
+        """OPTION1 = 1: sqrt(axial^2 + shear^2) of each weld, in swforc, binout and welds.csv; without it LS-DYNA's own columns."""
+        self.write(edited(six_kinds(), ("*DATABASE_SWFORC\n  2.00e-06         3\n", "*DATABASE_SWFORC\n  2.00e-06         3         0         0       1.0\n")))
+        self.nugget("run", "model.k", "--quiet")
+        rows = self.rows()
+        states = lsda.states(lsda.read(self.folder / "binout0000"), "swforc")
+        largest = {}
+        for i, (_, weld, axial, shear, _, failure, _) in enumerate(rows):
+            if failure != "failure":
+                self.assertGreaterEqual(float(failure), 0.0)  # Python's own reader takes it
+            force = states[i // 6]["resultant_force"][i % 6]
+            self.assertAlmostEqual(force, math.hypot(axial, shear), delta=2e-5 * force + 1e-9)
+            largest[weld] = max(largest.get(weld, 0.0), force)
+        told = [float(line.split("fres=")[1]) for line in self.read("swforc").splitlines() if "fres=" in line]
+        self.assertEqual(len(told), len(rows))
+        for force, row in zip(told, rows):
+            self.assertAlmostEqual(force, math.hypot(row[2], row[3]), delta=2e-5 * force + 1e-9)
+        for weld in csv.DictReader(io.StringIO(self.read("welds.csv"))):
+            peak = {name: float(weld[f"peak_{name}"]) for name in ("axial", "shear", "force")}
+            self.assertGreaterEqual(peak["force"], max(largest[int(weld["id"])], peak["axial"], peak["shear"]) * (1.0 - 1e-5))
+            self.assertLessEqual(peak["force"], math.hypot(peak["axial"], peak["shear"]) * (1.0 + 1e-9))
+            if weld["last_shear"]:
+                self.assertAlmostEqual(float(weld["last_force"]), math.hypot(float(weld["last_axial"]), float(weld["last_shear"])), delta=1e-6)
+        self.assertRegex(self.read("report.html"), "<th>resultant</th>")
+        self.assertEqual(self.nugget("check", "model.k").stderr.count("this additional output is not written"), 0)
+
+        self.write(six_kinds())
+        self.nugget("run", "model.k", "--quiet")
+        self.assertNotIn("fres=", self.read("swforc"))
+        self.assertNotIn("resultant_force", lsda.states(lsda.read(self.folder / "binout0000"), "swforc")[0])
 
     def test_moments_at_both_sheets(self):
         """Pulled along x the weld is sheared in a plane: the moments at its ends are that at mid-length and half its length times the shear

@@ -34,8 +34,9 @@ struct Load {
   Vec3d force, moment;
 };
 
-std::string contact(const std::string& form, int weld_part, int sheet_part) {
-  return '*' + form + '\n' + fields({double(weld_part), double(sheet_part), 3, 3}) + fields({0}) + fields({1, 1});
+std::string contact(const std::string& form, int weld_part, int sheet_part, double stiffness = 1.0) {
+  return '*' + form + '\n' + fields({double(weld_part), double(sheet_part), 3, 3}) + fields({0}) +
+         fields({stiffness, 1});
 }
 
 // ---- Tie: offset moment
@@ -47,11 +48,11 @@ struct OnAPlate {
   Load plate, end;  ///< about the plate's centre, as the run ends
 
   OnAPlate(const std::string& form, double gap, const Path& path, double duration, double end_time,
-           const std::string& plate_part = sheet_part(1, 1.0))
+           const std::string& plate_part = sheet_part(1, 1.0), double stiffness = 1.0)
       : run("*KEYWORD\n" + termination(end_time) + plate_part + weld_part(2, {.yield = 1e9}) +
             SheetMesh{.corner = {-20, -20, 0}, .along = {40, 0, 0}, .across = {0, 40, 0}}.text() +
-            beam_between(11, 2, 5, {0, 0, gap}, 6, {0, 0, gap + 6.0}) + fixed({1, 2, 3, 4}) + contact(form, 2, 1) +
-            driven(6, path, duration, 200, 1) + "*END\n") {}
+            beam_between(11, 2, 5, {0, 0, gap}, 6, {0, 0, gap + 6.0}) + fixed({1, 2, 3, 4}) +
+            contact(form, 2, 1, stiffness) + driven(6, path, duration, 200, 1) + "*END\n") {}
 
   void go() {
     run.run([&](const impact::Snapshot& now) {
@@ -99,6 +100,36 @@ TEST(TieForms, TranslationsOnlyAreFlagged) {
                         "moment is handed over; first node 5"));
   s.go();
   EXPECT_LT(norm(s.plate.moment), 1e-9 * 6.0 * norm(s.end.force));
+}
+
+// Both ends of the beam keep their rotations: V = G A u / L of the one-point beam, whatever the form of the tie. With
+// springs, whose stiffness is bounded by the weld's mass and the step, it is less.
+// Sabotage to be caught: springs in place of the constraint; the gap of _OFFSET as a lever.
+TEST(TieForms, PenaltyCarriesWhatAConstraintCarries) {
+  const WeldData w;
+  const Path shift = [](double s) { return std::array{1e-3 * ramp(s), 0.0, 0.0, 0.0, 0.0, 0.0}; };
+  const double reference = w.shear_modulus() * w.area() * 1e-3 / 6.0;
+  for (const char* form : {"CONTACT_SPOTWELD_CONSTRAINED_OFFSET", "CONTACT_SPOTWELD_BEAM_OFFSET",
+                           "CONTACT_SPOTWELD_OFFSET", "CONTACT_SPOTWELD_PENALTY"}) {
+    OnAPlate s(form, 0.5, shift, 1e-4, 2e-4);
+    s.go();
+    expect_reference("tie with a gap of 0.5", fmt::format("{}, shear force over G A u / L", form),
+                     s.end.force.x / reference, 1.0, 0.01);
+    EXPECT_THAT(text(s.run.findings()), testing::Not(HasSubstr("of what a constraint would")));
+  }
+}
+
+// SFSA below 1 asks for a spring, and gets a warning with what it carries. The beam and the tie one after the other:
+// V = k r u / (k + r), r = G A / L. Sabotage: the share of the spring's own stiffness left out.
+TEST(TieForms, WeakSpringsAreWarnedOf) {
+  const WeldData w;
+  const Path shift = [](double s) { return std::array{1e-3 * ramp(s), 0.0, 0.0, 0.0, 0.0, 0.0}; };
+  OnAPlate s("CONTACT_SPOTWELD_BEAM_OFFSET", 0.0, shift, 1.8e-3, 2e-3, sheet_part(1, 1.0), 0.01);
+  EXPECT_THAT(text(s.run.findings()),
+              HasSubstr("1 of 1 nodes tied by springs carry less than 95 % of what a constraint would, as little as"));
+  EXPECT_THAT(text(s.run.findings()), HasSubstr("a larger SFSA"));
+  s.go();
+  EXPECT_LT(s.end.force.x, 0.95 * w.shear_modulus() * w.area() * 1e-3 / 6.0);
 }
 
 // With a gap of 0.5 the lever is 6.5; _OFFSET forgets the gap's share, as LS-DYNA documents. Springs need time: the
@@ -263,7 +294,7 @@ TEST(TieForms, ManySpringsOnOneShellAreStable) {
       SheetMesh{
           .first = 101, .part = 2, .corner = {2, 2, 0.8}, .nx = 6, .ny = 6, .along = {6, 0, 0}, .across = {0, 6, 0}}
           .text() +
-      contact("CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", 2, 1) + "*INITIAL_VELOCITY_NODE\n" +
+      contact("CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", 2, 1, 0.99) + "*INITIAL_VELOCITY_NODE\n" +
       fields({101, 1000, 500, 4000}) + "*END\n";
   Experiment run(deck);
   EXPECT_EQ(run.system().springs.size(), 49u);

@@ -99,8 +99,8 @@ TEST(TimeSteps, SingleHexStartsWithTheStepOfLsDyna) {
 }
 
 /// Largest kinetic energy of the last tenth of `cycles` cycles of free vibration over that of the first tenth.
-double growth(const std::string& model, double step_scale, long cycles) {
-  Experiment run("*KEYWORD\n" + termination(1.0, step_scale) + model + "*END\n");
+double growth(const std::string& model, double step_scale, long cycles, double mass_step = 0.0) {
+  Experiment run("*KEYWORD\n" + termination(1.0, step_scale, mass_step) + model + "*END\n");
   double first = 0.0, last = 0.0;
   const Watch watch = [&](const impact::Snapshot& now) {
     double& largest = now.state.cycle < cycles / 10 ? first : last;
@@ -134,6 +134,14 @@ TEST(TimeSteps, StabilityLimitOfAWeldBeamIsExact) {
   expect_reference("step of a brick", "free weld beam at 0.95 of the limit, 1e5 steps: growth of the energy",
                    growth(model, 0.95, 100000), 1.0, 1e-2);
   EXPECT_GT(growth(model, 1.05, 30), 1e6);
+}
+
+// With DT2MS a weld that sheets hold is scaled to the step of the run; one with free ends would stand at its exact
+// limit there and gain energy without end. Sabotage to be caught: free welds scaled like held ones.
+TEST(TimeSteps, FreeWeldBeamUnderDt2msIsSteady) {
+  const std::string model = lone_weld({.yield = 1e9}) + velocity(1, -1e-3) + velocity(2, 1e-3);
+  expect_reference("mass scaling of a weld", "free weld beam with DT2MS, 22000 steps: growth of the energy",
+                   growth(model, 0.9, 22000, -1e-6), 1.0, 1e-2);
 }
 
 /// A velocity without any symmetry: all modes of four nodes that repeat.
@@ -227,6 +235,23 @@ TEST(TimeSteps, Dt2ms) {
   EXPECT_EQ(added_to_shells(run.system()), 0.0);
   expect_reference("mass scaling of a weld", "step with DT2MS = -1e-6 and TSSFAC = 0.9 [s]",
                    run.simulation().first_step(), 9e-7, 1e-4);
+}
+
+// Both: welds go to DT, which is physical mass, and then to |DT2MS TSSFAC|, which is added mass; the step is that of
+// DT2MS. Sabotage to be caught: DT alone, as the step was then; all mass told as physical.
+TEST(TimeSteps, DtBesideDt2ms) {
+  WeldData weld;
+  weld.mass_step = 5e-7;
+  Experiment run("*KEYWORD\n" + termination(1e-5, 0.9, -1e-6) + welded_pair(weld, 10.0) + "*END\n");
+  run.run([](const impact::Snapshot&) {});
+  const system::System::Masses masses = run.system().masses();
+  const auto factor = [](double step) { return (step / 2.89087e-7) * (step / 2.89087e-7); };
+  expect_reference("mass scaling of a weld", "mass added by DT2MS beside DT [t]", masses.added,
+                   3.308097e-7 * (factor(9e-7) - factor(5e-7)), 1e-3);
+  expect_reference("mass scaling of a weld", "mass added by DT and DT2MS [t]", masses.added_to_welds,
+                   3.308097e-7 * (factor(9e-7) - 1.0), 1e-3);
+  expect_reference("mass scaling of a weld", "step with DT beside DT2MS [s]", run.simulation().first_step(), 9e-7,
+                   1e-4);
 }
 
 // Without lateral contraction transverse shear and spin are faster than a wave across a square with inertia m A/8: all

@@ -29,9 +29,8 @@ std::vector<double> ActingLoad<model::BodyLoad>::nodes_without_weight() const {
   const double share = 1.0 - system_.model.control.weight_of_added_mass;
   std::vector<double> without(system_.nodes, 0.0);
   for (const auto& group : system_.groups) {
-    if (group->added_mass_is_physical) continue;
     for (std::size_t e = 0; e < group->size(); ++e) {
-      const double added = group->mass_scale(e) - 1.0;
+      const double added = group->mass_scale(e) - group->physical_mass_scale(e);
       if (!(added > 0.0)) continue;
       const auto nodes = group->nodes(e);
       for (int a = 0; a < group->nodes_per_element; ++a) without[nodes[a]] += share * added * group->nodal_mass(e, a);
@@ -70,9 +69,8 @@ void ActingLoad<model::BodyLoad>::load_parts() {
     if (!wanted(group->part)) continue;
     for (std::size_t e = 0; e < group->size(); ++e) {
       const auto nodes = group->nodes(e);
-      const double added = group->mass_scale(e) - 1.0;
-      const double weight =
-          1.0 + (group->added_mass_is_physical ? added : system_.model.control.weight_of_added_mass * added);
+      const double physical = group->physical_mass_scale(e);
+      const double weight = physical + system_.model.control.weight_of_added_mass * (group->mass_scale(e) - physical);
       for (int a = 0; a < group->nodes_per_element; ++a) mass[nodes[a]] += weight * group->nodal_mass(e, a);
     }
   }

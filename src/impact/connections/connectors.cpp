@@ -31,8 +31,7 @@ void Connectors::update(const system::State& state) {
       continue;
     }
     const std::array<double, 8> r = group.resultants(at(location.element));
-    const std::array<double, 4> now{std::abs(r[0]), std::hypot(r[1], r[2]), std::hypot(r[4], r[5]), std::abs(r[3])};
-    for (std::size_t k = 0; k < 4; ++k) record.peaks[k] = std::max(record.peaks[k], now[k]);
+    record.peaks.add(r[0], std::hypot(r[1], r[2]), std::hypot(r[4], r[5]), r[3]);
   }
 }
 

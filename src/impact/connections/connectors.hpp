@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
 #include "base/archive.hpp"
 #include "system/system.hpp"
+#include "weld/failure/resultants.hpp"
 
 namespace nugget::impact {
 
@@ -15,7 +15,7 @@ namespace nugget::impact {
 class Connectors {
  public:
   struct Record {
-    std::array<double, 4> peaks{};  ///< |N_r|, shear, bending moment, |torsion|
+    weld::Peaks peaks;
     bool failed = false;
     double failure_time = 0.0;
   };

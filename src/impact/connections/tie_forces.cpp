@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/connections/tie_forces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
+#include <set>
 
 #include "base/index.hpp"
 #include "kernel/contact/penalty.hpp"
 #include "model/segments.hpp"
-#include "system/mobility.hpp"
+#include "weld/tie/tie_findings.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -52,6 +56,17 @@ double volume(const std::array<Vec3d, 8>& x) {
   return std::abs(v);
 }
 
+/// Nodes that do not move freely, whatever pulls them.
+std::set<int> supported_nodes(const system::System& system) {
+  std::set<int> supported;
+  for (const model::SinglePointConstraint& spc : system.model.spcs)
+    if ((spc.fixed & 7u) != 0) supported.insert(system.node_of[spc.node]);
+  for (const model::PrescribedMotion& motion : system.model.motions)
+    if (motion.target == model::PrescribedMotion::Target::nodes)
+      for (const model::Index n : motion.nodes) supported.insert(system.node_of[n]);
+  return supported;
+}
+
 /// Volume of the brick behind a face; 0 if there is none.
 double volume_behind(const model::Model& model, const std::vector<Vec3d>& x, const model::Segment& face,
                      model::Index part) {
@@ -82,6 +97,15 @@ TieForces::TieForces(const system::System& system) : system_(system) {
     set_stiffness(spring);
     springs_.push_back(spring);
   }
+  for (std::size_t t = 0; t < system.ties.ties.size(); ++t) {
+    const weld::Tie& tie = system.ties.ties[t];
+    if (!tie.spring && system.model.contacts[tie.contact].tie_by_springs())
+      stand_ins_.push_back({t, system.node_of[tie.node], {}});
+  }
+}
+
+void TieForces::store_loads(const system::State& state) {
+  for (StandIn& s : stand_ins_) s.force = system_.map.dependent(s.node) ? -vec(state.f[s.node]) : Vec3d{};
 }
 
 void TieForces::set_stiffness(Spring& spring) const {
@@ -181,11 +205,81 @@ Vec3d TieForces::resultant(model::Index contact) const {
   Vec3d sum{};
   for (const Spring& s : springs_)
     if (system_.ties.ties[s.tie].contact == contact) sum += s.force;
+  for (const StandIn& s : stand_ins_)
+    if (system_.ties.ties[s.tie].contact == contact) sum += s.force;
   return sum;
 }
 
+std::map<int, Matrix3> TieForces::stiffness_of_surroundings(const system::State& start) const {
+  std::map<int, Matrix3> sum;
+  for (const Spring& s : springs_) {
+    sum[s.node];
+    for (const model::Index n : system_.ties.ties[s.tie].segment) sum[system_.node_of[n]];
+  }
+  std::vector<double> k;
+  for (const auto& group : system_.groups)
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const system::ElementNodes nodes = group->nodes(e);
+      const std::size_t freedoms = at(group->freedoms()), size = at(group->nodes_per_element) * freedoms;
+      const auto asked = [&](int a) { return sum.contains(nodes[a]); };
+      if (std::ranges::none_of(std::views::iota(0, group->nodes_per_element), asked)) continue;
+      k.assign(size * size, 0.0);
+      group->stiffness(e, start, k);
+      for (int a = 0; a < group->nodes_per_element; ++a) {
+        if (!asked(a)) continue;
+        Matrix3& of_node = sum[nodes[a]];
+        for (std::size_t i = 0; i < 3; ++i)
+          for (std::size_t j = 0; j < 3; ++j) of_node[i][j] += k[(at(a) * freedoms + i) * size + at(a) * freedoms + j];
+      }
+    }
+  return sum;
+}
+
+void TieForces::report_weak(const system::State& start, double step, Findings& findings) const {
+  constexpr double enough = 0.95;
+  const model::Model& model = system_.model;
+  const std::map<int, Matrix3> surroundings = stiffness_of_surroundings(start);
+  const std::set<int> supported = supported_nodes(system_);
+  const auto give = [&](int node) {  // of what holds a node, 1 / its stiffness; bodies and supports give nothing
+    const double k = system::Mobility::largest(surroundings.at(node));
+    return k > 0.0 && system_.rigid_body_of_node(node) < 0 && !supported.contains(node) ? 1.0 / k : 0.0;
+  };
+  struct Weak {
+    int springs = 0, weak = 0;
+    double least = 1.0, spring = 0.0, tied = 0.0;
+    model::Index node = model::none;
+    bool limited = false;  // by the step
+  };
+  std::vector<Weak> of_contact(model.contacts.size());
+  for (const Spring& s : springs_) {
+    const weld::Tie& tie = system_.ties.ties[s.tie];
+    double rest = give(s.node);
+    for (std::size_t i = 0; i < 4; ++i) rest += tie.weight[i] * tie.weight[i] * give(system_.node_of[tie.segment[i]]);
+    const double spring = step > 0.0 ? std::min(s.stiffness, s.bound / (step * step)) : s.stiffness;
+    Weak& w = of_contact[tie.contact];
+    ++w.springs;
+    if (!(rest > 0.0)) continue;
+    const double share = 1.0 / (1.0 + 1.0 / (rest * spring));
+    w.weak += share < enough;
+    if (share < w.least) w = {w.springs, w.weak, share, spring, 1.0 / rest, tie.node, spring < s.stiffness};
+  }
+  for (std::size_t c = 0; c < of_contact.size(); ++c) {
+    const Weak& w = of_contact[c];
+    if (w.weak == 0) continue;
+    findings.warning(
+        model.contacts[c].place, weld::name_contact(model.contacts[c]),
+        fmt::format(
+            "{} of {} nodes tied by springs carry less than 95 % of what a constraint would, as little as {:.2g} "
+            "%: at node {} a spring of {:.3g} holds elements of {:.3g}{}",
+            w.weak, w.springs, 100.0 * w.least, model.nodes.id[w.node], w.spring, w.tied,
+            w.limited ? fmt::format("; its mass and a step of {:.3g} bear no stiffer one", step) : ""),
+        w.limited ? "free the node and its segment of bodies, supports and other ties, so that a constraint holds it"
+                  : "a larger SFSA; 1 and more tie by constraint where nothing else holds the node");
+  }
+}
+
 void TieForces::archive(Archive& a) {
-  a(springs_, longest_step_, energy_);
+  a(springs_, stand_ins_, longest_step_, energy_);
   a.built(system_);
 }
 

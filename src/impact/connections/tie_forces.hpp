@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/finding.hpp"
 #include "impact/energy/energy.hpp"
+#include "system/mobility.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -36,10 +39,17 @@ class TieForces {
   void apply(system::State& state);
   /// Ends one tie, an index of Ties::ties.
   void release(std::size_t tie);
+  /// Keeps the forces on the nodes of ties by constraint that stand for springs, before they go to the segments.
+  void store_loads(const system::State& state);
+  /// A warning of springs through which less than 95 % of the load comes that a constraint would carry: 1/(1 + r/k), k
+  /// the spring's stiffness with the `step` of the run, r that of what it ties, the elements at the node and those at
+  /// the segment one after the other, each by its stiffness at the start with all other nodes held.
+  void report_weak(const system::State& start, double step, Findings& findings) const;
 
   /// Stored in the springs, and lost to their softening where the step grew: minus the work of their forces [energy].
   double energy() const { return energy_; }
-  /// Sum of the forces on the tied nodes of a contact, an index of Model::contacts.
+  /// Sum of the forces on the tied nodes of a contact, an index of Model::contacts; of ties by constraint, what their
+  /// nodes hand over to the segments, whose motion their mass takes part in.
   Vec3d resultant(model::Index contact) const;
 
   void add_energy(Energy& energy) const { energy.contact += energy_; }
@@ -58,9 +68,18 @@ class TieForces {
     bool released = false;
   };
   void set_stiffness(Spring& spring) const;
+  /// Of nodes by system number: the sum of what their elements resist translations with [force/length].
+  std::map<int, system::Mobility::Matrix> stiffness_of_surroundings(const system::State& start) const;
 
+  /// A tie by constraint of a contact by springs.
+  struct StandIn {
+    std::size_t tie;
+    int node;
+    Vec3d force;  ///< on the node
+  };
   const system::System& system_;
   std::vector<Spring> springs_;
+  std::vector<StandIn> stand_ins_;
   double longest_step_ = 0.0;
   double energy_ = 0.0;
 };

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/index.hpp"
+#include "model/history_files.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::impact {
@@ -63,12 +64,15 @@ output::WeldLoad axial_load(double axial) {
           {not_available, not_available}};
 }
 
+output::WeldPeak peak_of(const weld::Peaks& p) {
+  return {p.axial, p.shear, p.moment, p.torsion, p.force};
+}
+
 void add_rigid_weld(const weld::RigidWeldHistory& history, output::WeldReport& report) {
   report.failed = history.failed();
   if (history.failed()) report.failure_time = history.failure_time();
   report.failure_mode = weld::to_string(history.mode());
-  const auto& peak = history.peaks();
-  report.peak = {peak[0], peak[1], peak[2], peak[3]};
+  report.peak = peak_of(history.peaks());
   report.peak_failure = history.peak_failure_value();
   report.peak_failure_time = history.peak_failure_time();
   const weld::RigidWeldHistory::Last& last = history.last();
@@ -109,7 +113,7 @@ void add_rivet(const Rivets& rivets, std::size_t i, output::WeldReport& report) 
     report.failure_time = rivets.failure_time(i);
     report.failure_mode = weld::to_string(weld::FailureMode::time);
   }
-  report.peak.axial = rivets.peak(i);
+  report.peak.axial = report.peak.force = rivets.peak(i);
   report.last = axial_load(rivets.axial(i));
   report.peak_failure = report.peak_failure_time = report.energy = not_available;
 }
@@ -119,7 +123,7 @@ void add_connector(const system::System& system, const weld::Weld& weld, const C
   report.failed = record.failed;
   if (record.failed) report.failure_time = record.failure_time;
   if (record.failed) report.failure_mode = "limit of its law";
-  report.peak = {record.peaks[0], record.peaks[1], record.peaks[2], record.peaks[3]};
+  report.peak = peak_of(record.peaks);
   report.last = axial_load(not_available);
   report.peak_failure = report.peak_failure_time = not_available;
   const system::System::ElementLocation location = system.beam_location[weld.element];
@@ -139,8 +143,7 @@ void add_deformable_weld(const system::System& system, const weld::Weld& weld, c
   report.failed = history.failed();
   if (history.failed()) report.failure_time = history.failure_time();
   report.failure_mode = weld::to_string(history.mode());
-  const auto& peak = history.peaks();
-  report.peak = {peak[0], peak[1], peak[2], peak[3]};
+  report.peak = peak_of(history.peaks());
   report.peak_failure = history.peak_failure_value();
   report.peak_failure_time = history.peak_failure_time();
   report.last = last_load(history, weld.length);
@@ -168,6 +171,7 @@ output::SwforcState swforc_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::SwforcState s;
   s.time = now.state.time;
+  s.resultant_force = model.requests["swforc"].resultant_force;
   const std::vector<weld::Weld>& welds = now.system.ties.welds;
   for (std::size_t i = 0; i < welds.size(); ++i) {
     const weld::History* history = now.components.welds.history(i);

@@ -54,6 +54,22 @@ Simulation::Simulation(system::System& system, Findings& findings)
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
       stopped_springs_.push_back(springs);
+  if (findings.errors() == 0 && !components_.tie_forces.empty()) report_weak_ties(findings);
+}
+
+/// With the masses and the step that the run begins with.
+void Simulation::report_weak_ties(Findings& findings) {
+  system::State rest = state_;
+  rest.dt = 0.0;
+  std::fill(rest.v.begin(), rest.v.end(), Row{});
+  std::fill(rest.w.begin(), rest.w.end(), Row{});
+  system_.internal_force(rest);
+  system_.scale_mass(true);
+  update_mass_bounds();
+  const model::Control& control = system_.model.control;
+  double step = system_.controlling().step;
+  if (control.mass_step != 0.0) step = std::min(step, std::abs(control.mass_step) * control.step_scale);
+  components_.tie_forces.report_weak(state_, std::isfinite(step) ? step : 0.0, findings);
 }
 
 std::vector<std::string> Simulation::events() const {
@@ -481,6 +497,7 @@ void Simulation::remove_deleted_elements() {
 
 void Simulation::transfer_dependent_forces() {
   components_.rigid_welds.store_loads(state_);
+  components_.tie_forces.store_loads(state_);
   system_.map.transfer_forces(state_.f, state_.m);
   if (!components_.rigid_welds.update(state_)) return;
   update_mass_bounds();

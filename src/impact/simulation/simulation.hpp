@@ -74,6 +74,7 @@ class Simulation {
   void update_inverse_mass();
   /// At the start, and where nodes were released: bounds that follow from nodal masses.
   void update_mass_bounds();
+  void report_weak_ties(Findings& findings);
   /// Stores the velocities at t(n-1/2), before `update_velocities`.
   void store_velocities();
   void write_results(Recorder& recorder, bool last);

@@ -181,14 +181,16 @@ weld::Ties linear_ties(const weld::Ties& ties, Findings& findings) {
   weld::Ties rigid = ties;
   std::size_t springs = 0;
   for (weld::Tie& tie : rigid.ties) {
-    springs += tie.spring;
+    springs += tie.spring || !tie.lever;
     tie.spring = false;
     tie.lever = true;
   }
   if (springs > 0)
     findings.note(
         {}, "*CONTACT_TIED",
-        fmt::format("{} nodes are tied by springs: linear analyses tie them by constraint, gaps as levers", springs));
+        fmt::format("{} nodes are tied by springs, or without the lever of their gap: linear analyses tie them by "
+                    "constraint, gaps as levers",
+                    springs));
   return rigid;
 }
 

@@ -140,6 +140,7 @@ class States {
   output::SwforcState swforc(double share) const {
     output::SwforcState state;
     state.time = time(share);
+    state.resultant_force = model_.requests["swforc"].resultant_force;
     for (std::size_t i = 0; i < s_.weld.size(); ++i) {
       if (!s_.weld[i]) continue;
       const weld::Weld& weld = m_.system.ties.welds[i];

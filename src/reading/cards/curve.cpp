@@ -8,7 +8,7 @@
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
-// *DEFINE_CURVE, *DEFINE_TABLE and their forms. Curves and tables share one name space.
+// *DEFINE_CURVE, *DEFINE_TABLE and their forms, *DEFINE_FUNCTION. Curves and tables share one name space.
 namespace nugget::reading {
 
 namespace {
@@ -71,6 +71,15 @@ const CardOf<CopyCard> copy_card{
     {&CopyCard::sfo, real("sfo", dimension::number, 1, any_value, "factor on the ordinates")},
     {&CopyCard::offa, real("offa", dimension::number, 0, any_value, "offset of the abscissae, before the factor")},
     {&CopyCard::offo, real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor")},
+};
+
+struct FunctionCard {
+  int fid = 0;
+  std::string heading;
+};
+const CardOf<FunctionCard> function_card{
+    {&FunctionCard::fid, id("fid", IdSpace::function, required, "function id")},
+    {&FunctionCard::heading, text("heading", 70, "what it is; its text follows, on as many lines as it takes")},
 };
 
 struct TableCard {
@@ -175,6 +184,34 @@ Curve smooth_curve(int id, double start, double end, double rise, double velocit
   for (int i = 0; i <= chords; ++i) add(start + rise * i / chords, velocity * wave(i));
   for (int i = chords; i >= 0; --i) add(end - rise * i / chords, velocity * wave(i));
   return curve;
+}
+
+/// The text of a function, parameters replaced, and where each of its lines stands.
+void read_function(Builder& b, const Block& block, const Options&) {
+  Cursor cursor(b.deck, block, b.findings);
+  const auto row = cursor.read(function_card);
+  refuse_unit_factors(b, block);
+  std::string text;
+  std::vector<std::pair<std::size_t, Place>> lines;  // where in the text a line begins
+  while (cursor.more()) {
+    lines.emplace_back(text.size(), cursor.place());
+    std::vector<std::string> unknown;
+    text += cursor.read_text(&unknown) + '\n';
+  }
+  Formula::Fault fault;
+  UserFunction function{row->fid, row->heading, Formula::read(text, fault), row.place()};
+  if (fault.any()) {
+    Place place = row.place();
+    for (const auto& [begin, where] : lines)
+      if (begin <= fault.at) place = {where.file, where.line, static_cast<int>(fault.at - begin) + 1};
+    const std::string_view rest = std::string_view(text).substr(std::min(fault.at, text.size()));
+    b.findings.error(place, row.keyword(),
+                     fmt::format("function {} at '{}': {}", row->fid, rest.substr(0, rest.find('\n')), fault.text),
+                     "correct its text");
+  }
+  b.functions.add(row->fid, static_cast<Index>(b.model.functions.size()), row.place(), row.keyword(), "function",
+                  b.findings);
+  b.model.functions.push_back(std::move(function));
 }
 
 void read_smooth(Builder& b, const Block& block, const Options& options) {
@@ -296,6 +333,10 @@ std::vector<Keyword> curve_keywords() {
        .status = KeywordStatus::refused,
        .why = "curves by formula are not supported; write its points as *DEFINE_CURVE"},
       {.name = "DEFINE_CURVE_SMOOTH", .options = {"TITLE"}, .layout = {{"", &smooth_card}}, .read = read_smooth},
+      {.name = "DEFINE_FUNCTION", .layout = {{"", &function_card}}, .read = read_function},
+      {.name = "DEFINE_FUNCTION_TABULATED",
+       .status = KeywordStatus::refused,
+       .why = "tabulated functions are not built; give a curve or a *DEFINE_FUNCTION"},
       {.name = "DEFINE_TABLE",
        .options = {"TITLE"},
        .layout = {{"", &table_card}, {"repeated", &value_card}},

@@ -33,8 +33,10 @@ const CardOf<IntervalCard> interval_card{
              "next output: 1 after the curve's value at this one, 2 where its own value is what has passed, 3 at each "
              "of the "
              "curve's abscissas")},
-    {at(&IntervalCard::option, 0),
-     real("option1", dimension::number, 0, any_value, "more output: a finer nodout, history variables in elout")},
+    {at(&IntervalCard::option, 0), real("option1", dimension::number, 0, any_value,
+                                        "more output: of swforc 1 gives the resultant force of each weld (ours; "
+                                        "LS-DYNA has no such field there); of other "
+                                        "files a finer nodout, history variables in elout, which are not written")},
     {at(&IntervalCard::option, 1), real("option2", dimension::number, 0, any_value, "the same")},
     {at(&IntervalCard::option, 2), real("option3", dimension::number, 0, any_value, "the same")},
     {at(&IntervalCard::option, 3), real("option4", dimension::number, 0, any_value, "the same")},
@@ -208,7 +210,8 @@ void take_request(Builder& builder, const Block& block, RequestOf file) {
   request.interval = row->dt;
   request.binary = row->binary;
   take_sampling_curve(builder, row[&IntervalCard::lcur], row->ioopt, file);
-  for (std::size_t i = 0; i < row->option.size(); ++i)
+  request.resultant_force = file == of_history<model::HistoryName("swforc")> && row->option[0] == 1.0;
+  for (std::size_t i = request.resultant_force ? 1 : 0; i < row->option.size(); ++i)
     expect(builder, Severity::warning,
            {{row[at(&IntervalCard::option, i)], 0, "this additional output is not written"}});
 }

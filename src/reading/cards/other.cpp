@@ -188,7 +188,6 @@ Rows other_definitions() {
   return {
       refused("DEFINE_SPOTWELD_*", "this table of weld strengths is not built"),
       refused("DEFINE_SPG_*", "particles (SPG) are not built"),
-      refused("DEFINE_FUNCTION*", "functions as text are not built; give a curve"),
       refused("DEFINE_CURVE_*", "this form of curve is not built; give its points with *DEFINE_CURVE"),
       refused("DEFINE_TABLE_*", "this form of table is not built; use *DEFINE_TABLE or *DEFINE_TABLE_2D"),
       refused("DEFINE_FRICTION_*", "friction by direction or scaled is not built; use *DEFINE_FRICTION"),

@@ -45,7 +45,9 @@ struct WeldCards : MaterialCard {
   std::array<double, 3> zalp{};
   int lct = 0, lcc = 0, nf = 0;
   double rs = 0, opt = 0, fval = 0, true_t = 0, beta = 0, dmgopt = 0;
-  int table = 0;  ///< FVAL of OPT 7 and 10
+  int table = 0;     ///< FVAL of OPT 7 and 10
+  int function = 0;  ///< FVAL of OPT -2 -1 0 2 12 22
+  std::array<double, 22> usrv{};
   int asff = 0, ttopt = 0;
   double fmode = 0, ffcap = 0;
   double rfiltf = 0, jtol = 0;
@@ -136,6 +138,29 @@ const CardOf<WeldCards> direction_card{
     {&WeldCards::nf, filter_length},
 };
 
+constexpr std::array<std::string_view, 22> user_value_names{
+    "usrv1",  "usrv2",  "usrv3",  "usrv4",  "usrv5",  "usrv6",  "usrv7",  "usrv8",  "usrv9",  "usrv10", "usrv11",
+    "usrv12", "usrv13", "usrv14", "usrv15", "usrv16", "usrv17", "usrv18", "usrv19", "usrv20", "usrv21", "usrv22"};
+FieldOf<WeldCards> user_value(std::size_t i) {
+  return {at(&WeldCards::usrv, i),
+          real(user_value_names[i], dimension::number, 0, any_value, "of the user's own failure function")};
+}
+
+const CardOf<WeldCards> user_card{
+    {&WeldCards::efail, fail_strain},
+    user_value(0),
+    user_value(1),
+    user_value(2),
+    user_value(3),
+    user_value(4),
+    user_value(5),
+    {&WeldCards::nf, filter_length},
+};
+const CardOf<WeldCards> more_user_card{user_value(6),  user_value(7),  user_value(8),  user_value(9),
+                                       user_value(10), user_value(11), user_value(12), user_value(13)};
+const CardOf<WeldCards> last_user_card{user_value(14), user_value(15), user_value(16), user_value(17),
+                                       user_value(18), user_value(19), user_value(20), user_value(21)};
+
 constexpr RealField rupture = real("rs", dimension::number, 0, at_least(0),
                                    "plastic strain (DMGOPT 2, 12: time after onset) at rupture; 0: none");
 constexpr RealField true_thickness =
@@ -149,7 +174,8 @@ constexpr IntegerField correction =
 CardOf<WeldCards> failure_card_of(const FieldOf<WeldCards>& fval) {
   return {
       {&WeldCards::rs, rupture},
-      {&WeldCards::opt, real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 3 4 5 6 7 10 11")},
+      {&WeldCards::opt,
+       real("opt", dimension::number, 0, any_value, "failure function: -2 -1 0 1 2 3 4 5 6 7 10 11 12 22")},
       fval,
       {&WeldCards::true_t, true_thickness},
       {&WeldCards::asff, whole},
@@ -162,13 +188,22 @@ CardOf<WeldCards> failure_card_of(const FieldOf<WeldCards>& fval) {
 const CardOf<WeldCards> weld_failure_card = failure_card_of(
     {&WeldCards::fval,
      real("fval", dimension::number, 0, any_value,
-          "OPT 3 4 5: stress at failure; 6: cycles; 7 10: *DEFINE_SPOTWELD_FAILURE_RESULTANTS, _FAILURE")});
+          "OPT -2 -1 0 2 12 22: *DEFINE_FUNCTION of the failure value; 3 4 5: stress at failure; 6: cycles; 7 10: "
+          "*DEFINE_SPOTWELD_FAILURE_RESULTANTS, _FAILURE")});
 const CardOf<WeldCards> failure_by_stress =
     failure_card_of({&WeldCards::fval, real("fval", dimension::stress, 0, any_value, "stress at failure")});
+const CardOf<WeldCards> failure_by_function =
+    failure_card_of({&WeldCards::function, id("fval", IdSpace::function, 0, "*DEFINE_FUNCTION of the failure value")});
 const CardOf<WeldCards> failure_by_table =
     failure_card_of({&WeldCards::table, id("fval", IdSpace::define, 0, "table of strengths")});
 
+/// The options that call a subroutine of the user's own in LS-DYNA.
+bool is_user(int option) {
+  return option == 2 || option == 12 || option == 22;
+}
+
 const CardOf<WeldCards>& failure_card_for(int option) {
+  if (option <= 0 || is_user(option)) return failure_by_function;
   if (option >= 3 && option <= 5) return failure_by_stress;
   return option == 7 || option == 10 ? failure_by_table : weld_failure_card;
 }
@@ -226,14 +261,16 @@ const CardOf<WeldCards>* strength_card(int option) {
     case 7:
     case 10: return &weld_table_card;
     case 11: return &direction_card;
+    case 2:
+    case 12:
+    case 22: return &user_card;
     default: return nullptr;
   }
 }
 
 void refuse_option(Builder& b, const deck::Entry& opt, int option) {
-  constexpr std::string_view built = "built are -2, -1, 0, 1, 3, 4, 5, 6, 7, 10 and 11";
+  constexpr std::string_view built = "built are -2, -1, 0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 12 and 22";
   const auto say = [&](std::string_view why) { refuse(b, opt, fmt::format("OPT {} {}", option, why), built); };
-  if (option == 2 || option == 12 || option == 22) return say("calls a user subroutine, which a deck does not hold");
   if (option == 9 || option == -9)
     return say("(*DEFINE_SPOTWELD_RUPTURE_PARAMETER): the formula of its constants is not public");
   say("is not a failure function of MAT_100");
@@ -318,6 +355,7 @@ void warn_of_no_failure(Builder& b, const WeldLaw& law, const kernel::Spotweld& 
   const bool ends_otherwise =
       law.failure_time > 0.0 || points.failure_strain > 0.0 || law.damage.failure_strain > 0.0 || law.option < 0;
   std::string_view what;
+  if (law.function != none) return;
   if (law.option == 0 && std::none_of(law.strength.begin(), law.strength.end(), given))
     what = "none of NRR to MTT is";
   else if (law.option == 1 && !law.normal_stress.given() && !law.shear_stress.given())
@@ -344,13 +382,32 @@ Index table_of(Builder& b, const deck::Entry& fval, const Ids& ids, const Tables
   return table;
 }
 
+/// FVAL of OPT -2 -1 0, which then takes the place of the resultant surface, and of the user's own OPT.
+void set_function(Builder& b, WeldLaw& law, const deck::Entry& fval) {
+  const int id = fval.integer();
+  if (id == 0 && law.user() && !b.model.weld_library)
+    return refuse(b, fval, fmt::format("OPT {} is a failure function of the user's own, and none is given", law.option),
+                  "give FVAL, the id of a *DEFINE_FUNCTION, or a library: --weld-law FILE.so");
+  if (id == 0) return;
+  law.function = b.functions.find(id);
+  if (law.function == none)
+    return refuse(b, fval, fmt::format("*DEFINE_FUNCTION {} is not in the deck", id),
+                  law.user() ? "define it" : "define it, or leave FVAL blank: NRR to MTT then fail the weld");
+  const int most = weld_function_arguments, given = b.model.functions[law.function].formula.arguments();
+  if (given < 1 || given > most)
+    refuse(b, fval, fmt::format("function {} has {} arguments, expected 1 to {}", id, given, most),
+           "N_rr N_rs N_rt M_rr M_ss M_tt, strain rate, diameter, both thicknesses, plastic strain, time, USRV1 ...");
+}
+
 /// What FVAL is depends on OPT. `length`: unit factor, for the stress intensity of OPT 4 (stress times root of length).
 void set_limit(Builder& b, WeldLaw& law, const RowOf<WeldCards>& row, double length) {
   switch (law.option) {
+    case -2:
+    case -1:
     case 0:
-      refuse_nonzero(b, row[&WeldCards::fval], "a failure function of one's own (*DEFINE_FUNCTION) is not supported",
-                     "leave FVAL blank: the resultants NRR to MTT fail the weld");
-      break;
+    case 2:
+    case 12:
+    case 22: set_function(b, law, row[&WeldCards::function]); break;
     case 3:
     case 4:
     case 5:
@@ -475,6 +532,14 @@ bool is_uniaxial(Builder& b, const RowOf<WeldCards>& row, const Options& options
   return row->e < 0.0 || options.contains("UNIAXIAL");
 }
 
+/// USRV1 to USRV6 stand on the second card; of OPT 12 and 22 sixteen more may stand on the last two.
+void read_user_values(Cursor& cursor, WeldLaw& weld, WeldCards cards) {
+  if (weld.option != 2)
+    for (const auto* more : {&more_user_card, &last_user_card})
+      if (cursor.more()) cursor.read(*more, cards);
+  weld.user_values = cards.usrv;
+}
+
 /// *MAT_SPOTWELD, with the failure card if `with_failure`.
 void read_weld(Builder& b, const Block& block, const Options& options, bool with_failure) {
   int option = 0;
@@ -506,6 +571,7 @@ void read_weld(Builder& b, const Block& block, const Options& options, bool with
     law.damage = point_damage(weld.damage);
     set_weld_damage(weld.damage, law);
   }
+  if (weld.user()) read_user_values(cursor, weld, *second);
   expect_end(b, cursor);
   const Index index = add_weld(b, row, std::move(title), with_failure ? "MAT_SPOTWELD_DAMAGE-FAILURE" : "MAT_SPOTWELD",
                                law, std::move(weld));
@@ -563,7 +629,7 @@ void read_connection(Builder& b, const Block& block, const Options& options) {
 std::vector<Keyword> weld_material_keywords() {
   constexpr std::string_view by_resultants = "OPT -2, -1, 0", by_stress = "OPT 1", by_notch = "OPT 3, 4",
                              by_structure = "OPT 5", by_table = "OPT 6, 7, 10", by_direction = "OPT 11",
-                             more = "if DMGOPT = -1";
+                             by_user = "OPT 2, 12, 22", more = "if DMGOPT = -1";
   return {
       {.name = "MAT_SPOTWELD",
        .aliases = {"MAT_100"},
@@ -580,8 +646,11 @@ std::vector<Keyword> weld_material_keywords() {
                   {by_structure, &weld_structural_card},
                   {by_table, &weld_table_card},
                   {by_direction, &direction_card},
+                  {by_user, &user_card},
                   {"", &weld_failure_card},
-                  {more, &weld_damage_card}},
+                  {more, &weld_damage_card},
+                  {"OPT 12, 22", &more_user_card},
+                  {"OPT 12, 22", &last_user_card}},
        .read = read_failure},
       {.name = "MAT_SPOTWELD_DAIMLERCHRYSLER",
        .aliases = {"MAT_SPOTWELD_DAIMLER", "MAT_100_DAIMLERCHRYSLER", "MAT_100_DAIMLER", "MAT_100_DA"},

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "weld/audit/inspection.hpp"
+#include "weld/failure/heat_zones.hpp"
 #include "weld/tie/tie_findings.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -281,6 +282,30 @@ void find_sliding_welds(const model::Model& model, Findings& findings) {
   }
 }
 
+/// DT of a weld material beside DT2MS: both are obeyed, but DT = 0 is best (S. Bala's talk).
+void find_double_mass_scaling(const model::Model& model, Findings& findings) {
+  if (model.control.mass_step == 0.0) return;
+  for (const model::Material& material : model.materials) {
+    const auto* law = std::get_if<kernel::Spotweld>(&material.law);
+    if (law == nullptr || !(law->mass_step > 0.0)) continue;
+    const double step = std::abs(model.control.mass_step) * model.control.step_scale;
+    const std::string larger =
+        law->mass_step < step
+            ? fmt::format(
+                  "; DT is the smaller one, so that it changes nothing but which mass is told as added ({:.4g} "
+                  "beside {:.4g})",
+                  law->mass_step, step)
+            : fmt::format("; DT is the larger one and costs mass for which no step is gained ({:.4g} beside {:.4g})",
+                          law->mass_step, step);
+    findings.add({Severity::warning, material.place, "*" + material.keyword, "dt",
+                  fmt::format("{:.6g}", law->mass_step),
+                  "DT beside DT2MS: welds are scaled to a step of DT first, which counts as physical mass, then to "
+                  "|DT2MS| TSSFAC, which is added mass" +
+                      larger,
+                  "DT = 0 where DT2MS is used"});
+  }
+}
+
 /// One *CONTACT_SPOTWELD with all welds and all sheets does what several do, and no node can fall between them.
 void find_several_ties(const model::Model& model, Findings& findings) {
   std::vector<const model::Contact*> ties;
@@ -340,6 +365,8 @@ std::vector<Report> audit(const model::Model& model, const Ties& ties, Findings&
   report_remarks(ties, reports, findings);
   if (!ties.welds.empty()) find_sliding_welds(model, findings);
   find_several_ties(model, findings);
+  find_double_mass_scaling(model, findings);
+  note_heat_zones(model, ties, findings);
   return reports;
 }
 

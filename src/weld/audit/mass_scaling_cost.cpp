@@ -69,14 +69,19 @@ double mass_to_add(double wanted, double step, double mass) {
   return step > 0.0 && step < wanted ? mass * ((wanted / step) * (wanted / step) - 1.0) : 0.0;
 }
 
+/// Of a weld without DT: with DT2MS > 0 an element gets exactly its step, and may lose mass.
+double mass_by_dt2ms(const model::Model& model, double target, double step, double mass) {
+  if (!(model.control.mass_step > 0.0)) return mass_to_add(target, step, mass);
+  return step > 0.0 ? mass * ((target / step) * (target / step) - 1.0) : 0.0;
+}
+
 }  // namespace
 
 MassScalingCost mass_scaling_cost(const model::Model& model, const std::vector<Vec3d>& x, const Weld& weld) {
   if (weld.kind == Weld::Kind::rigid || !has_cost(model, weld)) return {};
-  const double target = std::abs(model.control.mass_step * model.control.step_scale);
   if (weld.kind == Weld::Kind::connector) {
     MassScalingCost cost = connector_cost(model, weld);
-    cost.mass_by_dt2ms = mass_to_add(target, cost.time_step, cost.mass);
+    cost.mass_by_dt2ms = mass_by_dt2ms(model, std::abs(model.control.mass_step), cost.time_step, cost.mass);
     return cost;
   }
   const model::Material& material = model.materials[model.parts[weld.part].material];
@@ -84,7 +89,10 @@ MassScalingCost mass_scaling_cost(const model::Model& model, const std::vector<V
       weld.kind == Weld::Kind::beam ? beam_cost(model, weld, material) : brick_cost(model, x, weld, material);
   const double dt = std::get<kernel::Spotweld>(material.law).mass_step;
   cost.mass_by_dt = mass_to_add(dt, cost.time_step, cost.mass);
-  cost.mass_by_dt2ms = mass_to_add(target, std::max(cost.time_step, dt), cost.mass + cost.mass_by_dt);
+  const double target =
+      std::abs(model.control.mass_step) * (scaled_to_the_step_of_the_run(model, weld) ? model.control.step_scale : 1.0);
+  cost.mass_by_dt2ms = dt > 0.0 ? mass_to_add(target, std::max(cost.time_step, dt), cost.mass + cost.mass_by_dt)
+                                : mass_by_dt2ms(model, target, cost.time_step, cost.mass);
   return cost;
 }
 

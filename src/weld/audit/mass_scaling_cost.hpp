@@ -16,7 +16,9 @@ struct MassScalingCost {
   double mass = 0.0;                            ///< [mass]
   double young = 0.0;                           ///< of the weld material; 0 for a rigid weld [stress]
   double mass_by_dt = 0.0;                      ///< that DT of the weld material will add [mass]
-  double mass_by_dt2ms = 0.0;                   ///< that DT2MS will add on top, up to a step of |DT2MS TSSFAC| [mass]
+  /// That DT2MS will add on top, up to a step of |DT2MS TSSFAC|, of discrete beams and welds with a free end of
+  /// |DT2MS|; with DT2MS > 0 and without DT what it takes away, too, below 0 [mass].
+  double mass_by_dt2ms = 0.0;
 };
 
 /// `x`: node coordinates after projection. Step of a beam L / sqrt(E / rho); of a brick its volume over its largest

@@ -49,6 +49,7 @@ std::string_view to_string(FailureMode mode) {
     case FailureMode::nugget: return "stress in the nugget";
     case FailureMode::tension: return "tension at its angle";
     case FailureMode::compression: return "compression at its angle";
+    case FailureMode::user: return "user's function";
     case FailureMode::time: return "failure time";
     case FailureMode::plastic_strain: return "plastic strain";
     case FailureMode::sheet_deleted: return "deleted sheet";
@@ -61,8 +62,7 @@ bool History::update(const failure::Load& load) {
   if (failed()) return false;
   now_ = last_ = filter_(load);
   const Resultants& r = now_.resultants;
-  peaks_ = {std::max(peaks_[0], std::abs(r.axial)), std::max(peaks_[1], r.shear()), std::max(peaks_[2], r.moment()),
-            std::max(peaks_[3], std::abs(r.torsion))};
+  peaks_.add(r.axial, r.shear(), r.moment(), r.torsion);
   value_ = (*function_)(now_);
   if (value_.value > peak_value_) {
     peak_value_ = value_.value;

@@ -46,8 +46,7 @@ class History {
   double failure_time() const { return failure_time_; }
   FailureMode mode() const { return mode_; }
 
-  /// Largest |axial|, shear, bending moment and |torsion| so far.
-  const std::array<double, 4>& peaks() const { return peaks_; }
+  const Peaks& peaks() const { return peaks_; }
   double peak_failure_value() const { return peak_value_; }
   double peak_failure_time() const { return peak_time_; }
   /// Load and failure value with its terms in the last cycle of a weld that has failed; of one that holds: now.
@@ -70,7 +69,7 @@ class History {
   FailureMode onset_mode_ = FailureMode::intact;  // what began the damage
   double failure_time_ = 0.0;
   FailureMode mode_ = FailureMode::intact;
-  std::array<double, 4> peaks_{};
+  Peaks peaks_;
 };
 
 }  // namespace nugget::weld

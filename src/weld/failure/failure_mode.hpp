@@ -20,6 +20,7 @@ enum class FailureMode {
   nugget,
   tension,
   compression,
+  user,  ///< the value of a function of the user's own
   // other ends
   time,
   plastic_strain,

@@ -172,6 +172,9 @@ Geometry geometry_of(const model::Model& model, const Weld& weld) {
     g.area = 0.25 * pi * (d * d - inner * inner);
     if (d > 0.0) g.section_modulus = pi / 32.0 * (d * d * d * d - inner * inner * inner * inner) / d;
   }
+  g.id = weld.id;
+  g.part = weld.part;
+  g.length = weld.length;
   g.sheet = weld.sheets;
   g.shell = shell_factors(model, weld);
   if (weld.of_bricks()) {
@@ -205,6 +208,8 @@ namespace {
 std::unique_ptr<Function> plain_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
                                          const Place& place, Findings& findings) {
   if (law.connection) return by_connection(model, law, weld, place, findings);
+  if (law.function != none) return user_formula(model.functions[law.function].formula, law, weld);
+  if (law.user()) return model.weld_library ? user_library(model, law, weld) : without_terms();  // reported where read
   switch (law.option) {
     case 1: return beam_stress(law.normal_stress, law.shear_stress, weld);
     case 3:
@@ -227,14 +232,20 @@ std::unique_ptr<Function> plain_function(const model::Model& model, const model:
   }
 }
 
-/// Those that ask for bending moments at the ends: OPT -2 to 1, 7 and _DA.
+/// Those that ask for bending moments at the ends: OPT -2 to 2, 7, 12, 22 and _DA.
 bool has_moments(const model::WeldLaw& law) {
-  return law.connection || law.option <= 1 || law.option == 7;
+  return law.connection || law.option <= 1 || law.option == 7 || law.user();
+}
+
+/// Those that remember earlier loads, and can be asked once a cycle only.
+bool remembers(const model::WeldLaw& law) {
+  return law.connection || (law.user() && law.function == none);
 }
 
 /// Those whose terms add up to the value.
 bool is_sum(const model::WeldLaw& law) {
-  return !law.connection && (law.option <= 1 || law.option == 6 || law.option == 7 || law.option == 10);
+  return !law.connection && law.function == none &&
+         (law.option <= 1 || law.option == 6 || law.option == 7 || law.option == 10);
 }
 
 bool is_scaled(const Geometry& weld) {
@@ -247,7 +258,7 @@ bool is_scaled(const Geometry& weld) {
 std::unique_ptr<Function> make_function(const model::Model& model, const model::WeldLaw& law, const Geometry& weld,
                                         const Place& place, Findings& findings) {
   auto function = plain_function(model, law, weld, place, findings);
-  if (weld.height > 0.0 && has_moments(law)) function = worse_end(std::move(function), weld.height, law.connection);
+  if (weld.height > 0.0 && has_moments(law)) function = worse_end(std::move(function), weld.height, remembers(law));
   if (!is_scaled(weld)) return function;
   if (is_sum(law)) return by_shell_size(std::move(function), weld.shell);
   findings.warning(

@@ -23,6 +23,10 @@ struct Geometry {
   std::array<double, 2> thickness;  ///< of the shells that its ends are tied to; 0: none [length]
   std::array<model::Index, 2> sheet{model::none, model::none};  ///< their parts
 
+  int id = 0;  ///< of the weld
+  model::Index part = model::none;
+  double length = 0.0;  ///< at the start [length]
+
   double height = 0.0;  ///< of bricks: over which the shear force makes moments at the ends; 0: none [length]
   /// LCT, LCS, T_ORT and T_ORS of *CONTROL_SPOTWELD_BEAM at the shells that the ends of a beam, or of bricks for it,
   /// are tied to.
@@ -104,6 +108,10 @@ std::unique_ptr<Function> structural_stress(double diameter, std::array<double, 
 std::unique_ptr<Function> load_rate_stress(const model::LoadRateStrengths& table, double normal, double shear,
                                            double diameter, double thickness);
 std::unique_ptr<Function> direction(const model::WeldLaw& law);  ///< OPT 11
+/// FVAL of OPT -2 -1 0 2 12 22: a *DEFINE_FUNCTION. `formula` must outlive it.
+std::unique_ptr<Function> user_formula(const Formula& formula, const model::WeldLaw& law, const Geometry& weld);
+/// OPT 2 12 22 by the library of the model.
+std::unique_ptr<Function> user_library(const model::Model& model, const model::WeldLaw& law, const Geometry& weld);
 /// MAT_100_DA. `rate_filter`: RFILTF. `properties` must outlive it.
 std::unique_ptr<Function> connection_stress(const model::ConnectionProperties& properties,
                                             const model::ConnectionProperties::Record& record, double rate_filter,

@@ -23,8 +23,7 @@ bool RigidWeldHistory::update(double time, const RigidWeldLoad& load, double pla
   shear_ = norm(force - axial_ * load.axis);
   moment_ = load.moment;
   torsion_ = load.torsion;
-  peaks_ = {std::max(peaks_[0], std::abs(axial_)), std::max(peaks_[1], shear_), std::max(peaks_[2], moment_),
-            std::max(peaks_[3], std::abs(torsion_))};
+  peaks_.add(axial_, shear_, moment_, torsion_);
   const auto term = [](double value, double strength, double exponent) {
     return strength > 0.0 && value > 0.0 ? std::pow(value / strength, exponent) : 0.0;
   };

@@ -61,8 +61,7 @@ class RigidWeldHistory {
   bool failed() const { return mode_ != FailureMode::intact; }
   double failure_time() const { return failure_time_; }
   FailureMode mode() const { return mode_; }
-  /// Largest |axial|, shear, bending moment and |torsion| so far.
-  const std::array<double, 4>& peaks() const { return peaks_; }
+  const Peaks& peaks() const { return peaks_; }
 
   struct Last {
     double axial = 0.0, shear = 0.0;             ///< [force]
@@ -84,7 +83,7 @@ class RigidWeldHistory {
   double axial_ = 0.0, shear_ = 0.0, moment_ = 0.0, torsion_ = 0.0;
   double value_ = 0.0, failure_time_ = 0.0;
   FailureMode mode_ = FailureMode::intact;
-  std::array<double, 4> peaks_{};
+  Peaks peaks_;
   Last last_;
   double peak_value_ = 0.0, peak_time_ = 0.0;
 };

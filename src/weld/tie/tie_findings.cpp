@@ -89,6 +89,36 @@ void warn_of_constrained_segments(const model::Model& model, const Surroundings&
   }
 }
 
+/// What a constraint must leave alone: nodes that supports, motions, interpolations or rivets hold.
+std::vector<char> held_otherwise(const model::Model& model) {
+  std::vector<char> held(model.nodes.size(), 0);
+  for (const model::SinglePointConstraint& spc : model.spcs) held[spc.node] = 1;
+  for (const model::PrescribedMotion& motion : model.motions)
+    if (motion.target == model::PrescribedMotion::Target::nodes)
+      for (const Index n : motion.nodes) held[n] = 1;
+  for (const model::Interpolation& interpolation : model.interpolations) held[interpolation.node] = 1;
+  for (const model::RigidWeld& weld : model.rigid_welds)
+    for (const Index n : weld.nodes) held[n] = 1;
+  return held;
+}
+
+/// Ties by springs become ties by constraint where nothing stands against one (docs/decisions/0061): an explicit step
+/// bears no spring at a light node that is as stiff as what it ties. SFSA below 1 asks for a soft spring, and gets it.
+void constrain_what_springs_stand_for(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties) {
+  const std::vector<char> held = held_otherwise(model);
+  std::vector<char> tied(model.nodes.size(), 0);
+  for (const Tie& tie : ties) tied[tie.node] = 1;
+  for (Tie& tie : ties) {
+    if (!tie.spring || !(model.contacts[tie.contact].stiffness_scale_a >= 1.0)) continue;
+    bool free = !held[tie.node] && around.rigid_body[tie.node] == none;
+    for (int corner = 0; corner < 4; ++corner) {
+      const Index n = tie.segment[corner];
+      free = free && (!carries(tie.weight, corner) || (!tied[n] && around.rigid_body[n] == none));
+    }
+    tie.spring = !free;
+  }
+}
+
 /// IPBACK: springs take the place of constraints to segments that are constrained themselves.
 void fall_back_on_springs(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties,
                           std::vector<Index>& tie_of, Findings& findings) {
@@ -350,6 +380,9 @@ void note_distances(const model::Model& model, const Ties& ties, Findings& findi
     if (!farthest) continue;
     std::string text = count_of(count);
     if (springs > 0) text += springs == count ? " by springs" : fmt::format(" ({} by springs)", springs);
+    if (springs < count && model.contacts[c].tie_by_springs())
+      text += springs > 0 ? ", the others by the constraint that springs stand for"
+                          : " by the constraint that springs stand for";
     if (moved > 0)
       text += fmt::format(", {} of them moved onto the mid-surface, at most by {:.4g} ({})", moved, farthest->moved,
                           name_node(model, farthest->node));
@@ -446,6 +479,7 @@ void report_untied_nodes(const model::Model& model, const model::Contact& contac
 }
 
 void check_segments(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties, Findings& findings) {
+  constrain_what_springs_stand_for(model, around, ties);
   std::vector<Index> tie_of(model.nodes.size(), none);
   for (std::size_t t = 0; t < ties.size(); ++t)
     if (!ties[t].spring) tie_of[ties[t].node] = static_cast<Index>(t);

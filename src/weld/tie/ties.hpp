@@ -34,7 +34,7 @@ struct Tie {
   bool twist = false;     ///< the moment about the segment's normal as in-plane forces (_WITH_TORSION)
   bool couples = false;   ///< all moments as forces: the face of a brick, whose nodes have no rotations
   bool spring = false;    ///< by penalty: the node is held by springs instead of a constraint
-  bool lever = true;      ///< the gap counts as a lever; false: _OFFSET by penalty
+  bool lever = true;      ///< the gap counts as a lever; false: _OFFSET
   Index rigid_body =
       none;  ///< in Model::rigid_bodies, if it carries all nodes of the segment: the node then belongs to it
 };

@@ -137,6 +137,10 @@ WeldSize measure_bricks(const Weld& weld, const std::vector<Vec3d>& x) {
 
 }  // namespace
 
+bool scaled_to_the_step_of_the_run(const model::Model& model, const Weld& weld) {
+  return weld.tied || model.control.mass_step == 0.0;
+}
+
 bool of_weld_material(const model::Model& model, Index part) {
   const Index material = model.parts[part].material;
   return material != none && std::holds_alternative<kernel::Spotweld>(model.materials[material].law);

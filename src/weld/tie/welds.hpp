@@ -15,6 +15,11 @@ bool of_weld_material(const model::Model& model, Index part);
 /// What the material says of a weld as a whole; the weld must be of spot-weld material.
 const model::WeldLaw& law_of(const model::Model& model, const Weld& weld);
 
+/// Whether DT2MS scales the weld's mass to |DT2MS TSSFAC|, the step of the run (S. Bala's talk). So it does where
+/// sheets hold all its nodes. A weld with a free end has no more mass there than its own: at that step it would run at
+/// its very limit, where its energy grows, and is scaled to |DT2MS|, as other elements are. True without DT2MS.
+bool scaled_to_the_step_of_the_run(const model::Model& model, const Weld& weld);
+
 /// `beam weld 17`.
 std::string name_weld(const Weld& weld);
 /// The keyword that defines a weld, with its star.

@@ -68,7 +68,7 @@ TEST(Swforc, BeamLineIsLsDynasOwn) {
       head +
           "\n constraint #      axial        shear         time  failure                                       length"
           "  rslt moment      torsion\n"
-          "          1  1.40343E-01  3.93039E-08  4.87301E-03  0.00+00    spotweld beam  ID    1000000  1.25999E+01"
+          "          1  1.40343E-01  3.93039E-08  4.87301E-03  0.00000    spotweld beam  ID    1000000  1.25999E+01"
           "  1.96262E-17  3.93459E-14\n");
 }
 
@@ -77,8 +77,8 @@ TEST(Swforc, PeakOfOptMinus2StandsBehindTheMoments) {
   AsciiHistory file(swforc(), scratch / "swforc", header);
   file.write({2e-3, {{7, WeldKind::beam, 10.0, 0.0, 1.5, 2.0, 3.0, 0.5, 0.0, std::pair{1.29097, 1.25e-3}}}});
   EXPECT_THAT(content(scratch / "swforc"),
-              testing::HasSubstr("  5.00-01    spotweld beam  ID          7  1.50000E+00  2.00000E+00  3.00000E+00"
-                                 " fcmx=1.29+00 t=1.25E-03\n"));
+              testing::HasSubstr("  0.50000    spotweld beam  ID          7  1.50000E+00  2.00000E+00  3.00000E+00"
+                                 " fcmx=1.29097 t=1.25E-03\n"));
 }
 
 TEST(Swforc, EachKindHasItsLabelAndTail) {
@@ -103,19 +103,49 @@ TEST(Swforc, EachKindHasItsLabelAndTail) {
             "          3  0.00000E+00  0.00000E+00  1.00000E-03   1.5000    spotweld solid ID      20002               "
             "failure "
             "time=  9.0000E-04\n"
-            "          4  8.12500E+02  5.55000E+01  1.00000E-03  3.10-02    constraint/weld  ID    30001  0.00000E+00\n"
-            "          5  1.00000E+00  2.00000E+00  1.00000E-03  0.00+00    generalized weld ID    30002\n"
-            "          6  1.00000E+00  2.00000E+00  1.00000E-03  0.00+00    nonnodal cnst  ID      30003  5.00000E-01"
+            "          4  8.12500E+02  5.55000E+01  1.00000E-03  0.03100    constraint/weld  ID    30001  0.00000E+00\n"
+            "          5  1.00000E+00  2.00000E+00  1.00000E-03  0.00000    generalized weld ID    30002\n"
+            "          6  1.00000E+00  2.00000E+00  1.00000E-03  0.00000    nonnodal cnst  ID      30003  5.00000E-01"
             "  3.00000E+00  4.00000E+00\n");
 }
 
+// What every reader of numbers takes; Fortran's short form 2.24+00 is none to Python, R or a spreadsheet.
+TEST(Swforc, FailureIsANumber) {
+  for (double value = 1e-120; value < 1e120; value *= 1.7) {
+    const std::string text = failure_column(value, false);
+    EXPECT_EQ(text.size(), 7u);
+    std::size_t used = 0;
+    const double read = std::stod(text, &used);
+    EXPECT_EQ(used, 7u) << text;
+    const double gate = value >= 1e-3 && value < 1e6 ? 0.006 : 0.05;
+    EXPECT_TRUE(value < 1e-98 || value > 9.9e99 || std::abs(read / value - 1.0) < gate) << text;
+    EXPECT_EQ(read < 1.0, value < 1.0) << text;
+  }
+}
+
+TEST(Swforc, ResultantForceWhereItIsAskedFor) {
+  Scratch scratch;
+  AsciiHistory file(swforc(), scratch / "swforc", header);
+  SwforcState state{2e-3,
+                    {{7, WeldKind::beam, 30.0, 40.0, 1.5, 2.0, 3.0, 0.5, 0.0}, {8, WeldKind::constraint, -3.0, 4.0}}};
+  state.resultant_force = true;
+  file.write(state);
+  EXPECT_THAT(content(scratch / "swforc"), testing::HasSubstr("  3.00000E+00 fres=  5.00000E+01\n"));
+  EXPECT_THAT(content(scratch / "swforc"), testing::HasSubstr("  0.00000E+00 fres=  5.00000E+00\n"));
+}
+
 TEST(Swforc, FailureFillsSevenColumns) {
-  EXPECT_EQ(failure_column(0.0, false), "0.00+00");
-  EXPECT_EQ(failure_column(1e-200, false), "0.00+00");
-  EXPECT_EQ(failure_column(0.031, false), "3.10-02");
-  EXPECT_EQ(failure_column(0.9999, false), "9.99-01");
+  EXPECT_EQ(failure_column(0.0, false), "0.00000");
+  EXPECT_EQ(failure_column(1e-200, false), "0.00000");
+  EXPECT_EQ(failure_column(0.031, false), "0.03100");
+  EXPECT_EQ(failure_column(0.9999999, false), "0.99999");
   EXPECT_EQ(failure_column(1.0, true), "failure");
-  EXPECT_EQ(failure_column(1.29097, false), "1.29+00");  // OPT -1: it is told, and the weld holds
+  EXPECT_EQ(failure_column(1.29097, false), "1.29097");  // OPT -1: it is told, and the weld holds
+  EXPECT_EQ(failure_column(9.9999999, false), "10.0000");
+  EXPECT_EQ(failure_column(224.0, false), "224.000");
+  EXPECT_EQ(failure_column(123456.0, false), " 123456");
+  EXPECT_EQ(failure_column(2.5e7, false), "2.5E+07");
+  EXPECT_EQ(failure_column(3.1e-5, false), "3.1E-05");
   EXPECT_EQ(failure_column(std::numeric_limits<double>::quiet_NaN(), false), "    nan");
 }
 

@@ -55,10 +55,29 @@ TEST(WeldCards, RefusedFailureFunctionsSayWhy) {
   const auto with = [](const std::string& opt) {
     return built("*MAT_100_DAMAGE-FAILURE\n" + first + "\n," + opt + "\n");
   };
-  for (const auto* opt : {"2", "12", "22"}) EXPECT_TRUE(with(opt).error("user subroutine", "opt")) << opt;
+  for (const auto* opt : {"2", "12", "22"}) EXPECT_TRUE(with(opt).error("of the user's own", "fval")) << opt;
   for (const auto* opt : {"9", "-9"}) EXPECT_TRUE(with(opt).error("is not public", "opt")) << opt;
   EXPECT_TRUE(with("8").error("OPT 8 is not a failure function", "opt"));
   EXPECT_TRUE(built("*MAT_100_DAMAGE-FAILURE\n" + first + "\n,0,7\n").error("*DEFINE_FUNCTION", "fval"));
+}
+
+TEST(WeldCards, FunctionsOfTheUsersOwn) {
+  const std::string function = "*DEFINE_FUNCTION\n7\nf(n,s)=n/800.0+s/600.0\n";
+  for (const auto* opt : {"-2", "-1", "0", "2", "12", "22"}) {
+    const auto b = built("*MAT_100_DAMAGE-FAILURE\n" + first + ",11,12,13,14,15,16,3\n," + opt + ",7\n" + function);
+    EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+    ASSERT_EQ(weld(b).function, 0);
+    EXPECT_EQ(weld(b).filter, 3);
+    EXPECT_EQ(b.model.functions[0].formula(std::vector{80.0, 60.0}), 0.2);
+    EXPECT_EQ(weld(b).user_values[5], weld(b).user() ? 16.0 : 0.0);
+  }
+  const auto more =
+      built("*MAT_100_DAMAGE-FAILURE\n" + first + ",1,2,3,4,5,6\n,22,7\n7,8,9,10,11,12,13,14\n15,16\n" + function);
+  EXPECT_EQ(more.findings.errors(), 0) << more.all_findings();
+  EXPECT_EQ(weld(more).user_values[13], 14.0);
+  EXPECT_EQ(weld(more).user_values[15], 16.0);
+  EXPECT_TRUE(built("*MAT_100_DAMAGE-FAILURE\n" + first + "\n,2,7\n*DEFINE_FUNCTION\n7\nf()=1.0\n")
+                  .error("has 0 arguments, expected 1 to 34", "fval"));
 }
 
 TEST(WeldCards, DamageOfTheWholeWeld) {

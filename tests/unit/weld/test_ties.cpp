@@ -633,7 +633,8 @@ TEST(Ties, ShellEdgeToSolidHandsMomentsOverAsCouples) {
   EXPECT_EQ(a.findings.warnings(), 0) << text(a.findings);
 }
 
-/// What the forms of a tie do with a gap of 0.25.
+/// What the forms of a tie do with a gap of 0.25. Springs hold where SFSA below 1 asks for them; else the constraint
+/// that they stand for.
 TEST(Ties, FormsOfATie) {
   using Kind = model::Contact::Kind;
   using Offset = model::Contact::Offset;
@@ -651,7 +652,14 @@ TEST(Ties, FormsOfATie) {
                         Form{Kind::tied_surface, Offset::penalty, false, false, false, false, true, false},
                         Form{Kind::tied_shell_edge, Offset::penalty, false, false, true, false, true, false},
                         Form{Kind::tied_shell_edge, Offset::beam, false, false, true, false, true, true}}) {
+    TwoSheets stiff;
+    stiff.model.contacts[0].kind = f.kind;
+    stiff.model.contacts[0].offset = f.offset;
+    stiff.beam(stiff.welds, {15, 15, 0.25}, {15, 15, 0.75});
+    EXPECT_FALSE(stiff.tied().ties.at(0).spring);
+
     TwoSheets a;
+    a.model.contacts[0].stiffness_scale_a = 0.9;
     a.model.contacts[0].kind = f.kind;
     a.model.contacts[0].offset = f.offset;
     a.model.contacts[0].torsion = f.torsion;
@@ -685,6 +693,33 @@ TEST(Ties, IpbackPutsSpringsWhereConstraintsMeet) {
   EXPECT_EQ(ties.ties[1].rigid_body, 0);
   EXPECT_THAT(text(a.findings),
               HasSubstr("1 nodes or their segments are constrained already; springs hold them (IPBACK)"));
+}
+
+// Whatever else holds the node or its segment, a constraint must not. Sabotage: one of the reasons left out.
+TEST(Ties, SpringsStayWhereAConstraintCannotBe) {
+  const auto spring = [](auto change) {
+    TwoSheets a;
+    a.model.contacts[0].offset = model::Contact::Offset::beam;
+    a.beam(a.welds, {15, 15, 0.25}, {15, 15, 0.75});
+    change(a.model);
+    return a.tied().ties.at(0).spring;
+  };
+  EXPECT_FALSE(spring([](model::Model&) {}));
+  EXPECT_TRUE(spring([](model::Model& m) {
+    m.spcs.emplace_back();
+    m.spcs[0].node = 32;
+    m.spcs[0].fixed = 7;
+  }));
+  EXPECT_TRUE(spring([](model::Model& m) { m.motions.emplace_back().nodes = {32}; }));
+  EXPECT_TRUE(spring([](model::Model& m) { m.interpolations.emplace_back().node = 32; }));
+  EXPECT_TRUE(spring([](model::Model& m) {
+    m.rigid_bodies.emplace_back().nodes = {5, 6};
+    m.rigid_bodies[0].id = 2;
+  }));
+  EXPECT_FALSE(spring([](model::Model& m) {
+    m.rigid_bodies.emplace_back().nodes = {0, 1};  // another element's
+    m.rigid_bodies[0].id = 2;
+  }));
 }
 
 TEST(Ties, SpringsMayGoRoundInACircle) {
