@@ -149,6 +149,7 @@ class Tying {
   /// Whether a node of a weld's end faces lies inside a nugget of more bricks than a weld may have: on a face that
   /// bricks of two welds share and that lies on no sheet.
   bool inside(const Weld& weld, Index node) const {
+    if (!record(node)) return false;  // no contact tracks it, nor holds its neighbours
     for (const std::vector<Facet>& facets : weld.facets)
       for (const Facet& f : facets)
         if (std::find(f.begin(), f.end(), node) != f.end() && faces_.contains(sorted(f)) &&

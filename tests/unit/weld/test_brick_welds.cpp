@@ -191,6 +191,13 @@ TEST(BrickWelds, BricksInsideALargeNuggetAreHeldByTheirNeighbours) {
   }
 }
 
+// Sabotage: neighbours that are held by nothing hold.
+TEST(BrickWelds, BricksThatNoContactTracksHoldNoNeighbours) {
+  Layered a(3, 4);
+  a.model.contacts.clear();
+  for (const Weld& w : a.tied().welds) EXPECT_FALSE(w.tied) << w.id;
+}
+
 // Sheets 1 apart, a flat brick near the lower one: both faces are nearest to that, the upper one goes to the other.
 TEST(BrickWelds, FacesOfAFlatBrickGoToTwoSheets) {
   Layered a(1, 1, 1.0);
