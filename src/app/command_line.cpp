@@ -161,8 +161,8 @@ int nugget::app::command_line(int argc, char** argv) {
                                                             {"solid8", nugget::weld::WeldForm::solid8}};
   std::string form = "beam";
   CLI::App* weld_command = cli.add_subcommand("weld", "place welds from a list of points");
-  weld_command->add_option("points", weld.points, "table of x, y, z, diameter, parts, class, or xMCF")->required();
-  weld_command->add_option("model", weld.deck, "the deck with the sheets")->required();
+  weld_command->add_option("points", weld.points, "table of x, y, z, diameter, parts, class, or xMCF");
+  weld_command->add_option("model", weld.deck, "the deck with the sheets");
   weld_command->add_option("-o,--output", weld.output, "the deck to be written: it includes the model")->required();
   weld_command->add_option("--as", form, "beam, solid, solid4 or solid8: one beam, or 1, 4, 8 bricks a weld")
       ->check(CLI::IsMember({"beam", "solid", "solid4", "solid8"}));
@@ -174,7 +174,72 @@ int nugget::app::command_line(int argc, char** argv) {
   weld_command->add_option("--material", weld.material,
                            "[CLASS:]FIELD=VALUE,... of *MAT_SPOTWELD, e.g. nrr=8000,nrs=6000");
   weld_command->add_option("-j,--threads", weld.threads, "threads (default: all cores)")->check(count);
+  weld_command
+      ->add_option("--stack", weld.stack,
+                   "no placement, but the card of a weld through these sheets: T:RM,T:RM,... thickness in mm, tensile "
+                   "strength in MPa")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  weld_command->add_option("--rule", weld.rule, "of --stack: diameter over sqrt(t), 4 or 5 (default)")
+      ->check(CLI::IsMember({4, 5}));
+  weld_command->add_option("--units", weld.units, "of the card of --stack (default: \"mm, t, s\")")
+      ->check(CLI::IsMember(nugget::app::unit_names()));
   weld_command->add_flag("--skip-unsupported", weld.skip_unsupported, "unsupported keywords are left out");
+
+  nugget::app::WeldsArguments welds;
+  CLI::App* welds_command = cli.add_subcommand("welds", "rank the welds of a finished run");
+  welds_command->add_option("directory", welds.directory, "folder with summary.json and welds.csv")->required();
+  welds_command
+      ->add_option("--sort", welds.sort,
+                   "energy (through the weld; of natural modes its share; default), margin (1 less the largest failure "
+                   "value) or failure (time)")
+      ->check(CLI::IsMember({"energy", "margin", "failure"}));
+  welds_command->add_option("-n,--number", welds.lines, "lines of the table (default: 25; 0: all)")
+      ->check(CLI::NonNegativeNumber);
+  welds_command->add_flag("--csv", welds.csv, "all welds as comma-separated values");
+
+  nugget::app::CouponArguments coupon;
+  std::string coupon_form = "beam";
+  CLI::App* coupon_command =
+      cli.add_subcommand("coupon", "lap shear, coach peel, cross tension and KS-2 tests of a weld's card");
+  coupon_command
+      ->add_option("card", coupon.card, "a *MAT_SPOTWELD with what belongs to it; sections and materials of sheets")
+      ->required();
+  coupon_command->add_option("-o,--output", coupon.directory, "folder for decks, runs, tables, pictures and page")
+      ->required();
+  coupon_command
+      ->add_option("--thickness", coupon.thickness,
+                   "of both sheets, or T1,T2 (default: the card's *SECTION_SHELL, or 1.5 mm)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(length);
+  coupon_command
+      ->add_option("--diameter", coupon.diameter, "of the weld (default: the card's *SECTION_BEAM, or 5 sqrt(t))")
+      ->check(length);
+  coupon_command->add_option("--as", coupon_form, "beam, solid, solid4 or solid8: one beam, or 1, 4, 8 bricks")
+      ->check(CLI::IsMember({"beam", "solid", "solid4", "solid8"}));
+  coupon_command
+      ->add_option("--only", coupon.only, "names of coupons separated by commas, e.g. lap_shear,ks2_45 (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(nugget::app::coupon_names()));
+  coupon_command->add_flag("--decks", coupon.only_decks, "write the decks and run nothing");
+  coupon_command->add_option("-j,--threads", coupon.threads, "coupons at once (default: all cores)")->check(count);
+
+  nugget::app::FitArguments fit;
+  CLI::App* fit_command = cli.add_subcommand("fit", "strengths of a weld's card from measured curves of coupons");
+  fit_command->add_option("curves", fit.curves, "table of test, sample, displacement, force")->required();
+  fit_command->add_option("card", fit.card, "the card to begin with: strengths of 0 are left out")->required();
+  fit_command->add_option("-o,--output", fit.output, "the card to be written")->required();
+  fit_command
+      ->add_option("--thickness", fit.thickness,
+                   "of both sheets, or T1,T2 (default: the card's *SECTION_SHELL, or 1.5 mm)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(length);
+  fit_command->add_option("--diameter", fit.diameter, "of the weld (default: the card's *SECTION_BEAM, or 5 sqrt(t))")
+      ->check(length);
+  fit_command->add_option("-j,--threads", fit.threads, "coupons at once (default: all cores)")->check(count);
 
   std::string keyword;
   CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");
@@ -195,6 +260,10 @@ int nugget::app::command_line(int argc, char** argv) {
   try {
     cli.parse(words);
     if (run_command->parsed() && run.deck.empty() && run.resume.empty()) throw CLI::RequiredError("model");
+    if (weld_command->parsed() && weld.stack.empty() && weld.deck.empty())
+      throw CLI::RequiredError(weld.points.empty() ? "points" : "model");
+    if (weld_command->parsed() && !weld.stack.empty() && !weld.points.empty())
+      throw CLI::ExcludesError("--stack", "points");
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
   }
@@ -206,6 +275,12 @@ int nugget::app::command_line(int argc, char** argv) {
     weld.form = forms.at(form);
     return static_cast<int>(nugget::app::weld(weld));
   }
+  if (coupon_command->parsed()) {
+    coupon.form = forms.at(coupon_form);
+    return static_cast<int>(nugget::app::coupon(coupon));
+  }
+  if (fit_command->parsed()) return static_cast<int>(nugget::app::fit(fit));
+  if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
   if (report_command->parsed()) return static_cast<int>(nugget::app::report(results));
   return static_cast<int>(nugget::app::keywords(keyword));
 }

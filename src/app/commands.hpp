@@ -51,8 +51,35 @@ struct WeldArguments {
   weld::WeldForm form = weld::WeldForm::beam;
   double search_distance = 0.0, diameter = 0.0;  ///< see weld::PlacementOptions
   std::vector<std::string> material;             ///< `[CLASS:]FIELD=VALUE,...` of *MAT_SPOTWELD
+  std::vector<std::string> stack;                ///< `T:RM` of each sheet, in mm and MPa: a card and no placement
+  std::string units = "mm, t, s";                ///< of that card
+  double rule = 5.0;                             ///< diameter over sqrt(t)
   int threads = 0;
   bool skip_unsupported = false;
+};
+
+struct WeldsArguments {
+  std::string directory;
+  std::string sort = "energy";  ///< or margin, failure
+  int lines = 25;               ///< of the table; 0: all
+  bool csv = false;
+};
+
+struct CouponArguments {
+  std::string card, directory;
+  std::vector<double> thickness;  ///< of the lower and the upper sheet; empty: the card's, or 1.5 mm
+  double diameter = 0.0;          ///< 0: the card's, or 5 sqrt(t)
+  weld::WeldForm form = weld::WeldForm::beam;
+  std::vector<std::string> only;  ///< names of coupons; empty: all
+  bool only_decks = false;
+  int threads = 0;
+};
+
+struct FitArguments {
+  std::string curves, card, output;
+  std::vector<double> thickness;  ///< as of CouponArguments
+  double diameter = 0.0;
+  int threads = 0;
 };
 
 ExitCode run(const RunArguments& arguments);
@@ -63,8 +90,18 @@ ExitCode modes(const ModesArguments& arguments);
 ExitCode frf(const RunArguments& arguments, bool direct);
 ExitCode check(const CheckArguments& arguments);
 ExitCode weld(const WeldArguments& arguments);
+/// Names of the systems of units.
+const std::vector<std::string>& unit_names();
 /// (Re)makes report.html of the results in a folder.
 ExitCode report(const std::string& directory);
+/// Ranks the welds of a finished run on standard output.
+ExitCode welds(const WeldsArguments& arguments);
+/// Makes and runs the coupons of a weld's card.
+ExitCode coupon(const CouponArguments& arguments);
+/// Their names.
+const std::vector<std::string>& coupon_names();
+/// Finds the strengths of a weld's card from measured curves.
+ExitCode fit(const FitArguments& arguments);
 ExitCode keywords(const std::string& name);
 
 }  // namespace nugget::app

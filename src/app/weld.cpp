@@ -7,8 +7,10 @@
 #include "app/command.hpp"
 #include "deck/deck.hpp"
 #include "deck/numbers.hpp"
+#include "model/units.hpp"
 #include "reading/build.hpp"
 #include "weld/placement/placement_deck.hpp"
+#include "weld/placement/stack_card.hpp"
 
 namespace nugget::app {
 namespace {
@@ -70,7 +72,50 @@ ExitCode place_welds(const WeldArguments& arguments, const std::map<std::string,
   return ExitCode::normal;
 }
 
+/// `T:RM` of each sheet; a sentence on what is wrong, or nothing.
+std::string read_stack(const std::vector<std::string>& words, std::vector<weld::StackSheet>& stack) {
+  for (const std::string& word : words) {
+    const std::size_t colon = word.find(':');
+    weld::StackSheet sheet;
+    if (colon == std::string::npos || !deck::parse_real(word.substr(0, colon), sheet.thickness) ||
+        !deck::parse_real(word.substr(colon + 1), sheet.tensile_strength))
+      return fmt::format("'{}', expected THICKNESS:STRENGTH in mm and MPa, e.g. 1.5:440", word);
+    if (!(sheet.thickness >= 0.3 && sheet.thickness <= 6.0 && sheet.tensile_strength >= 100.0 &&
+          sheet.tensile_strength <= 2500.0))
+      return fmt::format("'{}', expected 0.3 to 6 mm and 100 to 2500 MPa", word);
+    stack.push_back(sheet);
+  }
+  if (stack.size() < 2 || stack.size() > 4) return fmt::format("{} sheets, expected two to four", stack.size());
+  return {};
+}
+
+ExitCode weld_a_stack(const WeldArguments& arguments) {
+  std::vector<weld::StackSheet> stack;
+  if (const std::string wrong = read_stack(arguments.stack, stack); !wrong.empty()) {
+    fmt::print(stderr, "nugget: --stack: {}\n", wrong);
+    return ExitCode::wrong_command;
+  }
+  const std::span<const model::Units> all = model::unit_systems();
+  const auto units =
+      std::find_if(all.begin(), all.end(), [&](const model::Units& u) { return u.name == arguments.units; });
+  const double diameter = arguments.diameter / units->millimetre;
+  output::write_whole_file(arguments.output, weld::write_stack_card(stack, arguments.rule, diameter, *units));
+  const weld::StackWeld weld = weld::weld_of_stack(stack, arguments.rule, diameter);
+  fmt::print("diameter {:.4g} mm; NRS = NRT {:.5g} N by {} between sheets {} and {}; NRR {:.5g} N; {}\n", weld.diameter,
+             weld.shear, weld.governed, weld.pair + 1, weld.pair + 2, weld.tension, arguments.output);
+  return ExitCode::normal;
+}
+
 }  // namespace
+
+const std::vector<std::string>& unit_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const model::Units& units : model::unit_systems()) all.emplace_back(units.name);
+    return all;
+  }();
+  return names;
+}
 
 ExitCode weld(const WeldArguments& arguments) {
   std::map<std::string, weld::WeldFields> fields;
@@ -86,7 +131,7 @@ ExitCode weld(const WeldArguments& arguments) {
       return ExitCode::wrong_command;
     }
   try {
-    return place_welds(arguments, fields);
+    return arguments.stack.empty() ? place_welds(arguments, fields) : weld_a_stack(arguments);
   } catch (const output::WriteError& e) {
     fmt::print(stderr, "nugget: {}\n", e.what());
     return ExitCode::cannot_write;

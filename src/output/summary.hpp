@@ -67,6 +67,11 @@ struct WeldReport {
   /// known.
   double damage = std::numeric_limits<double>::quiet_NaN();
   double energy = 0.0;  ///< work that was done on it; of a failed weld all of it is dissipated [energy]
+  /// Energy that passed from its first sheet to its second, in the end and where its magnitude was largest; NaN: not
+  /// known [energy].
+  double passed = std::numeric_limits<double>::quiet_NaN(), most_passed = std::numeric_limits<double>::quiet_NaN();
+  double course_interval = 0.0;                            ///< of `failure_course` [time]
+  std::vector<double> failure_course;                      ///< largest failure value in each interval from the start on
   std::vector<std::pair<std::string_view, double>> audit;  ///< column of welds.csv and number; the same for all welds
   std::vector<std::string> remarks;                        ///< of the audit
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "output/result_file.hpp"
 #include "output/summary.hpp"
@@ -83,6 +84,10 @@ void head(std::string& out, std::size_t projections, const std::vector<WeldRepor
                            "last_bending_2",
                            "damage",
                            "energy",
+                           "energy_passed",
+                           "most_energy_passed",
+                           "failure_interval",
+                           "failure_course",
                            "added_mass"})
     line.cell(name);
   if (!welds.empty())
@@ -132,7 +137,11 @@ void history_cells(CsvLine& line, const WeldReport& weld) {
   line.cell(weld.last.terms);
   for (const double value : weld.last.bending_at) line.cell(value);
   line.cell(weld.damage);
-  line.cell(weld.energy);
+  for (const double value : {weld.energy, weld.passed, weld.most_passed}) line.cell(value);
+  line.cell(weld.failure_course.empty() ? std::numeric_limits<double>::quiet_NaN() : weld.course_interval);
+  std::string course;
+  for (const double value : weld.failure_course) course += fmt::format("{}{:.4g}", course.empty() ? "" : " ", value);
+  line.cell(course);
 }
 
 void row(std::string& out, const WeldReport& weld, std::size_t projections) {

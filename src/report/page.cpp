@@ -250,20 +250,23 @@ std::string finding_list(const Json& findings) {
 
 }  // namespace
 
-std::string page(const RunData& run) {
-  std::string s = fmt::format(
+std::string html_page(const std::string& title, const std::string& body) {
+  return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>{}</style>"
-      "</head>\n<body>\n",
-      escaped(run.summary.value("deck", "nugget")), style);
-  s += head(run.summary);
+      "</head>\n<body>\n{}</body>\n</html>\n",
+      escaped(title), style, body);
+}
+
+std::string page(const RunData& run) {
+  std::string s = head(run.summary);
   if (of_linear_analysis(run.summary))
     s += modes_part(run) + responses_part(run);
   else
     s += "<h2>Is the run sound?</h2>\n" + soundness(run) + "<h2>Energies over time</h2>\n" + energy_curves(run) +
          "<h2>Welds</h2>\n" + weld_table(run);
   s += "<h2>Findings</h2>\n" + finding_list(run.findings);
-  return s + "</body>\n</html>\n";
+  return html_page(run.summary.value("deck", "nugget"), s);
 }
 
 void write_report(const std::filesystem::path& directory) {

@@ -12,6 +12,9 @@ namespace nugget::report {
 /// first, then by their largest failure value), findings. Everything is in the page: it opens without a network.
 std::string page(const RunData& run);
 
+/// A page of that look around `body`, which is HTML.
+std::string html_page(const std::string& title, const std::string& body);
+
 /// Reads the results in a folder and writes report.html beside them. Throws std::runtime_error where there are none,
 /// and output::WriteError where it cannot be written.
 void write_report(const std::filesystem::path& directory);

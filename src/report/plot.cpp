@@ -100,12 +100,20 @@ class Canvas {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < x.size(); ++i)
       if (x_.shows(x[i]) && y_.shows(y[i])) kept.push_back(i);
+    if (kept.empty()) return;
     if (kept.size() > most_points) kept = outstanding(kept, x, y);
     std::string points;
     for (const std::size_t i : kept)
       points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", px(x[i]), py(y[i]));
     text_ +=
         fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" points=\"{}\"/>\n", colour, points);
+  }
+
+  void points(const std::vector<double>& x, const std::vector<double>& y, const char* colour) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (x_.shows(x[i]) && y_.shows(y[i]))
+        text_ +=
+            fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\"/>\n", px(x[i]), py(y[i]), colour);
   }
 
   std::string take() { return std::move(text_); }
@@ -151,29 +159,71 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string to_svg(const Plot& plot) {
+namespace {
+
+/// Axes, curves and points; nothing where there is nothing to see. Names with their colours go to `legend`.
+std::string drawing(const Plot& plot, std::vector<std::pair<std::string, const char*>>& legend) {
   constexpr double decades = 1e8;  // below the highest value nothing is of interest on a logarithmic axis
   Range x, y;
   for (const double value : plot.x) x.add(value, plot.log_x);
   for (const auto& [name, values] : plot.curves)
     for (const double value : values) y.add(value, plot.log_y);
-  if (plot.curves.empty() || x.empty() || y.empty()) return {};
+  for (const Plot::Trace& trace : plot.traces) {
+    for (const double value : trace.x) x.add(value, plot.log_x);
+    for (const double value : trace.y) y.add(value, plot.log_y);
+  }
+  if ((plot.curves.empty() && plot.traces.empty()) || x.empty() || y.empty()) return {};
   if (plot.log_y)
     y.low = std::max(y.low, y.high / decades);
   else
     y.add(0.0, false);  // always in sight
   Canvas canvas(Axis(x.low, x.high, plot.log_x), Axis(y.low, y.high, plot.log_y));
   canvas.grid(plot);
-  std::string legend;
-  for (std::size_t c = 0; c < plot.curves.size(); ++c) {
-    const char* colour = colours[c % colours.size()];
-    canvas.curve(plot.x, plot.curves[c].second, colour);
-    legend += fmt::format("<span><i style=\"background:{}\"></i>{}</span>", colour, escaped(plot.curves[c].first));
+  const auto next_colour = [&](const std::string& name) {
+    legend.emplace_back(name, colours[legend.size() % colours.size()]);
+    return legend.back().second;
+  };
+  for (const auto& [name, values] : plot.curves) canvas.curve(plot.x, values, next_colour(name));
+  for (const Plot::Trace& trace : plot.traces) {
+    const char* colour = next_colour(trace.name);
+    trace.points ? canvas.points(trace.x, trace.y, colour) : canvas.curve(trace.x, trace.y, colour);
   }
+  return canvas.take();
+}
+
+}  // namespace
+
+std::string to_svg(const Plot& plot) {
+  std::vector<std::pair<std::string, const char*>> names;
+  const std::string drawn = drawing(plot, names);
+  if (drawn.empty()) return {};
+  std::string legend;
+  for (const auto& [name, colour] : names)
+    legend += fmt::format("<span><i style=\"background:{}\"></i>{}</span>", colour, escaped(name));
   return fmt::format(
       "<figure><svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" xmlns=\"http://www.w3.org/2000/svg\">\n{}</svg>\n"
       "<figcaption class=\"legend\">{}</figcaption></figure>\n",
-      width, height, canvas.take(), legend);
+      width, height, drawn, legend);
+}
+
+std::string to_svg_file(const Plot& plot) {
+  constexpr double line = 16.0;
+  std::vector<std::pair<std::string, const char*>> names;
+  const std::string drawn = drawing(plot, names);
+  std::string legend;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double y = height + line * static_cast<double>(i) + 4.0;
+    legend += fmt::format(
+        "<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"14\" height=\"4\" fill=\"{}\"/><text x=\"{:.0f}\" "
+        "y=\"{:.0f}\">{}</text>\n",
+        left, y, names[i].second, left + 20.0, y + 6.0, escaped(names[i].first));
+  }
+  const double high = height + line * static_cast<double>(names.size()) + 8.0;
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\">\n<style>text {{ font: 11px sans-serif; }} .grid {{ stroke: #ddd; }}</style>\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}{3}</svg>\n",
+      width, high, drawn, legend);
 }
 
 }  // namespace nugget::report

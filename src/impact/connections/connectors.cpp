@@ -13,7 +13,10 @@ namespace nugget::impact {
 Connectors::Connectors(const system::System& system) : system_(system) {
   for (const weld::Weld& w : system.ties.welds) {
     Entry& entry = records_.emplace_back();
-    if (w.kind == weld::Weld::Kind::connector) entry.location = system.beam_location[w.element];
+    works_.emplace_back();
+    if (w.kind != weld::Weld::Kind::connector) continue;
+    entry.location = system.beam_location[w.element];
+    if (entry.location.group >= 0) works_.back() = WeldWork(system, w);
   }
 }
 
@@ -21,6 +24,7 @@ void Connectors::update(const system::State& state) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
     auto& [location, record] = records_[i];
     if (location.group < 0 || record.failed) continue;
+    works_[i].add_step(system_, state);
     const system::ElementGroup& group = *system_.groups[location.group];
     if (!group.alive(at(location.element))) {
       record.failed = true;
@@ -35,8 +39,12 @@ void Connectors::update(const system::State& state) {
   }
 }
 
+void Connectors::reset_work() {
+  for (WeldWork& work : works_) work.reset();
+}
+
 void Connectors::archive(Archive& a) {
-  a(records_, failed_, events_);
+  a(records_, works_, failed_, events_);
   a.built(system_);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "impact/connections/weld_work.hpp"
 #include "system/system.hpp"
 #include "weld/failure/resultants.hpp"
 
@@ -28,6 +29,9 @@ class Connectors {
 
   /// Null where weld i is no connector, or was deleted before the run.
   const Record* record(std::size_t i) const { return records_[i].location.group < 0 ? nullptr : &records_[i].record; }
+  /// The work of its forces on its sheets; nothing where weld i is no connector.
+  const WeldWork& work(std::size_t i) const { return works_[i]; }
+  void reset_work();
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
@@ -40,6 +44,7 @@ class Connectors {
   };
   const system::System& system_;
   std::vector<Entry> records_;
+  std::vector<WeldWork> works_;
   int failed_ = 0;
   std::vector<std::string> events_;
 };

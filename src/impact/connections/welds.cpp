@@ -68,6 +68,7 @@ Welds::Welds(system::System& system, Findings& findings) : system_(system) {
   for (const weld::Weld& w : system.ties.welds) {
     histories_.emplace_back();
     bricks_.emplace_back();
+    works_.emplace_back();
     if (w.kind == weld::Weld::Kind::rigid || w.kind == weld::Weld::Kind::connector || w.deleted) continue;
     const model::Material& material = system.model.materials[system.model.parts[w.part].material];
     const model::WeldLaw& law = system.model.weld_laws[material.weld];
@@ -75,6 +76,7 @@ Welds::Welds(system::System& system, Findings& findings) : system_(system) {
         law,
         weld::failure::make_function(system.model, law, weld::failure::geometry_of(system.model, w), w.place, findings),
         weld::damage_law(system.model, w));
+    works_.back() = WeldWork(system, w);
     if (w.of_bricks()) bricks_.back() = std::make_unique<Bricks>(system, w);
   }
 }
@@ -83,6 +85,7 @@ void Welds::update(const system::State& state) {
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     weld::History* history = histories_[i].get();
     if (history == nullptr || history->failed()) continue;
+    works_[i].add_step(system_, state);
     if (const weld::FailureMode end = element_failure_mode(i, state); end != weld::FailureMode::intact) {
       history->fail(state.time, end);
       remove(i);
@@ -190,6 +193,12 @@ double Welds::length(std::size_t i, const system::State& state) const {
   return system_.groups[location.group]->thickness(at(location.element));
 }
 
+void Welds::reset_work() {
+  for (WeldWork& work : works_) work.reset();
+  for (const auto& history : histories_)
+    if (history) history->restart_course();
+}
+
 void Welds::remove(std::size_t i) {
   each_element(i, [](system::ElementGroup& group, std::size_t e) { group.remove(e); });
 }
@@ -215,7 +224,7 @@ void Welds::Bricks::archive(Archive& a) {
 }
 
 void Welds::archive(Archive& a) {
-  a(histories_, bricks_, failed_, events_);
+  a(histories_, bricks_, works_, failed_, events_);
   a.built(system_);
 }
 

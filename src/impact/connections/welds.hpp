@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "impact/connections/weld_work.hpp"
 #include "system/system.hpp"
 #include "weld/failure/brick_section.hpp"
 #include "weld/failure/failure.hpp"
@@ -28,6 +29,10 @@ class Welds {
   std::size_t size() const { return histories_.size(); }
   /// What happened to weld i; null where a weld has no history (deleted by SPOTSTP, rigid).
   const weld::History* history(std::size_t i) const { return histories_[i].get(); }
+  /// The work of its forces on its sheets; nothing of a weld without a history.
+  const WeldWork& work(std::size_t i) const { return works_[i]; }
+  /// Work and failure values over time begin anew: the run begins after a dynamic relaxation.
+  void reset_work();
   /// Length of weld i now; after it has failed, of what is left between its ends [length].
   double length(std::size_t i, const system::State& state) const;
   /// Of a weld of bricks as it is loaded now, not filtered; null for others and for those without a history.
@@ -73,6 +78,7 @@ class Welds {
   system::System& system_;
   std::vector<std::unique_ptr<weld::History>> histories_;
   std::vector<std::unique_ptr<Bricks>> bricks_;  ///< null for other welds
+  std::vector<WeldWork> works_;
   int failed_ = 0;
   std::vector<std::string> events_;
 };

@@ -68,6 +68,16 @@ output::WeldPeak peak_of(const weld::Peaks& p) {
   return {p.axial, p.shear, p.moment, p.torsion, p.force};
 }
 
+void add_course(const weld::FailureCourse& course, output::WeldReport& report) {
+  report.course_interval = course.interval();
+  report.failure_course.assign(course.largest().begin(), course.largest().end());
+}
+
+void add_work(const WeldWork& work, output::WeldReport& report) {
+  report.passed = work.passed();
+  report.most_passed = work.most_passed();
+}
+
 void add_rigid_weld(const weld::RigidWeldHistory& history, output::WeldReport& report) {
   report.failed = history.failed();
   if (history.failed()) report.failure_time = history.failure_time();
@@ -87,6 +97,7 @@ void add_rigid_weld(const weld::RigidWeldHistory& history, output::WeldReport& r
   add_term(report.last.terms, weld::FailureMode::axial, last.normal_term);
   add_term(report.last.terms, weld::FailureMode::shear, last.shear_term);
   report.energy = not_available;
+  add_course(history.course(), report);
 }
 
 /// How far the damage of a weld has gone at the end, of points that are damaged one by one the mean; not a number where
@@ -119,7 +130,7 @@ void add_rivet(const Rivets& rivets, std::size_t i, output::WeldReport& report) 
 }
 
 void add_connector(const system::System& system, const weld::Weld& weld, const Connectors::Record& record,
-                   output::WeldReport& report) {
+                   const WeldWork& work, output::WeldReport& report) {
   report.failed = record.failed;
   if (record.failed) report.failure_time = record.failure_time;
   if (record.failed) report.failure_mode = "limit of its law";
@@ -128,11 +139,12 @@ void add_connector(const system::System& system, const weld::Weld& weld, const C
   report.peak_failure = report.peak_failure_time = not_available;
   const system::System::ElementLocation location = system.beam_location[weld.element];
   report.energy = system.groups[location.group]->internal_energy(at(location.element));
+  add_work(work, report);
 }
 
 /// A weld of a beam or of bricks.
 void add_deformable_weld(const system::System& system, const weld::Weld& weld, const weld::History& history,
-                         output::WeldReport& report) {
+                         const WeldWork& work, output::WeldReport& report) {
   for (const model::Index element : weld.elements) {
     const system::System::ElementLocation location = system.location_of(weld, element);
     const system::ElementGroup& group = *system.groups[location.group];
@@ -147,7 +159,9 @@ void add_deformable_weld(const system::System& system, const weld::Weld& weld, c
   report.peak_failure = history.peak_failure_value();
   report.peak_failure_time = history.peak_failure_time();
   report.last = last_load(history, weld.length);
+  add_work(work, report);
   report.damage = damage_of(system, weld, history);
+  add_course(history.course(), report);
 }
 
 }  // namespace
@@ -161,9 +175,9 @@ void add_weld_results(const system::System& system, const Components& components
     else if (weld.kind == weld::Weld::Kind::rigid) {
       if (const auto* rigid = components.rigid_welds.history_of_body(weld.element)) add_rigid_weld(*rigid, reports[i]);
     } else if (const Connectors::Record* record = components.connectors.record(i))
-      add_connector(system, weld, *record, reports[i]);
+      add_connector(system, weld, *record, components.connectors.work(i), reports[i]);
     else if (const weld::History* history = components.welds.history(i))
-      add_deformable_weld(system, weld, *history, reports[i]);
+      add_deformable_weld(system, weld, *history, components.welds.work(i), reports[i]);
   }
 }
 

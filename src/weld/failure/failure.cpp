@@ -64,6 +64,7 @@ bool History::update(const failure::Load& load) {
   const Resultants& r = now_.resultants;
   peaks_.add(r.axial, r.shear(), r.moment(), r.torsion);
   value_ = (*function_)(now_);
+  course_.add(load.time, value_.value);
   if (value_.value > peak_value_) {
     peak_value_ = value_.value;
     peak_time_ = load.time;
@@ -107,8 +108,8 @@ void Filter::archive(Archive& a) {
 }
 
 void History::archive(Archive& a) {
-  a(function_, filter_, now_, last_, value_, peak_value_, peak_time_, beyond_, damage_, onset_mode_, failure_time_,
-    mode_, peaks_);
+  a(function_, filter_, now_, last_, value_, peak_value_, peak_time_, course_, beyond_, damage_, onset_mode_,
+    failure_time_, mode_, peaks_);
   a.built(law_);
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/archive.hpp"
 #include "weld/failure/damage.hpp"
+#include "weld/failure/failure_course.hpp"
 #include "weld/failure/function.hpp"
 
 namespace nugget::weld {
@@ -49,6 +50,9 @@ class History {
   const Peaks& peaks() const { return peaks_; }
   double peak_failure_value() const { return peak_value_; }
   double peak_failure_time() const { return peak_time_; }
+  /// The failure value over time, up to failure.
+  const FailureCourse& course() const { return course_; }
+  void restart_course() { course_.restart(); }
   /// Load and failure value with its terms in the last cycle of a weld that has failed; of one that holds: now.
   const failure::Load& last_load() const { return last_; }
   const failure::Value& last_value() const { return value_; }
@@ -64,6 +68,7 @@ class History {
   failure::Load now_, last_;
   failure::Value value_;
   double peak_value_ = 0.0, peak_time_ = 0.0;
+  FailureCourse course_;
   int beyond_ = 0;  // consecutive cycles at or beyond the failure surface
   Damage damage_;
   FailureMode onset_mode_ = FailureMode::intact;  // what began the damage

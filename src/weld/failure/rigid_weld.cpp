@@ -30,6 +30,7 @@ bool RigidWeldHistory::update(double time, const RigidWeldLoad& load, double pla
   const double normal = term(axial_, law_->normal_strength, law_->normal_exponent);
   const double across = term(shear_, law_->shear_strength, law_->shear_exponent);
   value_ = normal + across;
+  course_.add(time, value_);
   last_ = {axial_, shear_, moment_, torsion_, normal, across};
   if (value_ > peak_value_) {
     peak_value_ = value_;
@@ -50,6 +51,7 @@ void RigidWeldHistory::move_inward() {
   peaks_ = outer.peaks_;
   peak_value_ = outer.peak_value_;
   peak_time_ = outer.peak_time_;
+  course_ = outer.course_;
 }
 
 void RigidWeldHistory::fail(double time, FailureMode mode) {
@@ -64,7 +66,8 @@ void ForceFilter::archive(Archive& a) {
 }
 
 void RigidWeldHistory::archive(Archive& a) {
-  a(filter_, axial_, shear_, moment_, torsion_, value_, failure_time_, mode_, peaks_, last_, peak_value_, peak_time_);
+  a(filter_, axial_, shear_, moment_, torsion_, value_, failure_time_, mode_, peaks_, last_, peak_value_, peak_time_,
+    course_);
   a.built(law_);
 }
 

@@ -72,6 +72,9 @@ class RigidWeldHistory {
   const Last& last() const { return last_; }
   double peak_failure_value() const { return peak_value_; }
   double peak_failure_time() const { return peak_time_; }
+  /// The failure value over time, up to failure.
+  const FailureCourse& course() const { return course_; }
+  void restart_course() { course_.restart(); }
 
   void archive(Archive& a);
 
@@ -86,6 +89,7 @@ class RigidWeldHistory {
   Peaks peaks_;
   Last last_;
   double peak_value_ = 0.0, peak_time_ = 0.0;
+  FailureCourse course_;
 };
 
 }  // namespace nugget::weld

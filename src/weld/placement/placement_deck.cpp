@@ -12,6 +12,7 @@
 #include "model/history_files.hpp"
 #include "model/units.hpp"
 #include "model/weld_section.hpp"
+#include "weld/placement/deck_text.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -33,14 +34,6 @@ int largest_of(const std::vector<int>& ids) {
 /// A name in the title of a part, short enough for its line.
 std::string title_of(const std::string& spot_class, double diameter) {
   return fmt::format("spot welds{}{:.40}, diameter {:.4g}", spot_class.empty() ? "" : " ", spot_class, diameter);
-}
-
-/// A number with as many digits as ten columns hold beside a blank.
-std::string field(double value) {
-  std::string text;
-  for (int digits = 8; digits > 1; --digits)
-    if (text = fmt::format("{:.{}g}", value, digits); text.size() < 10) break;
-  return fmt::format("{:>10}", text);
 }
 
 int quads_of(WeldForm form) {
@@ -166,17 +159,6 @@ class PlacementWriter {
     }
   }
 
-  /// A file name in lines of 80 columns, continued by ` +`.
-  static std::string name_lines(std::string name) {
-    constexpr std::size_t width = 78;
-    std::string lines;
-    while (name.size() > 80) {
-      lines += fmt::format("{} +\n", name.substr(0, width));
-      name.erase(0, width);
-    }
-    return fmt::format("{}{}\n", lines, name);
-  }
-
   std::string head(const std::string& included, std::size_t spots) const {
     return fmt::format(
         "*KEYWORD\n$ {} spots between {} sheets as {} elements, placed by nugget weld.\n$ Units: {}.\n"
@@ -246,7 +228,7 @@ class PlacementWriter {
       for (const std::string& name : weld_fields()) {
         if (name == "efail")
           s += "\n$#   efail       nrr       nrs       nrt       mrr       mss       mtt        nf\n";
-        s += field(own[name]);
+        s += real_field(own[name]);
       }
       s += '\n';
     }
@@ -273,7 +255,7 @@ class PlacementWriter {
         weld_set, sheet_set, 2, 2);
     if (!model_.requests["swforc"].asked())
       s += fmt::format("*DATABASE_SWFORC\n$#      dt\n{}\n",
-                       field(model_.control.end_time > 0.0 ? 1e-3 * model_.control.end_time : 1.0));
+                       real_field(model_.control.end_time > 0.0 ? 1e-3 * model_.control.end_time : 1.0));
     return s;
   }
 

@@ -32,6 +32,8 @@ WeldReport sample_weld() {
   w.peak_failure = 1.02, w.peak_failure_time = 0.1;
   w.last = {8000.0, 500.0, 60.0, 7.0, 2.5, 1.02, "axial force 1, shear force 0.02"};
   w.energy = 42.5;
+  w.passed = -12.5, w.most_passed = -20.0;
+  w.course_interval = 0.001, w.failure_course = {0.25, 1.02};
   w.remarks = {"edge", "pitch"};
   return w;
 }
@@ -110,11 +112,12 @@ TEST(WeldsCsv, HasARowForEachWeld) {
       "id,kind,part,sheet1,sheet2,x,y,z,diameter,length,tied,failed,failure_time,failure_mode,peak_axial,peak_shear,"
       "peak_bending,peak_torsion,peak_force,peak_failure,peak_failure_time,last_axial,last_shear,last_bending,"
       "last_torsion,last_force,last_strain_rate,last_failure,last_terms,last_bending_1,last_bending_2,damage,energy,"
-      "added_mass,remarks,node1,"
+      "energy_passed,most_energy_passed,failure_interval,failure_course,added_mass,remarks,node1,"
       "case1,moved1,xi1,eta1,segment1,reason1,node2,case2,moved2,xi2,eta2,segment2,reason2\n"
       "17,beam,5,1,2,10,20.5,-3,6,1.5,yes,yes,0.1,resultant,8000,0.3333333333333333,0,,8000.5,1.02,0.1,8000,500,60,7,"
       "8015.609770940699,2.5,1.02,"
-      "\"axial force 1, shear force 0.02\",,,,42.5,1e-09,edge; pitch,101,1,0.1,0.25,-0.5,1 2 3 4,,102,8,0,0,0,,"
+      "\"axial force 1, shear force 0.02\",,,,42.5,-12.5,-20,0.001,0.25 1.02,1e-09,edge; pitch,101,1,0.1,0.25,-0.5,1 2 "
+      "3 4,,102,8,0,0,0,,"
       "\"no \"\"sheet\"\", none in reach\"\n");
 }
 

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/coupon_card.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "app/command.hpp"
+#include "deck/deck.hpp"
+#include "model/units.hpp"
+#include "reading/build.hpp"
+#include "weld/placement/deck_text.hpp"
+
+namespace nugget::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+const model::Material& weld_material(const model::Model& model, const std::string& file) {
+  std::vector<const model::Material*> welds;
+  for (const model::Material& m : model.materials)
+    if (m.weld != model::none) welds.push_back(&m);
+  if (welds.size() == 1) return *welds.front();
+  std::string ids;
+  for (const model::Material* m : welds) ids += fmt::format("{}{}", ids.empty() ? "" : ", ", m->id);
+  throw CardFault(
+      fmt::format("{}: {} *MAT_SPOTWELD in it{}{}, expected one [leave in the file the weld that is to be "
+                  "tested]",
+                  file, welds.size(), ids.empty() ? "" : ": ", ids));
+}
+
+/// Materials of sheets in the order of the file: those that are neither welds nor rigid.
+std::vector<int> sheet_materials(const model::Model& model) {
+  std::vector<int> ids;
+  for (const model::Material& m : model.materials)
+    if (m.weld == model::none && !std::holds_alternative<kernel::Rigid>(m.law)) ids.push_back(m.id);
+  return ids;
+}
+
+/// The first stands for the lower sheet, the second, or else the first, for the upper one.
+template <class Things>
+void take_two(const Things& things, const char* what, const std::string& file, std::array<std::size_t, 2>& of_sheet) {
+  if (things.size() > 2)
+    throw CardFault(fmt::format("{}: {} {}, expected two at most: the lower and the upper sheet's [remove the others]",
+                                file, things.size(), what));
+  of_sheet = {0, things.size() > 1 ? std::size_t{1} : std::size_t{0}};
+}
+
+void take_sheets(const model::Model& model, const CouponArguments& arguments, TakenCard& taken) {
+  const model::Units& units = taken.card.units;
+  const std::vector<int> materials = sheet_materials(model);
+  std::array<std::size_t, 2> of_material{}, of_section{};
+  take_two(materials, "sheet materials", arguments.card, of_material);
+  take_two(model.shell_sections, "*SECTION_SHELL", arguments.card, of_section);
+  for (std::size_t k = 0; k < 2; ++k) {
+    weld::CouponCard::Sheet& sheet = taken.card.sheets[k];
+    if (!materials.empty()) sheet.material = materials[of_material[k]];
+    if (!arguments.thickness.empty()) {
+      sheet.thickness = arguments.thickness[std::min(k, arguments.thickness.size() - 1)];
+    } else if (!model.shell_sections.empty()) {
+      const model::SectionShell& section = model.shell_sections[of_section[k]];
+      sheet.section = section.id;
+      sheet.thickness = section.thickness;
+    } else {
+      sheet.thickness = 1.5 * units.millimetre;
+    }
+    const char* const name = k == 0 ? "lower" : "upper";
+    taken.notes.push_back(
+        fmt::format("{} sheet: thickness {:.4g} ({}), {}", name, sheet.thickness,
+                    !arguments.thickness.empty() ? "as asked for"
+                    : sheet.section != 0         ? fmt::format("section {} of the card", sheet.section)
+                                                 : "default: the card has no *SECTION_SHELL",
+                    sheet.material != 0
+                        ? fmt::format("material {} of the card", sheet.material)
+                        : "default: a steel of 300 MPa yield stress and a plastic modulus of 1500 MPa, no failure"));
+  }
+}
+
+/// The weld: section and diameter of the card, or what was asked for, or 5 sqrt(t) in mm of the thinner sheet.
+void take_weld(const model::Model& model, const CouponArguments& arguments, TakenCard& taken) {
+  weld::CouponCard& card = taken.card;
+  std::vector<const model::SectionBeam*> sections;
+  for (const model::SectionBeam& s : model.beam_sections)
+    if (s.elform == 9) sections.push_back(&s);
+  const double thinner = std::min(card.sheets[0].thickness, card.sheets[1].thickness);
+  std::string from;
+  if (arguments.diameter > 0.0) {
+    card.diameter = arguments.diameter;
+    from = "as asked for";
+  } else if (!sections.empty()) {
+    card.weld_section = sections.front()->id;
+    card.diameter = 0.5 * (sections.front()->outer[0] + sections.front()->outer[1]);
+    from = fmt::format("section {} of the card", card.weld_section);
+  } else {
+    card.diameter = 5.0 * std::sqrt(thinner / card.units.millimetre) * card.units.millimetre;
+    from = "default: 5 sqrt(t) of the thinner sheet in mm";
+  }
+  const char* const form = arguments.form == weld::WeldForm::beam     ? "a beam"
+                           : arguments.form == weld::WeldForm::solid  ? "one brick"
+                           : arguments.form == weld::WeldForm::solid4 ? "four bricks"
+                                                                      : "eight bricks";
+  taken.notes.push_back(fmt::format("weld: material {} of the card, diameter {:.4g} ({}), as {}", card.weld_material,
+                                    card.diameter, from, form));
+  const double d = card.diameter / card.units.millimetre;
+  if (!(d >= 2.0 && d <= 16.0))
+    throw CardFault(
+        fmt::format("a weld of {:.4g} mm: coupons are 36 to 48 mm wide, expected 2 to 16 mm [give --diameter "
+                    "in the units of the card, {}]",
+                    d, card.units.name));
+}
+
+std::vector<std::string> lines_of(const std::string& file) {
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Fields of a line of ten columns each, or between commas.
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  if (line.find(',') != std::string::npos) {
+    std::istringstream in(line);
+    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+  } else {
+    for (std::size_t at = 0; at < line.size(); at += 10) fields.push_back(line.substr(at, 10));
+  }
+  for (std::string& field : fields) {
+    field.erase(0, std::min(field.find_first_not_of(' '), field.size()));
+    field.erase(field.find_last_not_of(' ') + 1);
+  }
+  fields.resize(std::max(fields.size(), std::size_t{8}));
+  return fields;
+}
+
+/// The line of the second card of the *MAT_SPOTWELD that stands at `line` (from 1).
+std::size_t second_card(const std::vector<std::string>& lines, std::size_t line, const std::string& file) {
+  std::size_t at = std::min(line, lines.size());
+  while (at > 0 && !lines[at - 1].starts_with('*')) --at;
+  if (at == 0) throw CardFault(fmt::format("{}: the keyword of the weld's material is not found", file));
+  std::string keyword = lines[at - 1];
+  std::transform(keyword.begin(), keyword.end(), keyword.begin(), [](unsigned char c) { return std::toupper(c); });
+  std::size_t left = keyword.find("_TITLE") != std::string::npos ? 3 : 2;
+  for (; at < lines.size(); ++at) {
+    if (lines[at].starts_with('$')) continue;
+    if (--left == 0) return at;
+  }
+  throw CardFault(fmt::format("{}:{}: the second card of *MAT_SPOTWELD is missing", file, line));
+}
+
+}  // namespace
+
+TakenCard take_card(const CouponArguments& arguments, const fs::path& directory) {
+  Findings findings;
+  const deck::Deck deck = deck::read(arguments.card, findings);
+  if (findings.errors() > 0) {
+    print_findings(findings);
+    throw CardFault(fmt::format("{} cannot be read as a deck", arguments.card));
+  }
+  // Alone the card is no model: what is wrong with its cards is said of the first coupon, which includes it.
+  Findings alone;
+  const model::Model model = reading::build(deck, alone, false);
+  if (!model.nodes.id.empty() || !model.parts.empty())
+    throw CardFault(
+        fmt::format("{}: {} nodes and {} parts in it, expected materials, sections, curves and tables only "
+                    "[coupons bring their own parts 1 to 5: lower sheet, upper sheet, weld, two grips]",
+                    arguments.card, model.nodes.id.size(), model.parts.size()));
+  TakenCard taken;
+  weld::CouponCard& card = taken.card;
+  const model::Material& material = weld_material(model, arguments.card);
+  card.weld_material = material.id;
+  taken.law = model.weld_laws[material.weld];
+  taken.place = material.place;
+  const auto units = model::recognise_units(model);
+  if (!units)
+    throw CardFault(
+        fmt::format("{}: the units are not recognised: density and Young's modulus of no material fit a "
+                    "metal in any system [correct RO and E of the weld's material]",
+                    arguments.card));
+  card.units = *units;
+  card.included = fs::proximate(fs::absolute(arguments.card), fs::absolute(directory)).generic_string();
+  card.form = arguments.form;
+  for (const model::Material& m : model.materials) card.used = std::max(card.used, m.id);
+  for (const model::SectionShell& s : model.shell_sections) card.used = std::max(card.used, s.id);
+  for (const model::SectionBeam& s : model.beam_sections) card.used = std::max(card.used, s.id);
+  take_sheets(model, arguments, taken);
+  take_weld(model, arguments, taken);
+  return taken;
+}
+
+std::string with_strengths(const TakenCard& taken, const std::array<double, 6>& strength,
+                           const std::vector<std::string>& remarks) {
+  std::vector<std::string> lines = lines_of(taken.place.file);
+  const std::size_t at = second_card(lines, static_cast<std::size_t>(taken.place.line), taken.place.file);
+  const std::vector<std::string> old = fields_of(lines[at]);
+  for (const std::size_t kept : {std::size_t{0}, std::size_t{7}})
+    if (old[kept].size() > 10 || old[kept].find('&') != std::string::npos)
+      throw CardFault(
+          fmt::format("{}:{}: the field '{}' beside the strengths cannot be kept in ten columns [write it as "
+                      "a number of ten columns]",
+                      taken.place.file, at + 1, old[kept]));
+  std::string line = fmt::format("{:>10}", old[0]);
+  for (const double value : strength) line += weld::real_field(value);
+  lines[at] = line + fmt::format("{:>10}", old[7]);
+  std::vector<std::string> comments;
+  for (const std::string& remark : remarks) comments.push_back("$ " + remark);
+  lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), comments.begin(), comments.end());
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+}  // namespace nugget::app

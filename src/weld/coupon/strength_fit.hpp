@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace nugget::weld {
+
+/// How a weld was loaded when its test bore the largest force that was measured: N+ (tension), shear force, torsion,
+/// bending moment.
+struct StrengthSample {
+  std::string test;
+  std::array<double, 4> load{};
+};
+
+/// Strengths of OPT 0 with NRS = NRT and MSS = MTT: NRR, NRS, MRR, MSS.
+struct StrengthFit {
+  std::array<double, 4> strength{};     ///< 0: left out
+  std::array<double, 4> low{}, high{};  ///< 95 % confidence; 0: no more samples than strengths
+  double scatter = 0.0;                 ///< standard deviation of a force, as a share of it
+  std::vector<double> ratio;            ///< of each sample: force by the strengths over measured
+  std::string fault;                    ///< why there is no fit; empty: there is one
+};
+
+/// The strengths S that make the failure value of every sample 1 as nearly as they can,
+///     f_i = sum_k (load_ik / S_k)^2,   least squares of r_i = 1/2 ln f_i
+/// by Levenberg and Marquardt (Eigen) over ln S_k: r is the error of the force at failure as a share of it, since a
+/// load that grows in proportion fails at 1 / sqrt(f) of it. Confidence from the scatter that is left, by Student's t
+/// with as many degrees of freedom as there are samples beyond the strengths
+/// (docs/theory/failure.md#strengths-from-tests). `start` above 0: a strength that is sought. Refused: too few samples,
+/// a strength that no sample tells from the others.
+StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std::array<double, 4>& start);
+
+/// The number that Student's t with `freedom` degrees of freedom exceeds in magnitude with a probability of 5 %.
+double student_limit(int freedom);
+
+inline constexpr std::array<const char*, 4> strength_names{"NRR", "NRS = NRT", "MRR", "MSS = MTT"};
+
+}  // namespace nugget::weld
