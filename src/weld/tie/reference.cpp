@@ -65,8 +65,8 @@ bool ReferenceSegment::has(Index n) const {
   return std::find(node.begin(), node.end(), n) != node.end();
 }
 
-Reference::Reference(const model::Model& model, Index contact)
-    : model_(model), contact_(model.contacts[contact]), contact_index_(contact) {
+Reference::Reference(const model::Model& model, const std::vector<Vec3d>& x, Index contact)
+    : model_(model), x_(x), contact_(model.contacts[contact]), contact_index_(contact) {
   std::vector<char> wanted(model.parts.size(), contact_.b.everything);
   for (Index part : contact_.b.parts) wanted[part] = 1;
   for (Index e = 0; e < static_cast<Index>(model.shells.size()); ++e)
@@ -132,8 +132,7 @@ void Reference::add_segments(const std::vector<model::Segment>& segments) {
 }
 
 Corners Reference::corners(const ReferenceSegment& s) const {
-  const std::vector<Vec3d>& x = model_.nodes.x;
-  return {x[s.node[0]], x[s.node[1]], x[s.node[2]], x[s.node[3]]};
+  return {x_[s.node[0]], x_[s.node[1]], x_[s.node[2]], x_[s.node[3]]};
 }
 
 Box Reference::neighbourhood(const ReferenceSegment& segment) const {
@@ -159,14 +158,14 @@ Candidate Reference::candidate(Index order, const Tracked& tracked) const {
   c.contact = contact_index_;
   c.order = order;
   c.segment = segments_[order];
-  c.foot = project(corners(c.segment), c.segment.triangle(), model_.nodes.x[tracked.node]);
+  c.foot = project(corners(c.segment), c.segment.triangle(), x_[tracked.node]);
   c.tolerance = tolerance(c.segment, tracked);
   return c;
 }
 
 template <class Wanted>
 Candidate Reference::closest(const Tracked& tracked, double bound, Wanted&& wanted) const {
-  const Vec3d& x = model_.nodes.x[tracked.node];
+  const Vec3d& x = x_[tracked.node];
   const BoxTree::Nearest nearest = tree_.nearest(x, bound, [&](Index order) {
     const ReferenceSegment& s = segments_[order];
     return allowed(s, tracked) && wanted(s) ? project(corners(s), s.triangle(), x).distance : infinity;
@@ -176,7 +175,7 @@ Candidate Reference::closest(const Tracked& tracked, double bound, Wanted&& want
 
 NearbySegments Reference::search(const Tracked& tracked) const {
   NearbySegments nearby;
-  const Vec3d& x = model_.nodes.x[tracked.node];
+  const Vec3d& x = x_[tracked.node];
   std::vector<Candidate> found;
   tree_.overlapping(Box{x, x}.grown(0.6 * tracked.thickness), [&](Index order) {
     if (!allowed(segments_[order], tracked)) return;
@@ -204,7 +203,7 @@ double Reference::plane_of_other_sheet(const Tracked& tracked, const NearbySegme
   const Candidate other = closest(tracked, best.segment.diagonal, of_other_sheet);
   if (other.contact == none) return infinity;
   const Corners k = corners(other.segment);
-  return std::abs(dot(normal(k), model_.nodes.x[tracked.node] - other.foot.point));
+  return std::abs(dot(normal(k), x_[tracked.node] - other.foot.point));
 }
 
 }  // namespace nugget::weld

@@ -55,7 +55,8 @@ struct Tracked {
 /// The reference side of one tie contact, ready to be searched.
 class Reference {
  public:
-  Reference(const model::Model& model, Index contact);
+  /// `x`: places of the nodes [length].
+  Reference(const model::Model& model, const std::vector<Vec3d>& x, Index contact);
 
   bool empty() const { return segments_.empty(); }
   const std::vector<ReferenceSegment>& segments() const { return segments_; }
@@ -77,6 +78,7 @@ class Reference {
   double plane_of_other_sheet(const Tracked& tracked, const NearbySegments& nearby) const;
 
   const model::Model& model_;
+  const std::vector<Vec3d>& x_;
   const model::Contact& contact_;
   Index contact_index_;
   std::vector<ReferenceSegment> segments_;
