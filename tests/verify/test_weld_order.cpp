@@ -185,7 +185,7 @@ class RandomStack {
   std::string deck() const {
     std::string ids = "*SET_PART_LIST\n" + fields({1});
     for (int i = 0; i < parts_; ++i) ids += fmt::format("{:10d}", i + 1);
-    return "*KEYWORD\n" + termination(2e-5) + sheets_ + weld_part(9, {.diameter = 5.0, .yield = 1e9}) + beams_ +
+    return "*KEYWORD\n" + termination(1e-4) + sheets_ + weld_part(9, {.diameter = 5.0, .yield = 1e9}) + beams_ +
            "*CONTACT_SPOTWELD\n" + fields({9, 1, 3, 2}) + fields({0}) + fields({1, 1}) + ids + '\n' + contact_ +
            "*INITIAL_VELOCITY_NODE\n" + velocities_ + "*END\n";
   }

@@ -20,12 +20,12 @@ constexpr double negligible_share = 1e-3;
 /// Moves the best candidate to the front: the one within reach by the least distance, of equal ones the first in order.
 void best_first(std::vector<Candidate>::iterator begin, std::vector<Candidate>::iterator end) {
   if (begin == end) return;
-  const auto nearest = std::min_element(
-      begin, end, [](const Candidate& a, const Candidate& b) { return a.foot.distance < b.foot.distance; });
-  const double limit = nearest->foot.distance + equal_share * nearest->tolerance;
+  const auto nearest =
+      std::min_element(begin, end, [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  const double limit = nearest->distance + equal_share * nearest->tolerance;
   auto best = nearest;
   for (auto c = begin; c != end; ++c)
-    if (c->foot.distance <= limit && c->order < best->order) best = c;
+    if (c->distance <= limit && c->order < best->order) best = c;
   std::iter_swap(begin, best);
 }
 
@@ -93,7 +93,12 @@ void Reference::add_shell(Index shell) {
     s.thickness = part.contact_thickness;
   else
     s.thickness = model_.shells.thickness[shell] * part.contact_scale * contact_.thickness_scale_b;
+  add(s);
+}
+
+void Reference::add(ReferenceSegment s) {
   s.diagonal = shorter_diagonal(corners(s));
+  for (const Index n : s.node) s.moved = std::max(s.moved, norm(x_[n] - model_.nodes.x[n]));
   segments_.push_back(s);
 }
 
@@ -110,8 +115,7 @@ void Reference::add_face(const model::Segment& nodes, Index part) {
   s.node = nodes;
   s.part = part;
   s.thickness = std::max(contact_.thickness_b, 0.0);
-  s.diagonal = shorter_diagonal(corners(s));
-  segments_.push_back(s);
+  add(s);
 }
 
 void Reference::add_segments(const std::vector<model::Segment>& segments) {
@@ -135,12 +139,17 @@ Corners Reference::corners(const ReferenceSegment& s) const {
   return {x_[s.node[0]], x_[s.node[1]], x_[s.node[2]], x_[s.node[3]]};
 }
 
+Corners Reference::corners_in_deck(const ReferenceSegment& s) const {
+  const std::vector<Vec3d>& x = model_.nodes.x;
+  return {x[s.node[0]], x[s.node[1]], x[s.node[2]], x[s.node[3]]};
+}
+
 Box Reference::neighbourhood(const ReferenceSegment& segment) const {
   Box box;
   for (const Vec3d& corner : corners(segment)) box.add(corner);
   const double beyond_border = (parametric_extension - 1.0) * norm(box.high - box.low);
   const Tracked without_thickness{};
-  return box.grown(tolerance(segment, without_thickness) + beyond_border);
+  return box.grown(segment.moved + tolerance(segment, without_thickness) + beyond_border);
 }
 
 bool Reference::allowed(const ReferenceSegment& segment, const Tracked& tracked) const {
@@ -160,6 +169,11 @@ Candidate Reference::candidate(Index order, const Tracked& tracked) const {
   c.segment = segments_[order];
   c.foot = project(corners(c.segment), c.segment.triangle(), x_[tracked.node]);
   c.tolerance = tolerance(c.segment, tracked);
+  const Foot in_deck = c.segment.moved > 0.0
+                           ? project(corners_in_deck(c.segment), c.segment.triangle(), model_.nodes.x[tracked.node])
+                           : c.foot;
+  c.gap = in_deck.gap;
+  c.distance = in_deck.distance;
   return c;
 }
 

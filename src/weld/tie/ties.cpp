@@ -274,8 +274,7 @@ void Tying::choose_beam_segments(const Weld& weld) {
   const auto turns_over = [&](const Choice& c) {
     return c[0] && c[1] && dot(c[1]->foot.point - c[0]->foot.point, axis) <= 0.0;
   };
-  const int nearer =
-      r[0]->within_tolerance.front().foot.distance > r[1]->within_tolerance.front().foot.distance ? 1 : 0;
+  const int nearer = r[0]->within_tolerance.front().distance > r[1]->within_tolerance.front().distance ? 1 : 0;
   Choice choice = choose(nearer);
   if (turns_over(choice)) {
     const Choice other = choose(1 - nearer);

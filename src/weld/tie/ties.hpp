@@ -42,10 +42,11 @@ struct Tie {
 /// What became of one node of a weld.
 ///
 /// `projection_case`, after docs/theory/projection.md#the-eight-cases: 1 over the interior of an element (its centroid
-/// is the ideal), 2 on an element's edge, 3 on a corner node, 4 over sheets that penetrate each other in the deck, moved
-/// apart before or not, 5 no segment in reach, 6 not over its own sheet but another segment is in reach, 7 sheets that cross so that the weld would be
-/// turned over or crushed, 8 the same with normals that point outward. 5, 7 and 8 are not tied. 0: no projection is
-/// needed (the node is a sheet's own node or belongs to a rigid body) or none was asked for (no contact tracks it).
+/// is the ideal), 2 on an element's edge, 3 on a corner node, 4 over sheets that penetrate each other in the deck,
+/// moved apart before or not, 5 no segment in reach, 6 not over its own sheet but another segment is in reach, 7 sheets
+/// that cross so that the weld would be turned over or crushed, 8 the same with normals that point outward. 5, 7 and 8
+/// are not tied. 0: no projection is needed (the node is a sheet's own node or belongs to a rigid body) or none was
+/// asked for (no contact tracks it).
 struct Projection {
   Index node = none;
   bool tied = false;  ///< attached to a sheet, by a tie or otherwise
@@ -111,7 +112,8 @@ struct Ties {
 /// Projection goes onto the surface through the segment's nodes (LS-DYNA's CNTCO = 0), unless TIEDPRJ = 1.
 ///
 /// `x`: where the nodes stand once sliding contacts have resolved initial penetrations, by node of the model [length]
-/// (impact::resolve_initial_penetrations).
+/// (impact::resolve_initial_penetrations). The closest segment is that in the deck's
+/// places, its foot that in `x`.
 ///
 /// Findings: each weld node out of reach (then SPOTSTP: 0 and 3 go on, 1 makes an error after all are listed, 2 deletes
 /// the weld), sheets that penetrate or cross, nodes constrained twice, segments that are constrained themselves,

@@ -435,7 +435,7 @@ TEST(Audit, EveryCheckHasANameOfItsOwnARuleAndARemedy) {
     EXPECT_FALSE(check.rule.empty());
     EXPECT_FALSE(check.remedy.empty());
   }
-  EXPECT_EQ(names.size(), 14u);
+  EXPECT_EQ(names.size(), 15u);
 }
 
 }  // namespace
