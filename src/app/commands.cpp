@@ -257,7 +257,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties));
     log.add(audit_table(p.model, p.ties, p.audit));
   }
-  const double setup_seconds = p.tie_seconds + p.audit_seconds + clock.seconds();
+  const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =
       simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, log);

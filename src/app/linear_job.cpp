@@ -39,7 +39,7 @@ LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments&
   if (findings.errors() == 0) system_.emplace(*model_, ties_, findings);
   if (system_ && after != nullptr) remove_deleted_elements(*system_, *after);
   if (findings.errors() == 0) matrices_.emplace(*system_, findings);
-  setup_seconds_ = deck_.tie_seconds + clock_.seconds();
+  setup_seconds_ = deck_.penetration_seconds + deck_.tie_seconds + clock_.seconds();
 }
 
 void LinearJob::report_findings() {

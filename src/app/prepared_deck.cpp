@@ -8,11 +8,13 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "app/clock.hpp"
 #include "app/refused_welds.hpp"
 #include "base/checksum.hpp"
 #include "deck/checksum.hpp"
+#include "impact/contact/initial_penetrations.hpp"
 #include "reading/build.hpp"
 #include "weld/failure/missing_data.hpp"
 #include "weld/failure/user_library.hpp"
@@ -75,9 +77,10 @@ void note_unused_library(const model::Model& model, Findings& findings) {
                      "give *MAT_SPOTWELD_DAMAGE-FAILURE with OPT 2, 12 or 22 and FVAL blank");
 }
 
-void tie_and_audit(PreparedDeck& p, Findings& findings) {
+/// Ties with the nodes at the places `x`.
+void tie_and_audit(PreparedDeck& p, std::vector<Vec3d> x, Findings& findings) {
   Clock clock;
-  p.ties = weld::tie(p.model, findings);
+  p.ties = weld::tie(p.model, std::move(x), findings);
   p.tie_seconds = clock.seconds();
   p.audit = weld::audit(p.model, p.ties, findings);
   for (std::size_t i = 0; i < p.ties.welds.size(); ++i)
@@ -104,7 +107,9 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   if (library) note_unused_library(p.model, findings);
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
-  tie_and_audit(p, findings);
+  std::vector<Vec3d> x = impact::resolve_initial_penetrations(p.model, findings);
+  p.penetration_seconds = clock.seconds();
+  tie_and_audit(p, std::move(x), findings);
   return p;
 }
 
@@ -113,7 +118,7 @@ std::string report_refused_welds(PreparedDeck& p, Findings& findings) {
   if (!p.is_tied) {
     left_out = leave_out_broken_ties(p.model);
     Findings found;
-    tie_and_audit(p, found);
+    tie_and_audit(p, p.model.nodes.x, found);  // a model with errors is none to set contacts up in
     weld::failure::report_missing_data(p.model, p.ties, found);
     for (Finding finding : found.all()) {
       // A weld without a hold may follow from what was refused before: the errors are those.

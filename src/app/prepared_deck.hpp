@@ -12,7 +12,7 @@
 
 namespace nugget::app {
 
-/// What comes out of reading, checking, tying and auditing a deck.
+/// What comes out of reading and checking a deck, resolving its initial penetrations, tying and auditing its welds.
 struct PreparedDeck {
   bool has_text = false;  ///< the deck could be opened and is not empty
   std::uint64_t deck_checksum = 0;
@@ -21,10 +21,11 @@ struct PreparedDeck {
   bool is_tied = false;                   ///< ties, audit and welds are there
   std::vector<weld::Report> audit;        ///< one a weld
   std::vector<output::WeldReport> welds;  ///< one a weld, for welds.csv and summary.json
-  double read_seconds = 0.0, tie_seconds = 0.0, audit_seconds = 0.0;
+  double read_seconds = 0.0, penetration_seconds = 0.0, tie_seconds = 0.0, audit_seconds = 0.0;
 };
 
-/// Reads, checks, ties and audits. Findings hold what was wrong; after errors nothing is tied.
+/// Reads, checks, resolves initial penetrations, ties and audits, the same for a check, a run and linear analyses.
+/// Findings hold what was wrong; after errors nothing is tied.
 PreparedDeck prepare(const RunArguments& arguments, Findings& findings);
 
 /// Ties and audits what there is of the welds of a deck that has errors, unless that was done before they came, for

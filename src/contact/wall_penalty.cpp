@@ -58,7 +58,7 @@ void WallPenalty::share_out(double wall_mass) {
     for (Touch* t : of_body[b]) {
       t->share /= sum;
       const model::Index n = system_.model_node[t->node];
-      system::add_point(spread, t->share, 0.0, system_.model.nodes.x[n] - body.center0);
+      system::add_point(spread, t->share, 0.0, system_.ties.x[n] - body.center0);
     }
     const Vec3d columns[3] = {
         {spread[0], spread[1], spread[2]}, {spread[1], spread[3], spread[4]}, {spread[2], spread[4], spread[5]}};

@@ -13,7 +13,7 @@ from nugget_command import CommandTest
 from welded_sheets import Sheets, weld_material
 
 NOTES = {"pitch", "step", "mass"}  # in the table and in welds.csv, but no findings
-CHECKS = NOTES | {"sheets", "stack", "length", "twin", "thickness", "diameter", "angle", "edge", "flange", "mesh", "aspect"}
+CHECKS = NOTES | {"sheets", "stack", "length", "stretch", "twin", "thickness", "diameter", "angle", "edge", "flange", "mesh", "aspect"}
 
 
 def good_deck():
@@ -60,6 +60,8 @@ def bad_deck():
         spot(x + 17.5, bottom=z, top=z + 1)
     x = patch(heights=(0.0, 10.0))
     weld["length"] = spot(x + 17.5, top=10.0)
+    x = patch(heights=(0.0, 1.8))
+    weld["stretch"] = spot(x + 17.5, bottom=0.4, top=1.4)
     x = patch()
     spot(x + 17.5)
     weld["twin"] = spot(x + 17.6)
@@ -78,7 +80,7 @@ def bad_deck():
     weld["pitch"] = spot(x + 23.5)
     x = patch(nx=4, ny=4, size=20.0)
     weld["mesh"] = spot(x + 50.0, 50.0)
-    x = patch((1.0, 1.0), (0.0, 0.4))
+    x = patch((0.4, 0.4), (0.0, 0.4))
     weld["aspect"] = s.brick(bricks, x + 17.5, 17.5, 0.0, 4.43, 0.4)
     x = patch()
     weld["step"] = spot(x + 17.5)

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "deck/deck.hpp"
+#include "impact/contact/initial_penetrations.hpp"
 #include "reading/build.hpp"
 
 namespace nugget::verify {
@@ -72,7 +73,8 @@ Experiment::Experiment(const std::string& text) : text_(text) {
   const deck::Deck deck = deck::read_text(text, findings_);
   model_ = std::make_unique<model::Model>(reading::build(deck, findings_));
   stop_on_errors(findings_);
-  ties_ = std::make_unique<weld::Ties>(weld::tie(*model_, findings_));
+  ties_ = std::make_unique<weld::Ties>(
+      weld::tie(*model_, impact::resolve_initial_penetrations(*model_, findings_), findings_));
   stop_on_errors(findings_);
   system_ = std::make_unique<system::System>(*model_, *ties_, findings_);
   stop_on_errors(findings_);

@@ -6,6 +6,7 @@
 #include "base/index.hpp"
 #include "deck/deck.hpp"
 #include "experiment.hpp"
+#include "impact/contact/initial_penetrations.hpp"
 #include "nvh/matrices/linear_model.hpp"
 #include "reading/build.hpp"
 
@@ -15,7 +16,8 @@ LinearExperiment::LinearExperiment(const std::string& text) {
   const deck::Deck deck = deck::read_text(text, findings_);
   model_ = std::make_unique<model::Model>(reading::build(deck, findings_));
   stop_on_errors(findings_);
-  ties_ = std::make_unique<weld::Ties>(weld::tie(*model_, findings_));
+  ties_ = std::make_unique<weld::Ties>(
+      weld::tie(*model_, impact::resolve_initial_penetrations(*model_, findings_), findings_));
   stop_on_errors(findings_);
   linear_ = std::make_unique<model::Model>(nvh::linear_model(*model_, findings_));
   system_ = std::make_unique<system::System>(*linear_, *ties_, findings_);

@@ -9,8 +9,8 @@ namespace nugget::impact {
 
 ActingLoad<model::ControlVolume>::ActingLoad(const model::ControlVolume& source, const system::System& system)
     : source_(source), system_(system), faces_(source.segments, source.share, system) {
-  gas_.at_start = source.volume_scale * enclosed_volume(source.segments, source.openings,
-                                                        [&](model::Index n) { return system.model.nodes.x[n]; });
+  gas_.at_start = source.volume_scale *
+                  enclosed_volume(source.segments, source.openings, [&](model::Index n) { return system.ties.x[n]; });
   gas_.volume = gas_.at_start;
   if (source.gas == model::ControlVolume::Gas::flowing) gas_.bag = bag_at_start(source, gas_.at_start);
 }

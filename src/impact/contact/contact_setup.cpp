@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "base/bvh.hpp"
 #include "base/index.hpp"
@@ -58,18 +59,18 @@ Key key_of(Key nodes) {
 
 /// The shells whose contact thickness SPOTHIN scales: those that a weld is tied to, and with SWRADF those of its sheets
 /// whose centre is within so many radii of an end of the weld.
-std::vector<char> shells_near_welds(const system::System& system) {
-  const model::Model& model = system.model;
+std::vector<char> shells_near_welds(const ContactMesh& mesh) {
+  const model::Model& model = mesh.model;
   std::vector<char> near(model.shells.size(), 0);
   if (model.control.weld_thinning <= 0.0 || model.control.weld_thinning >= 1.0) return near;
   std::vector<Box> centres(model.shells.size());
   for (std::size_t e = 0; e < model.shells.size(); ++e) {
     Vec3d centre{};
-    for (model::Index n : model.shells.node[e]) centre += 0.25 * system.ties.x[n];
+    for (model::Index n : model.shells.node[e]) centre += 0.25 * mesh.x[n];
     centres[e].add(centre);
   }
   const BoxTree tree(centres);
-  for (const weld::Weld& w : system.ties.welds) {
+  for (const weld::Weld& w : mesh.welds) {
     const double radius = 0.5 * w.diameter * model.control.weld_thinning_radius;
     for (const weld::Projection& p : w.ends) {
       if (!p.tied || p.projection_case == 0 || p.tie.shell == model::none) continue;
@@ -87,8 +88,8 @@ std::vector<char> shells_near_welds(const system::System& system) {
 /// Gathers the segments of the two sides of a contact; one that belongs to both stands once.
 class Surfaces {
  public:
-  Surfaces(const system::System& system, const model::Contact& card, const FrictionKinds& rough)
-      : system_(system), model_(system.model), card_(card), rough_(rough), thinned_(shells_near_welds(system)) {}
+  Surfaces(const ContactMesh& mesh, const model::Contact& card, const FrictionKinds& rough)
+      : mesh_(mesh), model_(mesh.model), card_(card), rough_(rough), thinned_(shells_near_welds(mesh)) {}
 
   void add(const model::Surface& surface, unsigned side) {
     surface_ = &surface;
@@ -110,8 +111,7 @@ class Surfaces {
 
  private:
   bool in_box(const Key& nodes) const {
-    return std::all_of(nodes.begin(), nodes.end(),
-                       [this](model::Index n) { return surface_->holds(system_.ties.x[n]); });
+    return std::all_of(nodes.begin(), nodes.end(), [this](model::Index n) { return surface_->holds(mesh_.x[n]); });
   }
 
   /// 0 of a rigid part that is held.
@@ -121,7 +121,7 @@ class Surfaces {
   }
 
   double area(const Key& nodes) const {
-    const auto& x = system_.ties.x;
+    const auto& x = mesh_.x;
     return 0.5 * norm(cross(x[nodes[2]] - x[nodes[0]], x[nodes[3]] - x[nodes[1]]));
   }
 
@@ -138,7 +138,7 @@ class Surfaces {
   void add_shell(std::size_t e, unsigned side) {
     const model::Part& part = model_.parts[model_.shells.part[e]];
     contact::Segment s;
-    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[model_.shells.node[e][a]];
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = mesh_.node_of[model_.shells.node[e][a]];
     s.thickness = contact_thickness(card_, part, model_.shells.thickness[e], side == tracked);
     if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
     s.scale = stiffness_scale(side) * part.stiffness_scale;
@@ -179,13 +179,13 @@ class Surfaces {
 
   contact::Segment face(const Key& node, std::size_t solid, unsigned side) const {
     contact::Segment s;
-    for (std::size_t a = 0; a < 4; ++a) s.node[a] = system_.node_of[node[a]];
+    for (std::size_t a = 0; a < 4; ++a) s.node[a] = mesh_.node_of[node[a]];
     const model::Part& part = model_.parts[model_.solids.part[solid]];
     s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
     s.kind = rough_.of_part[model_.solids.part[solid]];
     // Each of the four triangles of a six-node face has its share of the solid behind it.
-    s.volume = volume(model_.solids.node[solid], system_.ties.x) * (model_.solids.quadratic(solid) ? 0.25 : 1.0);
+    s.volume = volume(model_.solids.node[solid], mesh_.x) * (model_.solids.quadratic(solid) ? 0.25 : 1.0);
     s.mass = 0.5 * density(part) * s.volume;
     s.element = place_of(solid);
     return s;
@@ -206,7 +206,7 @@ class Surfaces {
     segments_.push_back(s);
   }
 
-  const system::System& system_;
+  const ContactMesh& mesh_;
   const model::Model& model_;
   const model::Contact& card_;
   const FrictionKinds& rough_;
@@ -216,17 +216,17 @@ class Surfaces {
   std::map<Key, std::size_t> place_;
 };
 
-/// The kind of friction of each node of the system: of most of the shells at it; where there are none, of the bricks,
+/// The kind of friction of each node of the contact: of most of the shells at it; where there are none, of the bricks,
 /// and else of the beams.
-std::vector<int> kind_of_nodes(const system::System& system, const FrictionKinds& rough) {
-  const model::Model& model = system.model;
-  std::vector<std::vector<int>> kinds(system.all_nodes());
+std::vector<int> kind_of_nodes(const ContactMesh& mesh, const FrictionKinds& rough) {
+  const model::Model& model = mesh.model;
+  std::vector<std::vector<int>> kinds(mesh.nodes);
   const auto add_elements = [&](const auto& elements, std::size_t corners) {
     std::vector<char> taken(kinds.size());
     for (std::size_t n = 0; n < kinds.size(); ++n) taken[n] = !kinds[n].empty();
     for (std::size_t e = 0; e < elements.size(); ++e)
       for (std::size_t a = 0; a < corners; ++a)
-        if (const std::size_t n = at(system.node_of[elements.node[e][a]]); !taken[n])
+        if (const std::size_t n = at(mesh.node_of[elements.node[e][a]]); !taken[n])
           kinds[n].push_back(rough.of_part[elements.part[e]]);
   };
   add_elements(model.shells, 4);
@@ -238,12 +238,12 @@ std::vector<int> kind_of_nodes(const system::System& system, const FrictionKinds
 }
 
 /// The nodes of a node set, each as thick as the shells at it, and as rough as the elements.
-std::vector<contact::TrackedNode> listed_nodes(const system::System& system, const model::Contact& card,
+std::vector<contact::TrackedNode> listed_nodes(const ContactMesh& mesh, const model::Contact& card,
                                                const FrictionKinds& rough) {
   if (card.a.nodes.empty()) return {};
-  const model::Model& model = system.model;
-  const std::vector<int> kind = kind_of_nodes(system, rough);
-  const std::vector<char> thinned = shells_near_welds(system);
+  const model::Model& model = mesh.model;
+  const std::vector<int> kind = kind_of_nodes(mesh, rough);
+  const std::vector<char> thinned = shells_near_welds(mesh);
   std::vector<double> sum(model.nodes.size(), 0.0);
   std::vector<int> count(model.nodes.size(), 0);
   for (std::size_t e = 0; e < model.shells.size(); ++e) {
@@ -256,18 +256,18 @@ std::vector<contact::TrackedNode> listed_nodes(const system::System& system, con
   }
   std::vector<contact::TrackedNode> nodes;
   for (model::Index n : card.a.nodes) {
-    if (!card.a.holds(system.ties.x[n])) continue;
+    if (!card.a.holds(mesh.x[n])) continue;
     const double thickness = count[n] > 0 ? sum[n] / count[n] : contact_thickness(card, {}, 0.0, true);
-    const int node = system.node_of[n];
+    const int node = mesh.node_of[n];
     nodes.push_back({node, thickness, reference, false, kind[node]});
   }
   return nodes;
 }
 
 /// The faces of shells and bricks that have a node of the node set.
-std::vector<contact::Segment> faces_at_listed_nodes(const system::System& system, const model::Contact& card,
+std::vector<contact::Segment> faces_at_listed_nodes(const ContactMesh& mesh, const model::Contact& card,
                                                     const FrictionKinds& rough) {
-  const model::Model& model = system.model;
+  const model::Model& model = mesh.model;
   std::vector<char> listed(model.nodes.size(), 0), in(model.parts.size(), 0);
   for (model::Index n : card.a.nodes) listed[n] = 1;
   const auto is_listed = [&](model::Index n) { return listed[n] != 0; };
@@ -280,33 +280,32 @@ std::vector<contact::Segment> faces_at_listed_nodes(const system::System& system
   model::Surface around;
   for (std::size_t p = 0; p < in.size(); ++p)
     if (in[p]) around.parts.push_back(static_cast<model::Index>(p));
-  Surfaces surfaces(system, card, rough);
+  Surfaces surfaces(mesh, card, rough);
   surfaces.add(around, tracked);
   std::vector<contact::Segment> shown = surfaces.take();
-  std::vector<char> of_system(system.all_nodes(), 0);
-  for (model::Index n : card.a.nodes) of_system[system.node_of[n]] = 1;
+  std::vector<char> chosen(mesh.nodes, 0);
+  for (model::Index n : card.a.nodes) chosen[mesh.node_of[n]] = 1;
   std::erase_if(shown, [&](const contact::Segment& s) {
-    return std::none_of(s.node.begin(), s.node.end(), [&](int n) { return of_system[n] != 0; });
+    return std::none_of(s.node.begin(), s.node.end(), [&](int n) { return chosen[n] != 0; });
   });
   return shown;
 }
 
 /// The nodes of the beams of a contact that looks at these; to be pressed by the segments of the side `against`.
-std::vector<contact::TrackedNode> ends_of_bars(const system::System& system, const model::Contact& card,
-                                               unsigned against) {
+std::vector<contact::TrackedNode> ends_of_bars(const ContactMesh& mesh, const model::Contact& card, unsigned against) {
   std::vector<contact::TrackedNode> nodes;
   if (!tracks_beams(card)) return nodes;
-  for (const contact::Edge& bar : bars(system, card, false))
+  for (const contact::Edge& bar : bars(mesh, card, false))
     for (int n : bar.node) nodes.push_back({n, bar.thickness, against, false, bar.kind});
   return nodes;
 }
 
 /// ENMASS: which nodes an eroding contact keeps when all their elements are deleted.
-void keep_nodes_of_deleted_elements(const system::System& system, std::vector<contact::TrackedNode>& nodes) {
-  const model::Model& model = system.model;
-  std::vector<char> of_shell(system.all_nodes(), 0);
+void keep_nodes_of_deleted_elements(const ContactMesh& mesh, std::vector<contact::TrackedNode>& nodes) {
+  const model::Model& model = mesh.model;
+  std::vector<char> of_shell(mesh.nodes, 0);
   for (const auto& shell : model.shells.node)
-    for (model::Index n : shell) of_shell[system.node_of[n]] = 1;
+    for (model::Index n : shell) of_shell[mesh.node_of[n]] = 1;
   const int keep = model.control.keep_nodes_of_deleted;
   for (contact::TrackedNode& n : nodes) n.stays_active = keep == 2 || (keep == 1 && !of_shell[n.node]);
 }
@@ -326,6 +325,18 @@ std::vector<contact::TrackedNode> merged(std::vector<contact::TrackedNode> nodes
 }
 
 }  // namespace
+
+ContactMesh::ContactMesh(const system::System& system)
+    : model(system.model),
+      x(system.ties.x),
+      welds(system.ties.welds),
+      node_of(system.node_of),
+      nodes(system.all_nodes()) {}
+
+ContactMesh::ContactMesh(const model::Model& of, const std::vector<Vec3d>& places, const std::vector<weld::Weld>& thin)
+    : model(of), x(places), welds(thin), node_of(of.nodes.size()), nodes(of.nodes.size()) {
+  std::iota(node_of.begin(), node_of.end(), 0);
+}
 
 std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, const model::InteriorContact& contact) {
   const model::Model& model = system.model;
@@ -395,10 +406,10 @@ static kernel::PenaltyLaw law_of(const model::Contact& card, const FrictionKinds
   return law;
 }
 
-contact::SurfaceContactSetup contact_setup(const system::System& system, const model::Contact& card) {
+contact::SurfaceContactSetup contact_setup(const ContactMesh& mesh, const model::Contact& card) {
   contact::SurfaceContactSetup setup;
-  const FrictionKinds rough(system.model, card);
-  Surfaces surfaces(system, card, rough);
+  const FrictionKinds rough(mesh.model, card);
+  Surfaces surfaces(mesh, card, rough);
   surfaces.add(card.a, tracked);
   const bool single = card.kind == model::Contact::Kind::single_surface;
   if (!single) surfaces.add(card.b, reference);
@@ -408,20 +419,20 @@ contact::SurfaceContactSetup contact_setup(const system::System& system, const m
     setup.nodes = contact::nodes_of(setup.segments);
   } else {
     setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
-    const auto listed = listed_nodes(system, card, rough);
+    const auto listed = listed_nodes(mesh, card, rough);
     setup.nodes.insert(setup.nodes.end(), listed.begin(), listed.end());
     if (card.glue && !card.glue->by_force && !card.a.nodes.empty())
-      setup.faces_at_nodes = faces_at_listed_nodes(system, card, rough);
+      setup.faces_at_nodes = faces_at_listed_nodes(mesh, card, rough);
     if (card.kind == model::Contact::Kind::two_surfaces) {
       const auto others = contact::nodes_of(setup.segments, reference, tracked);
       setup.nodes.insert(setup.nodes.end(), others.begin(), others.end());
     }
   }
-  const auto ends = ends_of_bars(system, card, single ? tracked : reference);
+  const auto ends = ends_of_bars(mesh, card, single ? tracked : reference);
   setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
   setup.nodes = merged(std::move(setup.nodes));
-  if (erodes(card)) keep_nodes_of_deleted_elements(system, setup.nodes);
-  setup.stiffness_scale = system.model.control.penalty_scale;
+  if (erodes(card)) keep_nodes_of_deleted_elements(mesh, setup.nodes);
+  setup.stiffness_scale = mesh.model.control.penalty_scale;
   setup.deepest = card.deepest;
   setup.edges_meet = checks_edges(card);
   setup.law = law_of(card, rough);

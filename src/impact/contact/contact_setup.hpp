@@ -7,9 +7,25 @@
 
 namespace nugget::impact {
 
+/// The mesh as a contact is set up on it: a system with the nodes' places after tying, or, before anything is tied, the
+/// model with its nodes at `places`. Refers to all of them.
+struct ContactMesh {
+  ContactMesh(const system::System& system);  // NOLINT(google-explicit-constructor): a system is such a mesh
+  /// Nodes keep the model's numbers. `thin`: the welds that SPOTHIN goes by.
+  ContactMesh(const model::Model& of, const std::vector<Vec3d>& places, const std::vector<weld::Weld>& thin);
+  ContactMesh(const ContactMesh&) = delete;
+  ContactMesh& operator=(const ContactMesh&) = delete;
+
+  const model::Model& model;
+  const std::vector<Vec3d>& x;  ///< by node of the model [length]
+  const std::vector<weld::Weld>& welds;
+  std::vector<int> node_of;  ///< by node of the model: its number in the contact
+  std::size_t nodes;         ///< numbers that there are
+};
+
 /// The surfaces and the laws of a penalty contact, from its card and what it names. Shells contribute
-/// themselves, bricks their exterior faces; weld elements never contact. Node numbers are the system's.
-contact::SurfaceContactSetup contact_setup(const system::System& system, const model::Contact& contact);
+/// themselves, bricks their exterior faces; weld elements never contact. Node numbers are the mesh's.
+contact::SurfaceContactSetup contact_setup(const ContactMesh& mesh, const model::Contact& contact);
 
 /// Whether nothing that meets the rigid body can move it at any time of the run: each translation and each rotation is
 /// fixed or driven. In a contact such a body counts as held, whatever it weighs.

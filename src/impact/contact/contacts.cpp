@@ -5,7 +5,6 @@
 
 #include "impact/contact/contact_setup.hpp"
 #include "impact/contact/edge_setup.hpp"
-#include "impact/contact/initial_penetrations.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -21,11 +20,10 @@ void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Find
 
 }  // namespace
 
-Contacts::Contacts(const system::System& system, std::vector<Row>& x, Findings& findings) {
+Contacts::Contacts(const system::System& system, std::span<const Row> x, Findings& findings) {
   for (const model::Contact& card : system.model.contacts) {
     if (!card.slides()) continue;
     contact::SurfaceContactSetup setup = contact_setup(system, card);
-    if (!setup.segments.empty()) treat_initial_penetrations(system, card, setup, x, findings);
     auto edges = edge_setup(system, card, setup, x);
     if (setup.segments.empty() && !(edges && !edges->edges.empty())) {
       findings.error(card.place, '*' + card.keyword,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace nugget::impact {
 /// The *CONTACT_... of a run that slide, separate or are glued, in the order of the deck.
 class Contacts {
  public:
-  /// Resolves initial penetrations, which moves nodes of `x` [length]. An error where a contact has no segments.
-  Contacts(const system::System& system, std::vector<Row>& x, Findings& findings);
+  /// `x`: places at the start, initial penetrations resolved; what is left of them is kept and gives no force [length].
+  /// An error where a contact has no segments.
+  Contacts(const system::System& system, std::span<const Row> x, Findings& findings);
 
   /// Adds the forces of this step.
   void apply(const contact::Step& step, std::span<Row> force);

@@ -29,8 +29,8 @@ bool is_a_bar(const model::Model& model, std::size_t beam, bool with_welds) {
 
 }  // namespace
 
-std::vector<contact::Edge> bars(const system::System& system, const model::Contact& card, bool with_welds) {
-  const model::Model& model = system.model;
+std::vector<contact::Edge> bars(const ContactMesh& mesh, const model::Contact& card, bool with_welds) {
+  const model::Model& model = mesh.model;
   std::vector<char> in(model.parts.size(), card.a.everything ? 1 : 0);
   for (model::Index p : card.a.parts) in[p] = 1;
   const FrictionKinds rough(model, card);
@@ -39,10 +39,10 @@ std::vector<contact::Edge> bars(const system::System& system, const model::Conta
     const model::Part& part = model.parts[model.beams.part[b]];
     if (!in[model.beams.part[b]] || !is_a_bar(model, b, with_welds)) continue;
     contact::Edge edge;
-    for (std::size_t end = 0; end < 2; ++end) edge.node[end] = system.node_of[model.beams.node[b][end]];
+    for (std::size_t end = 0; end < 2; ++end) edge.node[end] = mesh.node_of[model.beams.node[b][end]];
     const double own = bar_diameter(model.beam_sections[part.section]);
     edge.thickness = contact_thickness(card, part, own, true);
-    const double length = norm(system.ties.x[model.beams.node[b][1]] - system.ties.x[model.beams.node[b][0]]);
+    const double length = norm(mesh.x[model.beams.node[b][1]] - mesh.x[model.beams.node[b][0]]);
     // As a shell as wide as the bar is thick.
     edge.stiffness = card.stiffness_scale_a *
                      kernel::shell_penalty(bulk_modulus(model, part), own * length, std::hypot(own, length));
@@ -56,14 +56,14 @@ std::vector<contact::Edge> bars(const system::System& system, const model::Conta
   return edges;
 }
 
-std::optional<contact::EdgeContactSetup> edge_setup(const system::System& system, const model::Contact& card,
+std::optional<contact::EdgeContactSetup> edge_setup(const ContactMesh& mesh, const model::Contact& card,
                                                     const contact::SurfaceContactSetup& surface,
                                                     std::span<const Row> x) {
   if (!checks_edges(card)) return std::nullopt;
   contact::EdgeContactSetup setup;
   setup.edges = contact::edges_of(surface.segments, x, card.soft == 2 && card.depth >= 3);
   if (checks_beams(card))
-    for (contact::Edge& bar : bars(system, card, card.takes_welds)) setup.edges.push_back(std::move(bar));
+    for (contact::Edge& bar : bars(mesh, card, card.takes_welds)) setup.edges.push_back(std::move(bar));
   setup.interior = checks_all_edges(card);
   setup.two_sides = card.kind == model::Contact::Kind::two_surfaces;
   setup.stiffness_scale = surface.stiffness_scale;

@@ -5,6 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "contact/surface_contact.hpp"
+#include "impact/contact/contact_setup.hpp"
+#include "weld/tie/ties.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -17,15 +22,13 @@ std::string element_name(const model::Model& model, const contact::Segment& segm
   return fmt::format("solid {}", model.solids.id[segment.element - shells]);
 }
 
-std::string proposal(const system::System& system, const contact::Penetration& p, std::span<const Row> x) {
+std::string proposal(const model::Model& model, const contact::Penetration& p, std::span<const Row> x) {
   const Vec3d out = vec(x[p.node]) + p.depth * p.direction;
-  return fmt::format("node {} to ({:.6g}, {:.6g}, {:.6g})", system.node_id(p.node), out.x, out.y, out.z);
+  return fmt::format("node {} to ({:.6g}, {:.6g}, {:.6g})", model.nodes.id[p.node], out.x, out.y, out.z);
 }
 
-}  // namespace
-
-void treat_initial_penetrations(const system::System& system, const model::Contact& card,
-                                const contact::SurfaceContactSetup& setup, std::span<Row> x, Findings& findings) {
+void treat(const model::Model& model, const model::Contact& card, const contact::SurfaceContactSetup& setup,
+           std::span<Row> x, Findings& findings) {
   std::vector<contact::Penetration> found =
       card.ignore == 0 ? contact::remove_penetrations(setup, x) : contact::find_penetrations(setup, x);
   // What round-off makes of sheets or bricks that just touch is none.
@@ -43,7 +46,7 @@ void treat_initial_penetrations(const system::System& system, const model::Conta
   const std::string what = fmt::format(
       "{} nodes stand in the thickness of a sheet or in a brick at the start; the deepest is node {}, "
       "{:.4g} deep in {}",
-      count, system.node_id(worst.node), worst.depth, element_name(system.model, setup.segments[worst.segment]));
+      count, model.nodes.id[worst.node], worst.depth, element_name(model, setup.segments[worst.segment]));
   const std::string keyword = '*' + card.keyword;
   if (card.ignore == 0)
     return findings.warning(card.place, keyword, what + "; they were moved out (IGNORE = 0)",
@@ -52,8 +55,35 @@ void treat_initial_penetrations(const system::System& system, const model::Conta
     return findings.note(card.place, keyword, what + "; the overlap is kept and gives no force (IGNORE = 1)");
   std::string advice = "move";
   for (std::size_t i = 0; i < std::min(proposals, found.size()); ++i)
-    advice += (i == 0 ? " " : "; ") + proposal(system, found[i], x);
+    advice += (i == 0 ? " " : "; ") + proposal(model, found[i], x);
   findings.warning(card.place, keyword, what + "; the overlap is kept and gives no force (IGNORE = 2)", advice);
+}
+
+/// The welds that SPOTHIN goes by: tied to the sheets where they stand in the deck.
+std::vector<weld::Weld> welds_that_thin(const model::Model& model) {
+  if (model.control.weld_thinning <= 0.0 || model.control.weld_thinning >= 1.0) return {};
+  Findings reported_later;
+  return weld::tie(model, reported_later).welds;
+}
+
+}  // namespace
+
+std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findings& findings) {
+  std::vector<Vec3d> x = model.nodes.x;
+  if (std::none_of(model.contacts.begin(), model.contacts.end(), [](const auto& c) { return c.slides(); })) return x;
+  const std::vector<weld::Weld> welds = welds_that_thin(model);
+  const ContactMesh mesh(model, x, welds);
+  std::vector<Row> rows(x.size());
+  for (std::size_t n = 0; n < x.size(); ++n) set(rows[n], x[n]);
+  for (const model::Contact& card : model.contacts) {
+    if (!card.slides()) continue;
+    const contact::SurfaceContactSetup setup = contact_setup(mesh, card);
+    if (setup.segments.empty()) continue;
+    treat(model, card, setup, rows, findings);
+    if (card.ignore != 0) continue;
+    for (std::size_t n = 0; n < x.size(); ++n) x[n] = vec(rows[n]);
+  }
+  return x;
 }
 
 }  // namespace nugget::impact

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
+#include <vector>
 
-#include "contact/surface_contact.hpp"
-#include "system/system.hpp"
+#include "base/finding.hpp"
+#include "model/model.hpp"
 
 namespace nugget::impact {
 
-/// Looks for nodes that stand in the thickness of a sheet of the contact, or inside a brick, at the start. With
-/// IGNORE = 0 they are moved out (`x` changes); with 1 and 2 the contact keeps the overlap. Either way a finding says
-/// how many, and of the deepest which node stands how deep in which element; 2 proposes coordinates as well.
-void treat_initial_penetrations(const system::System& system, const model::Contact& card,
-                                const contact::SurfaceContactSetup& setup, std::span<Row> x, Findings& findings);
+/// Where the nodes stand when ties are looked for, by node of the model [length]: in the deck's places, but for those
+/// that sliding contacts with IGNORE = 0 move out of the sheets and bricks in which they stand. Contacts work in the
+/// order of the deck, each on what those before it left. With IGNORE = 1 and 2 the overlap stays. Either way a finding
+/// says how many nodes overlap, and of the deepest which node stands how deep in which element; 2 proposes coordinates
+/// as well.
+///
+/// Ties come afterwards (S. Bala, "Deformable Spotwelds in LS-DYNA for Impact and NVH Applications": "Initialization is
+/// performed after other penalty based contacts"), so that welds are as long as the sheets are apart.
+std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findings& findings);
 
 }  // namespace nugget::impact

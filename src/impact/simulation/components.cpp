@@ -3,7 +3,7 @@
 
 namespace nugget::impact {
 
-Components::Components(system::System& system, std::vector<Row>& x, Findings& findings)
+Components::Components(system::System& system, std::span<const Row> x, Findings& findings)
     : supports(system, findings),
       loads(system),
       damping(system),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "impact/conditions/accelerometers.hpp"
 #include "impact/conditions/damping.hpp"
 #include "impact/conditions/loads.hpp"
@@ -48,8 +50,8 @@ struct Components {
   Interiors interiors;
   Walls walls;
 
-  /// Faults of the input become findings. Contacts move nodes of `x` [length] where they resolve initial penetrations.
-  Components(system::System& system, std::vector<Row>& x, Findings& findings);
+  /// Faults of the input become findings. `x`: places at the start [length].
+  Components(system::System& system, std::span<const Row> x, Findings& findings);
 
   /// Calls `visit` with each component; sums of energies are added up in this order.
   template <class Visit>

@@ -15,8 +15,6 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/contact/contact_setup.hpp"
-#include "impact/contact/edge_setup.hpp"
-#include "impact/contact/initial_penetrations.hpp"
 #include "model/bond.hpp"
 #include "weld/tie/welds.hpp"
 

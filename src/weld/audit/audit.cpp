@@ -80,6 +80,19 @@ CheckResult check_length(const Inspection& in, const Weld& weld) {
   return evaluate;
 }
 
+/// A plain beam that projection pulls out: its sheets lie beyond its ends. Where *ELEMENT_BEAM_PID names the sheets, a
+/// weld that they would turn over is refused; here each end is tied to what is closest, whichever sheet is meant.
+CheckResult check_stretch(const Inspection& in, const Weld& weld) {
+  constexpr double most = 1.5, stub = 0.3;  // of (t1 + t2)/2: a shorter one is a stub, drawn to be pulled out
+  const bool plain = weld.kind == Weld::Kind::beam && weld.tied_parts[0] == none && weld.tied_parts[1] == none;
+  const auto t = in.thicknesses(weld);
+  if (!plain || !weld.tied || !t || weld.length_before < stub * 0.5 * ((*t)[0] + (*t)[1])) return {};
+  return at_most(weld.length / weld.length_before, most, [&] {
+    return fmt::format("projection moves its ends by {:.3g} and {:.3g} and makes it {:.3g} long, drawn {:.3g}",
+                       weld.ends[0].tie.moved, weld.ends[1].tie.moved, weld.length, weld.length_before);
+  });
+}
+
 CheckResult check_duplicates(const Inspection& in, const Weld& weld) {
   constexpr double share = 0.1;
   const Weld* duplicate = in.duplicate(weld, share * weld.diameter);
@@ -204,13 +217,17 @@ CheckResult check_added_mass(const Inspection& in, const Weld& weld) {
   });
 }
 
-constexpr std::array<Check, 14> all_checks{{
+constexpr std::array<Check, 15> all_checks{{
     {"sheets", "", "", "the two ends are on two different sheets", "see why the other end is not tied",
      Severity::warning, check_two_sheets},
     {"stack", "sheets of its spot", "stack_sheets", "two, three or four sheets are welded at one spot",
      "see whether all these welds are meant", Severity::warning, check_stack},
     {"length", "length / ((t1+t2)/2)", "length_ratio", "its length is 0.3 to 3 times (t1 + t2)/2",
      "check the gap between the sheets; give the weld nodes apart from each other", Severity::warning, check_length},
+    {"stretch", "length / drawn", "stretch", "projection makes a beam no longer than 1.5 times as it is drawn",
+     "see whether these are the sheets that are meant, and whether they have passed through each other: "
+     "*ELEMENT_BEAM_PID names them",
+     Severity::warning, check_stretch},
     {"twin", "", "", "there is one weld at a place", "delete one of the two", Severity::warning, check_duplicates},
     {"thickness", "sheet [mm]", "", "sheets are 0.5 to 4 mm thick", "check the sheet's section, or the units",
      Severity::warning, check_thickness},

@@ -20,12 +20,12 @@ constexpr double negligible_share = 1e-3;
 /// Moves the best candidate to the front: the one within reach by the least distance, of equal ones the first in order.
 void best_first(std::vector<Candidate>::iterator begin, std::vector<Candidate>::iterator end) {
   if (begin == end) return;
-  const auto nearest = std::min_element(
-      begin, end, [](const Candidate& a, const Candidate& b) { return a.foot.distance < b.foot.distance; });
-  const double limit = nearest->foot.distance + equal_share * nearest->tolerance;
+  const auto nearest =
+      std::min_element(begin, end, [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  const double limit = nearest->distance + equal_share * nearest->tolerance;
   auto best = nearest;
   for (auto c = begin; c != end; ++c)
-    if (c->foot.distance <= limit && c->order < best->order) best = c;
+    if (c->distance <= limit && c->order < best->order) best = c;
   std::iter_swap(begin, best);
 }
 
@@ -65,8 +65,8 @@ bool ReferenceSegment::has(Index n) const {
   return std::find(node.begin(), node.end(), n) != node.end();
 }
 
-Reference::Reference(const model::Model& model, Index contact)
-    : model_(model), contact_(model.contacts[contact]), contact_index_(contact) {
+Reference::Reference(const model::Model& model, const std::vector<Vec3d>& x, Index contact)
+    : model_(model), x_(x), contact_(model.contacts[contact]), contact_index_(contact) {
   std::vector<char> wanted(model.parts.size(), contact_.b.everything);
   for (Index part : contact_.b.parts) wanted[part] = 1;
   for (Index e = 0; e < static_cast<Index>(model.shells.size()); ++e)
@@ -93,7 +93,12 @@ void Reference::add_shell(Index shell) {
     s.thickness = part.contact_thickness;
   else
     s.thickness = model_.shells.thickness[shell] * part.contact_scale * contact_.thickness_scale_b;
+  add(s);
+}
+
+void Reference::add(ReferenceSegment s) {
   s.diagonal = shorter_diagonal(corners(s));
+  for (const Index n : s.node) s.moved = std::max(s.moved, norm(x_[n] - model_.nodes.x[n]));
   segments_.push_back(s);
 }
 
@@ -110,8 +115,7 @@ void Reference::add_face(const model::Segment& nodes, Index part) {
   s.node = nodes;
   s.part = part;
   s.thickness = std::max(contact_.thickness_b, 0.0);
-  s.diagonal = shorter_diagonal(corners(s));
-  segments_.push_back(s);
+  add(s);
 }
 
 void Reference::add_segments(const std::vector<model::Segment>& segments) {
@@ -132,6 +136,10 @@ void Reference::add_segments(const std::vector<model::Segment>& segments) {
 }
 
 Corners Reference::corners(const ReferenceSegment& s) const {
+  return {x_[s.node[0]], x_[s.node[1]], x_[s.node[2]], x_[s.node[3]]};
+}
+
+Corners Reference::corners_in_deck(const ReferenceSegment& s) const {
   const std::vector<Vec3d>& x = model_.nodes.x;
   return {x[s.node[0]], x[s.node[1]], x[s.node[2]], x[s.node[3]]};
 }
@@ -141,7 +149,7 @@ Box Reference::neighbourhood(const ReferenceSegment& segment) const {
   for (const Vec3d& corner : corners(segment)) box.add(corner);
   const double beyond_border = (parametric_extension - 1.0) * norm(box.high - box.low);
   const Tracked without_thickness{};
-  return box.grown(tolerance(segment, without_thickness) + beyond_border);
+  return box.grown(segment.moved + tolerance(segment, without_thickness) + beyond_border);
 }
 
 bool Reference::allowed(const ReferenceSegment& segment, const Tracked& tracked) const {
@@ -159,14 +167,19 @@ Candidate Reference::candidate(Index order, const Tracked& tracked) const {
   c.contact = contact_index_;
   c.order = order;
   c.segment = segments_[order];
-  c.foot = project(corners(c.segment), c.segment.triangle(), model_.nodes.x[tracked.node]);
+  c.foot = project(corners(c.segment), c.segment.triangle(), x_[tracked.node]);
   c.tolerance = tolerance(c.segment, tracked);
+  const Foot in_deck = c.segment.moved > 0.0
+                           ? project(corners_in_deck(c.segment), c.segment.triangle(), model_.nodes.x[tracked.node])
+                           : c.foot;
+  c.gap = in_deck.gap;
+  c.distance = in_deck.distance;
   return c;
 }
 
 template <class Wanted>
 Candidate Reference::closest(const Tracked& tracked, double bound, Wanted&& wanted) const {
-  const Vec3d& x = model_.nodes.x[tracked.node];
+  const Vec3d& x = x_[tracked.node];
   const BoxTree::Nearest nearest = tree_.nearest(x, bound, [&](Index order) {
     const ReferenceSegment& s = segments_[order];
     return allowed(s, tracked) && wanted(s) ? project(corners(s), s.triangle(), x).distance : infinity;
@@ -176,7 +189,7 @@ Candidate Reference::closest(const Tracked& tracked, double bound, Wanted&& want
 
 NearbySegments Reference::search(const Tracked& tracked) const {
   NearbySegments nearby;
-  const Vec3d& x = model_.nodes.x[tracked.node];
+  const Vec3d& x = x_[tracked.node];
   std::vector<Candidate> found;
   tree_.overlapping(Box{x, x}.grown(0.6 * tracked.thickness), [&](Index order) {
     if (!allowed(segments_[order], tracked)) return;
@@ -204,7 +217,7 @@ double Reference::plane_of_other_sheet(const Tracked& tracked, const NearbySegme
   const Candidate other = closest(tracked, best.segment.diagonal, of_other_sheet);
   if (other.contact == none) return infinity;
   const Corners k = corners(other.segment);
-  return std::abs(dot(normal(k), model_.nodes.x[tracked.node] - other.foot.point));
+  return std::abs(dot(normal(k), x_[tracked.node] - other.foot.point));
 }
 
 }  // namespace nugget::weld

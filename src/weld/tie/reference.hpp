@@ -20,6 +20,7 @@ struct ReferenceSegment {
   Index part = none;       ///< of the shell or brick
   double thickness = 0.0;  ///< as the contact sees it [length]
   double diagonal = 0.0;   ///< the shorter one [length]
+  double moved = 0.0;      ///< how far contact has moved its nodes, at most [length]
 
   bool triangle() const { return node[3] == node[2]; }
   bool has(Index n) const;
@@ -32,8 +33,11 @@ struct Candidate {
   ReferenceSegment segment;
   Foot foot;
   double tolerance = 0.0;  ///< [length]
+  /// Foot::gap and Foot::distance where the deck has the segment: they say which sheet is meant, though contact may
+  /// have moved another one closer since [length].
+  double gap = 0.0, distance = 0.0;
 
-  bool within_tolerance() const { return foot.gap <= tolerance; }
+  bool within_tolerance() const { return gap <= tolerance; }
 };
 
 /// What the surroundings of one tracked node offer it.
@@ -55,7 +59,8 @@ struct Tracked {
 /// The reference side of one tie contact, ready to be searched.
 class Reference {
  public:
-  Reference(const model::Model& model, Index contact);
+  /// `x`: places of the nodes [length].
+  Reference(const model::Model& model, const std::vector<Vec3d>& x, Index contact);
 
   bool empty() const { return segments_.empty(); }
   const std::vector<ReferenceSegment>& segments() const { return segments_; }
@@ -70,13 +75,16 @@ class Reference {
   Box neighbourhood(const ReferenceSegment& segment) const;
   bool allowed(const ReferenceSegment& segment, const Tracked& tracked) const;
   double tolerance(const ReferenceSegment& segment, const Tracked& tracked) const;
+  void add(ReferenceSegment segment);
   Corners corners(const ReferenceSegment& segment) const;
+  Corners corners_in_deck(const ReferenceSegment& segment) const;
   Candidate candidate(Index order, const Tracked& tracked) const;
   template <class Wanted>
   Candidate closest(const Tracked& tracked, double bound, Wanted&& wanted) const;
   double plane_of_other_sheet(const Tracked& tracked, const NearbySegments& nearby) const;
 
   const model::Model& model_;
+  const std::vector<Vec3d>& x_;
   const model::Contact& contact_;
   Index contact_index_;
   std::vector<ReferenceSegment> segments_;

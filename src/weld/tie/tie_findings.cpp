@@ -243,7 +243,8 @@ void report_hinges(const model::Model& model, const Surroundings& around, const 
 
 /// Adhesive tied by springs, whose light nodes allow soft ones only; and bricks whose thickness is another one since
 /// the ties have moved their nodes.
-void report_tied_adhesive(const model::Model& model, const std::vector<Tie>& ties, Findings& findings) {
+void report_tied_adhesive(const model::Model& model, const std::vector<Vec3d>& x, const std::vector<Tie>& ties,
+                          Findings& findings) {
   std::vector<const Tie*> tie_of(model.nodes.size(), nullptr);
   for (const Tie& tie : ties) tie_of[tie.node] = &tie;
   struct Told {
@@ -263,7 +264,7 @@ void report_tied_adhesive(const model::Model& model, const std::vector<Tie>& tie
       const Tie* tie = tie_of[n];
       const double side = i < 4 ? -0.25 : 0.25;
       before += side * model.nodes.x[n];
-      after += side * (tie && tie->moved > 0.0 ? tie->point : model.nodes.x[n]);
+      after += side * x[n];
       if (tie && tie->moved > 0.0) moved = tie;
       if (tie && tie->spring && !std::exchange(seen[n], 1)) ++reported[tie->contact].sprung;
     }
@@ -478,14 +479,15 @@ void report_untied_nodes(const model::Model& model, const model::Contact& contac
       move_or_widen(distance, tolerance));
 }
 
-void check_segments(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties, Findings& findings) {
+void check_segments(const model::Model& model, const Surroundings& around, const std::vector<Vec3d>& x,
+                    std::vector<Tie>& ties, Findings& findings) {
   constrain_what_springs_stand_for(model, around, ties);
   std::vector<Index> tie_of(model.nodes.size(), none);
   for (std::size_t t = 0; t < ties.size(); ++t)
     if (!ties[t].spring) tie_of[ties[t].node] = static_cast<Index>(t);
   fall_back_on_springs(model, around, ties, tie_of, findings);
   report_hinges(model, around, ties, findings);
-  report_tied_adhesive(model, ties, findings);
+  report_tied_adhesive(model, x, ties, findings);
   note_rigid_sheets(model, around, ties, findings);
   warn_of_constrained_segments(model, around, ties, tie_of, findings);
   refuse_circles(model, ties, tie_of, findings);

@@ -35,8 +35,9 @@ void report_untied_nodes(const model::Model& model, const model::Contact& contac
 /// Looks for segments whose nodes are constrained themselves. A tie whose segment lies in one rigid body gets that
 /// body's index (one note a part); otherwise a constrained segment node gives a warning that names both constraints,
 /// and ties that go round in a circle an error. IPBACK makes springs of such ties. Also reported: nodes with rotations
-/// that are tied by translations only.
-void check_segments(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties, Findings& findings);
+/// that are tied by translations only. `x`: places after projection [length].
+void check_segments(const model::Model& model, const Surroundings& around, const std::vector<Vec3d>& x,
+                    std::vector<Tie>& ties, Findings& findings);
 
 /// The projection cases 4 to 8 weld by weld, what SPOTSTP does about untied welds, and one note on how far nodes were
 /// moved.

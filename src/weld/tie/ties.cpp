@@ -52,6 +52,12 @@ struct End {
   Vec3d normal;            ///< of the segment, zero where there is none
   Vec3d before, after;     ///< in the deck, and where it is tied [length]
   Vec3d on_sheet;          ///< projected onto the sheet, moved there or not [length]
+  Vec3d sheet_in_deck;     ///< that point of the sheet where the deck has it [length]
+};
+
+/// How deep the two sheets of a weld lie in each other, by their thicknesses [length].
+struct Overlap {
+  double in_deck = 0.0, left = 0.0;  ///< and once sliding contacts have moved them; 0: not worth a word
 };
 
 /// The nodes that a contact tracks, ascending, each once. `everything` means the nodes of all welds. Nodes that a weld
@@ -86,13 +92,14 @@ std::vector<Index> nodes_on_side_a(const model::Model& model, const model::Conta
 
 class Tying {
  public:
-  Tying(const model::Model& model, Findings& findings)
+  Tying(const model::Model& model, std::vector<Vec3d> x, Findings& findings)
       : model_(model),
+        x_(std::move(x)),
         findings_(findings),
         around_(model),
         record_of_(model.nodes.size(), none),
         only_part_(model.nodes.size(), none) {
-    result_.x = model.nodes.x;
+    result_.x = x_;
     result_.welds = find_welds(model);
   }
 
@@ -128,11 +135,13 @@ class Tying {
   void make_ties();
   void choose_constraint_or_spring(Tie& tie, const model::Contact& contact) const;
   void describe_weld(std::size_t w);
-  Projection projection(std::size_t w, Index node, double penetration) const;
+  Projection projection(std::size_t w, Index node, const Overlap& overlap) const;
   Projection rigid_projection(Index node) const;
   std::array<Index, 2> sheets_of(const std::vector<Projection>& ends) const;
   int position_case(const Record& r) const;
-  std::string reason(const Record& r, const Projection& p, double penetration) const;
+  std::string reason(const Record& r, const Projection& p, const Overlap& overlap) const;
+  double sheet_moved(const Record& r) const;
+  std::string of_penetration(const Record& r, const Overlap& overlap) const;
 
   Record* record(Index node) { return record_of_[node] == none ? nullptr : &records_[record_of_[node]]; }
   /// Whether a tie of this contact moves nodes onto the segments.
@@ -159,11 +168,13 @@ class Tying {
   }
   Index sheet_at(Index node) const;
   Vec3d foot(Index node) const;
+  Vec3d foot_in_deck(Index node) const;
   Vec3d projected(Index node) const;
   End end(const Weld& weld, int side) const;
-  double penetration(const Weld& weld) const;
+  Overlap overlap(const Weld& weld) const;
 
   const model::Model& model_;
+  const std::vector<Vec3d> x_;  ///< by node, before projection
   Findings& findings_;
   Surroundings around_;
   std::vector<Index> record_of_;  // of each node, in records_
@@ -194,7 +205,7 @@ void Tying::read_required_parts() {
 }
 
 void Tying::work_through(Index contact) {
-  const Reference reference(model_, contact);
+  const Reference reference(model_, x_, contact);
   report_what_is_not_built(model_, model_.contacts[contact], reference.segments(), findings_);
   const std::vector<Tracked> tracked = tracked_nodes(contact);
   if (reference.empty() || tracked.empty()) {
@@ -278,12 +289,11 @@ void Tying::choose_beam_segments(const Weld& weld) {
     choice[1 - first] = best(*r[1 - first], choice[first]->segment.part);
     return choice;
   };
-  const Vec3d axis = model_.nodes.x[r[1]->node] - model_.nodes.x[r[0]->node];
+  const Vec3d axis = x_[r[1]->node] - x_[r[0]->node];
   const auto turns_over = [&](const Choice& c) {
     return c[0] && c[1] && dot(c[1]->foot.point - c[0]->foot.point, axis) <= 0.0;
   };
-  const int nearer =
-      r[0]->within_tolerance.front().foot.distance > r[1]->within_tolerance.front().foot.distance ? 1 : 0;
+  const int nearer = r[0]->within_tolerance.front().distance > r[1]->within_tolerance.front().distance ? 1 : 0;
   Choice choice = choose(nearer);
   if (turns_over(choice)) {
     const Choice other = choose(1 - nearer);
@@ -367,15 +377,24 @@ Index Tying::sheet_at(Index node) const {
   return parts.empty() ? none : parts.front();
 }
 
-/// The place of a tied node on its segment, of any other in the deck.
+/// The place of a tied node on its segment, of any other its own.
 Vec3d Tying::foot(Index node) const {
   const Record* r = record(node);
-  return r && r->tied ? r->closest.foot.point : model_.nodes.x[node];
+  return r && r->tied ? r->closest.foot.point : x_[node];
+}
+
+/// The same point of the segment where the deck has it.
+Vec3d Tying::foot_in_deck(Index node) const {
+  const Record* r = record(node);
+  if (!r || !r->tied) return model_.nodes.x[node];
+  Vec3d point;
+  for (std::size_t i = 0; i < 4; ++i) point += r->closest.foot.weight[i] * model_.nodes.x[r->closest.segment.node[i]];
+  return point;
 }
 
 Vec3d Tying::projected(Index node) const {
   const Record* r = record(node);
-  return r && r->tied && projects(r->closest.contact) ? r->closest.foot.point : model_.nodes.x[node];
+  return r && r->tied && projects(r->closest.contact) ? r->closest.foot.point : x_[node];
 }
 
 End Tying::end(const Weld& weld, int side) const {
@@ -386,15 +405,15 @@ End Tying::end(const Weld& weld, int side) const {
     end.before += model_.nodes.x[node];
     end.after += projected(node);
     end.on_sheet += foot(node);
+    end.sheet_in_deck += foot_in_deck(node);
     if (end.attached || !attached(node)) continue;
     end.attached = true;
     end.sheet = sheet_at(node);
     if (const Record* r = record(node); r && r->tied) {
       end.moved = projects(r->closest.contact);
       const ReferenceSegment& s = r->closest.segment;
-      const std::vector<Vec3d>& x = model_.nodes.x;
       end.thickness = s.thickness;
-      end.normal = normal({x[s.node[0]], x[s.node[1]], x[s.node[2]], x[s.node[3]]});
+      end.normal = normal({x_[s.node[0]], x_[s.node[1]], x_[s.node[2]], x_[s.node[3]]});
     } else if (around_.shell[node] != none) {
       end.thickness = model_.shells.thickness[around_.shell[node]];
     }
@@ -403,6 +422,7 @@ End Tying::end(const Weld& weld, int side) const {
     end.before = (1.0 / count) * end.before;
     end.after = (1.0 / count) * end.after;
     end.on_sheet = (1.0 / count) * end.on_sheet;
+    end.sheet_in_deck = (1.0 / count) * end.sheet_in_deck;
   }
   return end;
 }
@@ -479,7 +499,7 @@ void Tying::make_ties() {
     r->tie = static_cast<Index>(result_.ties.size());
     result_.ties.push_back(tie);
   }
-  check_segments(model_, around_, result_.ties, findings_);
+  check_segments(model_, around_, result_.x, result_.ties, findings_);
 }
 
 /// What the tie hands over, and by what means.
@@ -494,22 +514,25 @@ void Tying::choose_constraint_or_spring(Tie& tie, const model::Contact& contact)
   tie.lever = contact.offset != Offset::penalty;
 }
 
-/// How deep sheets in the right order lie in each other, by their thicknesses; 0 if not worth a word.
-double Tying::penetration(const Weld& weld) const {
+/// Of sheets in the right order.
+Overlap Tying::overlap(const Weld& weld) const {
   const End a = end(weld, 0), b = end(weld, 1);
-  if (!a.attached || !b.attached || a.sheet == b.sheet || a.thickness == 0.0 || b.thickness == 0.0) return 0.0;
+  if (!a.attached || !b.attached || a.sheet == b.sheet || a.thickness == 0.0 || b.thickness == 0.0) return {};
   const Vec3d n = norm(a.normal) > 0.0 ? a.normal : b.normal;
-  if (norm(n) == 0.0) return 0.0;
+  if (norm(n) == 0.0) return {};
   const double touching = 0.5 * (a.thickness + b.thickness);
-  const double depth = touching - std::abs(dot(b.on_sheet - a.on_sheet, n));
-  return depth > penetration_share * touching ? depth : 0.0;
+  const auto depth = [&](const Vec3d& apart) {
+    const double overlap = touching - std::abs(dot(apart, n));
+    return overlap > penetration_share * touching ? overlap : 0.0;
+  };
+  return {depth(b.sheet_in_deck - a.sheet_in_deck), depth(b.on_sheet - a.on_sheet)};
 }
 
 void Tying::describe_weld(std::size_t w) {
   Weld& weld = result_.welds[w];
-  const double depth = rejection_[w] == 0 ? penetration(weld) : 0.0;
+  const Overlap of_sheets = rejection_[w] == 0 ? overlap(weld) : Overlap{};
   for (Projection& p : weld.ends)
-    p = weld.kind == Weld::Kind::rigid ? rigid_projection(p.node) : projection(w, p.node, depth);
+    p = weld.kind == Weld::Kind::rigid ? rigid_projection(p.node) : projection(w, p.node, of_sheets);
   if (weld.kind == Weld::Kind::rigid) {
     weld.sheets = sheets_of(weld.ends);
     return;
@@ -544,7 +567,7 @@ std::array<Index, 2> Tying::sheets_of(const std::vector<Projection>& ends) const
   return sheets;
 }
 
-Projection Tying::projection(std::size_t w, Index node, double penetration) const {
+Projection Tying::projection(std::size_t w, Index node, const Overlap& overlap) const {
   Projection p;
   p.node = node;
   const Record* r = record(node);
@@ -568,8 +591,9 @@ Projection Tying::projection(std::size_t w, Index node, double penetration) cons
   p.only_sheet_taken = !r->found && r->only_sheet_taken;
   p.tied = r->tied && rejection_[w] == 0;
   if (p.tied) p.tie = result_.ties[r->tie];
-  p.projection_case = rejection_[w] != 0 ? rejection_[w] : !r->found ? 5 : penetration > 0.0 ? 4 : position_case(*r);
-  p.reason = reason(*r, p, penetration);
+  const bool penetrated = overlap.in_deck > 0.0 || overlap.left > 0.0 || sheet_moved(*r) > 0.0;
+  p.projection_case = rejection_[w] != 0 ? rejection_[w] : !r->found ? 5 : penetrated ? 4 : position_case(*r);
+  p.reason = reason(*r, p, overlap);
   return p;
 }
 
@@ -589,7 +613,24 @@ int Tying::position_case(const Record& r) const {
   return on_first && on_second ? 3 : on_first || on_second ? 2 : 1;
 }
 
-std::string Tying::reason(const Record& r, const Projection& p, double penetration) const {
+/// How far contact moved the sheet of a tied node there; 0: by nothing worth a word.
+double Tying::sheet_moved(const Record& r) const {
+  const double moved = norm(foot(r.node) - foot_in_deck(r.node));
+  return moved > penetration_share * r.closest.segment.thickness ? moved : 0.0;
+}
+
+/// What a weld over sheets that penetrate each other is told of them.
+std::string Tying::of_penetration(const Record& r, const Overlap& overlap) const {
+  const double moved = sheet_moved(r);
+  if (moved == 0.0 && overlap.left >= overlap.in_deck)
+    return fmt::format("the sheets penetrate each other by {:.4g}", overlap.left);
+  std::string text;
+  if (overlap.in_deck > 0.0) text = fmt::format("the sheets penetrated each other by {:.4g}; ", overlap.in_deck);
+  text += moved > 0.0 ? fmt::format("contact moved this one by {:.4g}", moved) : "contact moved the other one";
+  return overlap.left > 0.0 ? text + fmt::format(", and {:.4g} is left", overlap.left) : text;
+}
+
+std::string Tying::reason(const Record& r, const Projection& p, const Overlap& overlap) const {
   const Foot& foot = r.closest.foot;
   const std::string segment = name_segment(model_, r.closest.segment.shell, r.closest.segment.part);
   const std::string distance = fmt::format("{:.4g}", foot.gap);
@@ -598,9 +639,7 @@ std::string Tying::reason(const Record& r, const Projection& p, double penetrati
     case 1: text = "over " + segment; break;
     case 2: text = "on an edge of " + segment; break;
     case 3: text = "on a corner of " + segment; break;
-    case 4:
-      text = fmt::format("the sheets penetrate each other by {:.4g}; over {}, {} away", penetration, segment, distance);
-      break;
+    case 4: text = fmt::format("{}; over {}, {} away", of_penetration(r, overlap), segment, distance); break;
     case 5:
       if (r.closest.contact == none) return "there is no segment that it may be tied to";
       if (r.only_sheet_taken) return "the only sheet in reach, with " + segment + ", holds the weld's other end";
@@ -614,10 +653,14 @@ std::string Tying::reason(const Record& r, const Projection& p, double penetrati
 
 }  // namespace
 
-Ties tie(const model::Model& model, Findings& findings) {
-  Ties ties = Tying(model, findings).run();
+Ties tie(const model::Model& model, std::vector<Vec3d> x, Findings& findings) {
+  Ties ties = Tying(model, std::move(x), findings).run();
   report_welds(model, ties, findings);
   return ties;
+}
+
+Ties tie(const model::Model& model, Findings& findings) {
+  return tie(model, model.nodes.x, findings);
 }
 
 std::string describe(const model::Model& model, const Tie& tie) {

@@ -28,7 +28,7 @@ struct Tie {
   double xi = 0.0, eta = 0.0;      ///< bilinear coordinates; on a triangle the area coordinates of its corners 2 and 3
   std::array<double, 4> weight{};  ///< shape functions, summing to 1; on a triangle the fourth is 0
   Vec3d point;                     ///< the node projected onto the surface through the segment's nodes [length]
-  double gap = 0.0;                ///< from the node's place in the deck to `point` [length]
+  double gap = 0.0;                ///< from the node's place before the projection to `point` [length]
   double moved = 0.0;     ///< how far projection moved the node: `gap`, or 0 where TIEDPRJ = 1 keeps the gap [length]
   bool rotations = true;  ///< moments are handed over
   bool twist = false;     ///< the moment about the segment's normal as in-plane forces (_WITH_TORSION)
@@ -42,10 +42,11 @@ struct Tie {
 /// What became of one node of a weld.
 ///
 /// `projection_case`, after docs/theory/projection.md#the-eight-cases: 1 over the interior of an element (its centroid
-/// is the ideal), 2 on an element's edge, 3 on a corner node, 4 over sheets that penetrate each other, 5 no segment in
-/// reach, 6 not over its own sheet but another segment is in reach, 7 sheets that cross so that the weld would be
-/// turned over or crushed, 8 the same with normals that point outward. 5, 7 and 8 are not tied. 0: no projection is
-/// needed (the node is a sheet's own node or belongs to a rigid body) or none was asked for (no contact tracks it).
+/// is the ideal), 2 on an element's edge, 3 on a corner node, 4 over sheets that penetrate each other in the deck,
+/// moved apart before or not, 5 no segment in reach, 6 not over its own sheet but another segment is in reach, 7 sheets
+/// that cross so that the weld would be turned over or crushed, 8 the same with normals that point outward. 5, 7 and 8
+/// are not tied. 0: no projection is needed (the node is a sheet's own node or belongs to a rigid body) or none was
+/// asked for (no contact tracks it).
 struct Projection {
   Index node = none;
   bool tied = false;  ///< attached to a sheet, by a tie or otherwise
@@ -95,7 +96,8 @@ struct Weld {
 
 std::string_view to_string(Weld::Kind kind);
 
-/// All ties of a model. `x` are the node coordinates after projection, from which lengths and masses follow.
+/// All ties of a model. `x` are the node coordinates at the start of the run, after projection, from which lengths and
+/// masses follow.
 struct Ties {
   std::vector<Tie> ties;    ///< ascending by node; a node occurs once
   std::vector<Weld> welds;  ///< beams, then bricks, then rigid welds, each in the order of the model
@@ -112,9 +114,15 @@ struct Ties {
 /// a node the first does. Projection goes onto the surface through the segment's nodes (LS-DYNA's CNTCO = 0), unless
 /// TIEDPRJ = 1.
 ///
+/// `x`: where the nodes stand once sliding contacts have resolved initial penetrations, by node of the model [length]
+/// (impact::resolve_initial_penetrations). The closest segment is that in the deck's
+/// places, its foot that in `x`.
+///
 /// Findings: each weld node out of reach (then SPOTSTP: 0 and 3 go on, 1 makes an error after all are listed, 2 deletes
 /// the weld), sheets that penetrate or cross, nodes constrained twice, segments that are constrained themselves,
 /// segments of rigid bodies. The result does not depend on the number of threads.
+Ties tie(const model::Model& model, std::vector<Vec3d> x, Findings& findings);
+/// The same with the nodes in the deck's places: right where no sliding contact moves any.
 Ties tie(const model::Model& model, Findings& findings);
 
 /// A line of the list that OUTSEG = 1 asks for: node, segment, shell, position on it and distance moved, in user ids.

@@ -101,6 +101,31 @@ TEST(ProjectionCase4, PenetratingSheetsInOrderAreTiedWithTheDistanceMoved) {
                         "penetrate each other by 0.4; over shell 5 of part 1, 0.125 away, moved 0.125"));
 }
 
+// Nodes of the sheets stand elsewhere than in the deck, as contact leaves them. Sabotage: feet on the deck's sheets;
+// the depth of the sheets as they stand now.
+TEST(ProjectionCase4, SheetsThatContactMovedAreTiedToWhereTheyStand) {
+  for (const double left : {0.0, 0.1}) {
+    TwoSheets a(0.6);
+    a.beam(a.welds, {15, 15, 0}, {15, 15, 0.6});
+    std::vector<Vec3d> x = a.model.nodes.x;
+    for (Index n = 0; n < 16; ++n) x[n].z = -0.2;
+    for (Index n = 16; n < 32; ++n) x[n].z = 0.8 - left;
+    const Ties ties = weld::tie(a.model, x, a.findings);
+    const Weld& weld = ties.welds.at(0);
+    EXPECT_TRUE(weld.tied);
+    EXPECT_NEAR(weld.length_before, 0.6, 1e-12);
+    EXPECT_NEAR(weld.length, 1.0 - left, 1e-12);
+    for (const Projection& p : weld.ends) EXPECT_EQ(p.projection_case, 4);
+    EXPECT_NEAR(weld.ends[1].tie.moved, 0.2 - left, 1e-12);
+    EXPECT_NEAR(ties.x[weld.ends[0].node].z, -0.2, 1e-12);
+    EXPECT_EQ(ties.x[0].z, -0.2);  // where the run starts
+    EXPECT_THAT(text(a.findings), HasSubstr("node 33 at (15, 15, 0): the sheets penetrated each other by 0.4; contact "
+                                            "moved this one by 0.2" +
+                                            std::string(left > 0.0 ? ", and 0.1 is left" : "") +
+                                            "; over shell 5 of part 1, 0.2 away, moved 0.2"));
+  }
+}
+
 TEST(ProjectionCase5, NoSegmentInReachIsNotTied) {
   TwoSheets a(10.0);
   a.beam(a.welds, {45, 15, 0}, {15, 15, 10});
