@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "app/audit_table.hpp"
 #include "app/command.hpp"
 #include "app/run_log.hpp"
 #include "impact/simulation/simulation.hpp"
+#include "weld/tie/disc.hpp"
 
 namespace nugget::app {
 namespace {
@@ -20,6 +24,29 @@ void add_target(PreparedDeck& p, double step) {
     p.welds[w].audit.emplace_back("target_mass", target.mass);
     p.welds[w].audit.emplace_back("target_young", target.young);
   }
+}
+
+/// How far the forces of each weld reach by either form of tie: two columns of welds.csv and a line on the terminal.
+std::string add_holds(PreparedDeck& p) {
+  const std::vector<weld::Hold> holds = weld::holds(p.model, p.ties);
+  std::array<double, 2> least, most;
+  least.fill(std::numeric_limits<double>::quiet_NaN());
+  most = least;
+  for (std::size_t w = 0; w < p.welds.size(); ++w) {
+    const std::array<double, 2> hold{holds[w].by_segment, holds[w].by_area};
+    p.welds[w].audit.emplace_back("hold_by_segment", hold[0]);
+    p.welds[w].audit.emplace_back("hold_by_area", hold[1]);
+    for (std::size_t form = 0; form < 2; ++form) {
+      least[form] = std::fmin(least[form], hold[form]);
+      most[form] = std::fmax(most[form], hold[form]);
+    }
+  }
+  if (std::isnan(least[0])) return {};
+  const bool by_area = p.model.control.weld_tie == model::WeldTie::area;
+  return fmt::format(
+      "Reach of the welds' forces into the sheets over the nugget's radius: {:.2f} to {:.2f} by the element under the "
+      "weld{}, {:.2f} to {:.2f} by area{}\n\n",
+      least[0], most[0], by_area ? "" : ", as here", least[1], most[1], by_area ? ", as here" : " (--weld-tie area)");
 }
 
 ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
@@ -43,6 +70,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
     add_target(p, arguments.target_step);
     audit += target_table(p.model, p.ties, p.audit, arguments.target_step);
   }
+  audit += add_holds(p);
   audit += weld_table(p.model, p.ties, p.audit);
   audit +=
       fmt::format("\nSeconds: read {:.2f}, tie {:.2f}, audit {:.2f}\n", p.read_seconds, p.tie_seconds, p.audit_seconds);

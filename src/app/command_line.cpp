@@ -67,6 +67,18 @@ CLI::Validator checkpoints() {
       "");
 }
 
+/// --weld-tie of the commands that tie welds.
+CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
+  const auto known = [](const std::string& text) {
+    return text == "area"    ? std::string()
+           : text == "joint" ? "'joint' is not built; 'area' is"
+                             : fmt::format("'{}', expected area", text);
+  };
+  return command
+      ->add_option("--weld-tie", form, "area: welds hang on their sheets by the nugget's disc, wherever in the mesh")
+      ->check(CLI::Validator(known, ""));
+}
+
 /// The first word is no command: people try the deck's name there.
 bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& words) {
   if (words.empty() || words.front().starts_with('-')) return false;
@@ -99,6 +111,7 @@ int nugget::app::command_line(int argc, char** argv) {
                                                 "leave out what is not supported, with a warning each");
   const char* weld_law = "shared library with your own failure function of welds: OPT 2, 12, 22";
   run_command->add_option("--weld-law", run.weld_law, weld_law);
+  CLI::Option* run_weld_tie = add_weld_tie(run_command, run.weld_tie);
   run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
   run_command
       ->add_option("--checkpoint", run.checkpoint,
@@ -110,7 +123,8 @@ int nugget::app::command_line(int argc, char** argv) {
                    "go on in this folder from its newest restart file; the deck must be as it was, and is named only "
                    "if it stands elsewhere now")
       ->excludes(run_output)
-      ->excludes(run_skip);
+      ->excludes(run_skip)
+      ->excludes(run_weld_tie);
 
   const CLI::Validator frequency = number_above_zero("a frequency above 0", false);
   nugget::app::ModesArguments modes;
@@ -131,6 +145,7 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(count);
   modes_command->add_flag("--skip-unsupported", modes.run.skip_unsupported,
                           "leave out what is not supported, with a warning each");
+  add_weld_tie(modes_command, modes.run.weld_tie);
   modes_command->add_flag("--quiet", modes.run.quiet, "no progress on the terminal");
 
   nugget::app::RunArguments frf;
@@ -142,6 +157,7 @@ int nugget::app::command_line(int argc, char** argv) {
   frf_command->add_option("-j,--threads", frf.threads, "threads (default: all cores); also ncpu=N")->check(count);
   frf_command->add_flag("--skip-unsupported", frf.skip_unsupported,
                         "leave out what is not supported, with a warning each");
+  add_weld_tie(frf_command, frf.weld_tie);
   frf_command->add_flag("--quiet", frf.quiet, "no progress on the terminal");
 
   nugget::app::CheckArguments check;
@@ -152,6 +168,7 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(time);
   check_command->add_option("-j,--threads", check.deck.threads, "threads (default: all cores)")->check(count);
   check_command->add_option("--weld-law", check.deck.weld_law, weld_law);
+  add_weld_tie(check_command, check.deck.weld_tie);
   check_command->add_flag("--skip-unsupported", check.deck.skip_unsupported, "unsupported keywords are warnings");
 
   nugget::app::WeldArguments weld;

@@ -104,7 +104,8 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .until = arguments.until,
           .max_cycles = arguments.max_cycles,
           .checkpoint = arguments.checkpoint,
-          .weld_law = arguments.weld_law};
+          .weld_law = arguments.weld_law,
+          .weld_tie = arguments.weld_tie};
 }
 
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as

@@ -28,12 +28,13 @@ struct RunArguments {
   std::string checkpoint;  ///< when restart files are written, see read_checkpoints(); empty: as the deck says
   std::string weld_law;    ///< shared library with the user's own failure function of welds; empty: none
   std::string resume;      ///< folder of a run that is resumed; empty: a new run
+  std::string weld_tie;    ///< `area`: how welds hang on their sheets, whatever the deck says; empty: as it says
   bool skip_unsupported = false;
   bool quiet = false;
 };
 
 struct ModesArguments {
-  RunArguments run;              ///< of these: deck, directory, threads, skip_unsupported, quiet
+  RunArguments run;              ///< of these: deck, directory, threads, weld_tie, skip_unsupported, quiet
   int count = 0;                 ///< 0: the deck's NEIG, or 20
   double low = 0.0, high = 0.0;  ///< frequencies [cycles/time]; 0: the deck's
   bool response = false;         ///< the frequency response that the deck asks for as well
@@ -42,7 +43,7 @@ struct ModesArguments {
 };
 
 struct CheckArguments {
-  RunArguments deck;         ///< of these: deck, directory, threads, skip_unsupported, weld_law
+  RunArguments deck;         ///< of these: deck, directory, threads, weld_tie, skip_unsupported, weld_law
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 

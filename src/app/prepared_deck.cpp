@@ -105,6 +105,7 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   }
   p.model = reading::build(deck, findings, arguments.skip_unsupported, library);
   if (library) note_unused_library(p.model, findings);
+  if (arguments.weld_tie == "area") p.model.control.weld_tie = model::WeldTie::area;
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
   std::vector<Vec3d> x = impact::resolve_initial_penetrations(p.model, findings);

@@ -51,6 +51,12 @@ enum class SortTriangles : unsigned char {
   kirchhoff,  ///< ELFORM 17
 };
 
+/// How the ends of welds hang on their sheets (*NUGGET_WELD_TIE, --weld-tie).
+enum class WeldTie : unsigned char {
+  segment,  ///< by the shape functions of the element under them
+  area,     ///< by the nugget's disc
+};
+
 /// The *CONTROL_... cards that this program obeys, in words; defaults are LS-DYNA's.
 struct Control {
   // *CONTROL_TERMINATION
@@ -104,6 +110,7 @@ struct Control {
   double weld_thinning = 0.0;         ///< SPOTHIN; 0: none
   double weld_thinning_radius = 0.0;  ///< SWRADF, radii of the weld; 0: the shells that it is tied to
   bool keep_tied_gap = false;         ///< TIEDPRJ = 1
+  WeldTie weld_tie = WeldTie::segment;
   double wall_thickness_share = 0.0;  ///< SHLTRW
 
   WeldBeamControl weld_beams;

@@ -36,6 +36,7 @@ Json to_json(const RestartHead& h) {
           {"max_cycles", h.max_cycles},
           {"checkpoint", h.checkpoint},
           {"weld_law", h.weld_law},
+          {"weld_tie", h.weld_tie},
           {"time", h.time},
           {"cycle", h.cycle}};
 }
@@ -53,6 +54,7 @@ RestartHead from_json(const Json& j) {
   j.at("max_cycles").get_to(h.max_cycles);
   j.at("checkpoint").get_to(h.checkpoint);
   j.at("weld_law").get_to(h.weld_law);
+  j.at("weld_tie").get_to(h.weld_tie);
   j.at("time").get_to(h.time);
   j.at("cycle").get_to(h.cycle);
   return h;

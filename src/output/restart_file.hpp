@@ -28,7 +28,8 @@ struct RestartHead {
   long max_cycles = 0;
   std::string checkpoint;
   std::string weld_law;  ///< library, as it was named
-  double time = 0.0;     ///< of the model
+  std::string weld_tie;
+  double time = 0.0;  ///< of the model
   long cycle = 0;
 };
 

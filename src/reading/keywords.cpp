@@ -37,6 +37,7 @@ std::vector<Keyword> all_families() {
            weld_table_keywords,
            heat_zone_keywords,
            weld_brick_keywords,
+           weld_tie_keywords,
            discrete_beam_keywords,
            spring_keywords,
            curve_keywords,

@@ -39,12 +39,12 @@ kernel::WeldBeamProperties integrated_beam(const model::SectionBeam& section, do
 }
 
 /// A weld beam whose end is tied to deformable shells has nothing there to twist against, unless they have drilling
-/// stiffness or the tie turns the twist into in-plane forces.
+/// stiffness or the tie turns the twist into in-plane forces, as it does by area.
 bool free_to_twist(const model::Model& model, const weld::Weld& w) {
   return std::any_of(w.ends.begin(), w.ends.end(), [&](const weld::Projection& e) {
     const bool drills = e.tie.shell != model::none && model.parts[e.tie.part].drilling > 0.0;
     return e.tied && e.projection_case != 0 && e.tie.rigid_body == model::none && !e.tie.twist && !e.tie.couples &&
-           !drills;
+           !e.tie.by_area() && !drills;
   });
 }
 

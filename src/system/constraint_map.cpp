@@ -137,6 +137,18 @@ std::vector<int> ConstraintMap::sort_rows(int nodes) {
   return circular;
 }
 
+void ConstraintMap::set_weights(int dependent, std::span<const double> weights) {
+  RowHead& row = rows_[row_of_[dependent]];
+  Vec3d shift{};
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    Corner& corner = corners_[at(row.first_corner) + i];
+    corner.weight = terms_[at(row.begin) + i].weight = weights[i];
+    shift += weights[i] * corner.arm;
+  }
+  for (int i = row.first_corner; i < row.end_corner; ++i) corners_[i].arm -= shift;
+  row.arm -= shift;
+}
+
 void ConstraintMap::remove(int node) {
   rows_[row_of_[node]].removed = true;
   row_of_[node] = -1;

@@ -51,6 +51,9 @@ class ConstraintMap {
   /// To be called once when all rows are there: puts them in order. `nodes`: number of nodes, virtual ones included.
   /// Returns the dependent nodes of rows that depend on themselves in a circle (an input error).
   std::vector<int> sort_rows(int nodes);
+  /// Gives a row of turn `whole` with a corner for each term other weights, adding up to 1, while the model moves: the
+  /// dependent node stays where it is, its arm begins at the new centre.
+  void set_weights(int dependent, std::span<const double> weights);
   /// Releases a dependent node; from then on it is independent.
   void remove(int node);
 

@@ -122,25 +122,27 @@ void System::make_constraints(Findings& findings) {
   }
   for (std::size_t k = 0; k < model.interpolations.size(); ++k) {
     const model::Interpolation& i = model.interpolations[k];
-    if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place)) add_interpolation(i);
+    if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place))
+      add_best_fit(node_of[i.node], i.rotations, i.independent, i.weight, ties.x[i.node]);
   }
   for (int node : map.sort_rows(static_cast<int>(all_nodes())))
     findings.error({model.deck, 0, 0}, "", fmt::format("node {} is tied to itself through other ties", node_id(node)),
                    "tie the weld to a sheet whose nodes are free");
 }
 
-void System::add_interpolation(const model::Interpolation& i) {
+void System::add_best_fit(int dependent, bool rotations, std::span<const model::Index> independent,
+                          std::span<const double> weights, const Vec3d& place) {
   std::vector<ConstraintMap::Term> terms;
   std::vector<ConstraintMap::Corner> corners;
   Vec3d centre;
-  for (std::size_t k = 0; k < i.weight.size(); ++k) {
-    const Vec3d x = ties.x[i.independent[k]];
-    const int node = node_of[i.independent[k]];
-    terms.push_back({node, i.weight[k], {}});
-    corners.push_back({node, i.weight[k], x});
-    centre += i.weight[k] * x;
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const Vec3d x = ties.x[independent[k]];
+    const int node = node_of[independent[k]];
+    terms.push_back({node, weights[k], {}});
+    corners.push_back({node, weights[k], x});
+    centre += weights[k] * x;
   }
-  map.add(node_of[i.node], i.rotations, terms, ConstraintMap::Turn::whole, corners, ties.x[i.node] - centre);
+  map.add(dependent, rotations, terms, ConstraintMap::Turn::whole, corners, place - centre);
 }
 
 void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations) {
@@ -148,6 +150,10 @@ void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool
     // Arms hold the position until the centre is known; see make_bodies.
     const ConstraintMap::Term term{bodies[body_of[tie.rigid_body]].node, 1.0, tie.point + arm};
     map.add(dependent, true, {&term, 1});
+    return;
+  }
+  if (tie.by_area()) {
+    add_best_fit(dependent, rotations, tie.disc.nodes, tie.disc.weights, tie.point + arm);
     return;
   }
   const std::size_t corners = tie.segment[3] == tie.segment[2] ? 3 : 4;
@@ -177,6 +183,13 @@ std::string System::name(const ConstraintSource& constraint_name) const {
 void System::release(std::size_t tie) {
   const int node = node_of[ties.ties[tie].node];
   if (map.dependent(node)) map.remove(node);
+}
+
+void System::set_disc_weights(std::size_t tie, std::span<const double> weights) {
+  int dependent = node_of[ties.ties[tie].node];
+  for (const TieSpring& spring : springs)
+    if (spring.tie == tie) dependent = spring.anchor;
+  map.set_weights(dependent, weights);
 }
 
 void System::assemble_mass() {

@@ -66,6 +66,8 @@ class System {
   /// Ends a tie by constraint: its node keeps its velocity and takes its mass back. Then call
   /// `transfer_dependent_mass`.
   void release(std::size_t tie);
+  /// Other weights for the nodes of the disc of a tie by area; then the same.
+  void set_disc_weights(std::size_t tie, std::span<const double> weights);
   /// Masses and inertias of dependent nodes to those that they follow.
   void transfer_dependent_mass();
 
@@ -192,8 +194,10 @@ class System {
 
   void make_constraints(Findings& findings);
   void make_bodies();
-  /// Adds the row by which `dependent` follows the segment of a tie at a distance `arm` from its foot.
-  void add_interpolation(const model::Interpolation& interpolation);
+  /// Adds the row by which `dependent`, at `place`, follows the rigid motion that fits that of `nodes` best.
+  void add_best_fit(int dependent, bool rotations, std::span<const model::Index> nodes, std::span<const double> weights,
+                    const Vec3d& place);
+  /// Adds the row by which `dependent` follows the sheet of a tie at a distance `arm` from its foot.
   void add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations);
   void assemble_mass();
   void link_slots();

@@ -56,7 +56,9 @@ void TieReleases::release_from_deleted_shells(const system::State& state, std::s
   bool lost = false;
   for (std::size_t t = 0; t < ended_.size(); ++t) {
     const weld::Tie& tie = system_.ties.ties[t];
-    if (tie.shell == model::none || shell_alive[tie.shell] || !end(t)) continue;
+    if (tie.shell == model::none || ended_[t]) continue;
+    if (tie.by_area() ? keep_to_living_shells(t, shell_alive) : shell_alive[tie.shell]) continue;
+    end(t);
     lost_[t] = 1;
     lost = true;
     events_.push_back(fmt::format("tie ended  node={} time={:12.5E} cycle={} with shell {}",
@@ -64,6 +66,31 @@ void TieReleases::release_from_deleted_shells(const system::State& state, std::s
                                   system_.model.shells.id[tie.shell]));
   }
   if (lost && system_.model.control.weld_of_deleted_shell == 1) delete_welds_without_sheet(state);
+}
+
+/// Hands what deleted shells carried of a disc to those that are left of it; false where they are too few.
+bool TieReleases::keep_to_living_shells(std::size_t t, std::span<const unsigned char> shell_alive) {
+  constexpr double least_share = 0.5;  // of what the disc covered
+  const weld::Disc& disc = system_.ties.ties[t].disc;
+  const auto alive = [&](const weld::Disc::Piece& piece) { return shell_alive[piece.shell] != 0; };
+  if (std::ranges::all_of(disc.pieces, alive)) return true;
+  double left = 0.0;
+  for (const weld::Disc::Piece& piece : disc.pieces)
+    if (alive(piece)) left += piece.sum();
+  if (left < least_share) return false;
+  std::vector<double> weights(disc.nodes.size(), 0.0);
+  for (const weld::Disc::Piece& piece : disc.pieces) {
+    if (!alive(piece)) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const model::Index node = system_.model.shells.node[piece.shell][k];
+      const auto place = std::lower_bound(disc.nodes.begin(), disc.nodes.end(), node);
+      if (piece.weight[k] != 0.0)
+        weights[static_cast<std::size_t>(place - disc.nodes.begin())] += piece.weight[k] / left;
+    }
+  }
+  system_.set_disc_weights(t, weights);
+  nodes_released_ = true;
+  return true;
 }
 
 void TieReleases::delete_welds_without_sheet(const system::State& state) {

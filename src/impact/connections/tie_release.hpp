@@ -12,8 +12,9 @@
 namespace nugget::impact {
 
 /// Ends ties during the run: at the death time DT of their contact, and when the shell that carries the segment is
-/// deleted. The node is released then: it keeps its velocity and takes its mass back. With SPOTDEL = 1 a weld whose
-/// ties to one of its sheets are all lost in this way is deleted.
+/// deleted; of a tie by area, when more than half of what the disc covers is. The node is released then: it keeps its
+/// velocity and takes its mass back. With SPOTDEL = 1 a weld whose ties to one of its sheets are all lost in this way
+/// is deleted.
 class TieReleases {
  public:
   /// All must outlive it.
@@ -29,6 +30,7 @@ class TieReleases {
  private:
   bool end(std::size_t tie);
   void release_from_deleted_shells(const system::State& state, std::span<const unsigned char> shell_alive);
+  bool keep_to_living_shells(std::size_t tie, std::span<const unsigned char> shell_alive);
   void delete_welds_without_sheet(const system::State& state);
 
   system::System& system_;

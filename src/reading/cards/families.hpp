@@ -30,6 +30,7 @@ std::vector<Keyword> weld_material_keywords();         ///< *MAT_SPOTWELD
 std::vector<Keyword> weld_table_keywords();            ///< the *DEFINE_ cards that belong to it
 std::vector<Keyword> heat_zone_keywords();             ///< sheets softened around welds
 std::vector<Keyword> weld_brick_keywords();            ///< welds of bricks, weld beams replaced by bricks
+std::vector<Keyword> weld_tie_keywords();              ///< *NUGGET_WELD_TIE
 std::vector<Keyword> discrete_beam_keywords();         ///< *MAT_... of discrete beams
 std::vector<Keyword> spring_keywords();                ///< springs and dampers, their sections, lines and laws
 std::vector<Keyword> curve_keywords();                 ///< curves and tables

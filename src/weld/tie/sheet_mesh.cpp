@@ -34,6 +34,14 @@ SheetMesh::SheetMesh(const model::Model& model, const std::vector<Vec3d>& x)
     for (int k = 0; k < corners(e); ++k) shells_[next[shells.node[e][k]]++] = static_cast<Index>(e);
 }
 
+std::vector<Index> SheetMesh::across_side(Index shell, int k) const {
+  const auto [a, b] = side(shell, k);
+  std::vector<Index> found;
+  for (const Index other : at(a))
+    if (other != shell && side_with(model_.shells.node[other], a, b) >= 0) found.push_back(other);
+  return found;
+}
+
 int SheetMesh::count_across(Index shell, int k) const {
   const auto [a, b] = side(shell, k);
   int count = 0;

@@ -24,6 +24,8 @@ class SheetMesh {
   std::array<Index, 2> side(Index shell, int k) const {
     return {model_.shells.node[shell][k], model_.shells.node[shell][(k + 1) % 4]};
   }
+  /// The other shells that have this side, ascending.
+  std::vector<Index> across_side(Index shell, int k) const;
   /// No other shell has this side.
   bool is_free(Index shell, int k) const { return count_across(shell, k) == 0; }
 

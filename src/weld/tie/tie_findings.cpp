@@ -33,8 +33,13 @@ std::string shares(const model::Model& model, const Tie& tie) {
   return fmt::format("{} tied to {}", name_node(model, tie.node), name_segment(model, tie.shell, tie.part));
 }
 
-bool carries(const std::array<double, 4>& weight, int corner) {
-  return std::abs(weight[corner]) > no_weight;
+/// The nodes of the sheet that the tied node follows.
+std::vector<Index> carriers(const Tie& tie) {
+  if (tie.by_area()) return tie.disc.nodes;
+  std::vector<Index> nodes;
+  for (int corner = 0; corner < 4; ++corner)
+    if (std::abs(tie.weight[corner]) > no_weight) nodes.push_back(tie.segment[corner]);
+  return nodes;
 }
 
 /// The body that carries all nodes of the segment, or none.
@@ -69,9 +74,7 @@ void warn_of_constrained_segments(const model::Model& model, const Surroundings&
   for (const Tie& tie : ties) {
     if (tie.rigid_body != none || tie.spring) continue;
     const model::Contact& contact = model.contacts[tie.contact];
-    for (int corner = 0; corner < 4; ++corner) {
-      const Index n = tie.segment[corner];
-      if (!carries(tie.weight, corner)) continue;
+    for (const Index n : carriers(tie)) {
       if (tie_of[n] != none) {
         const Tie& other = ties[tie_of[n]];
         findings.warning(
@@ -125,10 +128,7 @@ void fall_back_on_springs(const model::Model& model, const Surroundings& around,
   std::vector<int> count(model.contacts.size(), 0);
   for (Tie& tie : ties) {
     if (!model.contacts[tie.contact].penalty_fallback) continue;
-    for (int corner = 0; corner < 4 && !tie.spring; ++corner) {
-      const Index n = tie.segment[corner];
-      tie.spring = carries(tie.weight, corner) && (tie_of[n] != none || around.rigid_body[n] != none);
-    }
+    for (const Index n : carriers(tie)) tie.spring |= tie_of[n] != none || around.rigid_body[n] != none;
     if (!tie.spring) continue;
     tie_of[tie.node] = none;
     ++count[tie.contact];
@@ -146,9 +146,9 @@ void refuse_circles(const model::Model& model, const std::vector<Tie>& ties, con
   std::vector<std::vector<Index>> behind(ties.size());
   std::vector<int> waits_for(ties.size(), 0);
   for (std::size_t t = 0; t < ties.size(); ++t)
-    for (int corner = 0; corner < 4; ++corner) {
-      const Index ahead = tie_of[ties[t].segment[corner]];
-      if (ahead == none || ties[t].spring || !carries(ties[t].weight, corner)) continue;
+    for (const Index n : carriers(ties[t])) {
+      const Index ahead = tie_of[n];
+      if (ahead == none || ties[t].spring) continue;
       behind[ahead].push_back(static_cast<Index>(t));
       ++waits_for[t];
     }

@@ -10,6 +10,7 @@
 
 #include "base/parallel.hpp"
 #include "weld/tie/assembly.hpp"
+#include "weld/tie/disc.hpp"
 #include "weld/tie/reference.hpp"
 #include "weld/tie/surroundings.hpp"
 #include "weld/tie/tie_findings.hpp"
@@ -499,6 +500,8 @@ void Tying::make_ties() {
     r->tie = static_cast<Index>(result_.ties.size());
     result_.ties.push_back(tie);
   }
+  if (model_.control.weld_tie == model::WeldTie::area)
+    hang_on_discs(model_, result_.welds, result_.x, result_.ties, findings_);
   check_segments(model_, around_, result_.x, result_.ties, findings_);
 }
 
@@ -671,6 +674,8 @@ std::string describe(const model::Model& model, const Tie& tie) {
   if (tie.moved == 0.0 && tie.gap > 0.0) text += fmt::format(", gap {:.4g} kept", tie.gap);
   if (tie.spring) text += ", by springs";
   if (!tie.rotations) text += ", translations only";
+  if (tie.by_area())
+    text += fmt::format(", by area: {} nodes under a disc of radius {:.4g}", tie.disc.nodes.size(), tie.disc.radius);
   return text;
 }
 

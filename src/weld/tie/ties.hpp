@@ -17,6 +17,25 @@ namespace nugget::weld {
 using model::Index;
 using model::none;
 
+/// The part of a sheet that the end of a weld hangs on where it hangs by area: the nodes whose shape functions reach
+/// into the nugget's disc, each with the mean of its shape function over it. See disc_on_sheet.
+struct Disc {
+  /// What one shell brings in: the integral of its corners' shape functions over all that the disc covers. Of a
+  /// triangle the fourth is 0.
+  struct Piece {
+    Index shell = none;
+    std::array<double, 4> weight{};
+    double sum() const { return weight[0] + weight[1] + weight[2] + weight[3]; }
+  };
+  double radius = 0.0;          ///< [length]
+  double covered = 0.0;         ///< share of its area that lies on the sheet [1]
+  std::vector<Index> nodes;     ///< ascending
+  std::vector<double> weights;  ///< of each node, adding up to 1
+  std::vector<Piece> pieces;    ///< adding up to `weights`
+
+  bool empty() const { return nodes.empty(); }
+};
+
 /// A node that follows a segment: v = sum of weight_k v_k, and the spins likewise if `rotations`. A node that is not
 /// moved onto the segment keeps its gap, which turns with the segment.
 struct Tie {
@@ -37,6 +56,11 @@ struct Tie {
   bool lever = true;      ///< the gap counts as a lever; false: _OFFSET
   Index rigid_body =
       none;  ///< in Model::rigid_bodies, if it carries all nodes of the segment: the node then belongs to it
+  /// If not empty the node follows the rigid motion that fits the disc's nodes best, in place of the segment, unless
+  /// one rigid body carries it.
+  Disc disc;
+
+  bool by_area() const { return !disc.empty() && rigid_body == none; }
 };
 
 /// What became of one node of a weld.

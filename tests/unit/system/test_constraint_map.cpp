@@ -258,5 +258,33 @@ TEST(Turned, IsARotation) {
   EXPECT_NEAR(quarter.y, 1.0, 1e-15);
 }
 
+// Sabotage: the arm not shifted with the centre.
+TEST(ConstraintMap, OtherWeightsKeepTheNodeAndFollowRigidMotion) {
+  Random random;
+  std::vector<Vec3d> x(5);
+  std::vector<Term> terms;
+  std::vector<Corner> corners;
+  const std::array<double, 4> first{0.1, 0.2, 0.3, 0.4}, second{0.5, 0.0, 0.2, 0.3};
+  Vec3d centre;
+  for (std::size_t i = 0; i < 4; ++i) {
+    x[i] = random.vector();
+    terms.push_back({static_cast<int>(i), first[i], {}});
+    corners.push_back({static_cast<int>(i), first[i], x[i]});
+    centre += first[i] * x[i];
+  }
+  x[4] = random.vector();
+  ConstraintMap map;
+  map.add(4, true, terms, Turn::whole, corners, x[4] - centre);
+  map.sort_rows(5);
+  map.set_weights(4, second);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(map.terms(4)[i].weight, second[i]);
+  const Vec3d velocity = random.vector(), omega = random.vector();
+  std::vector<Row> v(5), w(5);
+  for (std::size_t i = 0; i < 4; ++i) set(v[i], velocity + cross(omega, x[i]));
+  map.apply_to_velocities(0.0, v, w);
+  EXPECT_LT(norm(vec(v[4]) - velocity - cross(omega, x[4])), 1e-14);
+  EXPECT_LT(norm(vec(w[4]) - omega), 1e-14);
+}
+
 }  // namespace
 }  // namespace nugget::system

@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How much of a weld's stiffness and strength depends on where it stands in the mesh, by each form of tie.
+
+    python3 examples/weld_place/study.py NUGGET FOLDER
+
+A lap and a peel coupon, elements of 3 to 10 mm, seven places of the weld in its element, tied by the element under it and by area
+(--weld-tie area): stiffness by linear statics, force beyond yield by explicit runs, over those of solids (solids.py, CalculiX). Writes
+FOLDER/place.csv and FOLDER/place.svg and prints a table. Finished runs are not repeated; all take about a quarter of an hour.
+"""
+import csv
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from solids import DIAMETER, OVERLAP, PLASTIC, POISSON, PULL, REACH, THICKNESS, WIDTH, YIELD, YOUNG  # noqa: E402
+from writer import Deck  # noqa: E402
+
+SIZES = (3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+# Share of an element by which the weld lies beyond a mesh line, along and across the sheets.
+PLACES = ((0.5, 0.5), (0.25, 0.5), (0.5, 0.25), (0.25, 0.25), (0.0, 0.5), (0.5, 0.0), (0.0, 0.0))
+FORMS = ("segment", "area")
+DISPLACEMENT = {"lap": 0.3, "peel": 1.0}  # of the grip, where forces beyond yield are compared [mm]
+DURATION = {"lap": 0.004, "peel": 0.012}  # [s]
+# By solids.py: stiffness from its two meshes, N/mm; force of its finer mesh at these displacements, N (None: not known yet, the table then
+# shows newtons).
+SOLIDS = {"lap": (61850.0, None), "peel": (766.0, None)}
+
+
+def mesh_lines(low, high, size, share):
+    """From low to high, `size` apart about the weld at 0, which lies `share` of an element beyond a line."""
+    count = math.ceil((high - low) / size) + 1
+    inner = [(i - share) * size for i in range(-count, count)]
+    return [low] + [x for x in inner if low + 0.4 * size < x < high - 0.4 * size] + [high]
+
+
+def mesh(kind, size, place):
+    """Nodes, shells, held nodes, pulled nodes. The weld is at the origin."""
+    nodes, shells, grips = {}, {}, []
+    spans = {"lap": ((-REACH[kind], OVERLAP), (-OVERLAP, REACH[kind])), "peel": ((-REACH[kind], OVERLAP),) * 2}[kind]
+    across = mesh_lines(-WIDTH / 2.0, WIDTH / 2.0, size, place[1])
+    for sheet, (low, high) in enumerate(spans):
+        along = mesh_lines(low, high, size, place[0])
+        number = lambda i, j: 10000 * (sheet + 1) + i * len(across) + j  # noqa: B023, E731
+        for i, x in enumerate(along):
+            for j, y in enumerate(across):
+                nodes[number(i, j)] = (x, y, (sheet - 0.5) * THICKNESS)
+        for i in range(len(along) - 1):
+            for j in range(len(across) - 1):
+                shells[len(shells) + 1] = (sheet + 1, (number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)))
+        end = len(along) - 1 if kind == "lap" and sheet == 1 else 0
+        grips.append([number(end, j) for j in range(len(across))])
+    return nodes, shells, *grips
+
+
+def deck(kind, size, place, plastic):
+    nodes, shells, held, pulled = mesh(kind, size, place)
+    nodes[7001], nodes[7002] = (0.0, 0.0, -THICKNESS / 2.0), (0.0, 0.0, THICKNESS / 2.0)
+    duration, stroke = DURATION[kind], 1.1 * DISPLACEMENT[kind]
+    d = Deck()
+    d.keyword("KEYWORD")
+    d.keyword("TITLE")
+    d.text(f"{kind} coupon, {size:g} mm, weld {place[0]:g} and {place[1]:g} of an element beyond a mesh line")
+    if not plastic:
+        d.keyword("CONTROL_IMPLICIT_GENERAL")
+        d.card(imflag=1, dt0=1.0)
+        d.keyword("CONTROL_IMPLICIT_SOLUTION")
+        d.card(nsolvr=1)
+    d.keyword("CONTROL_TERMINATION")
+    d.card(endtim=duration if plastic else 1.0)
+    d.keyword("CONTROL_HOURGLASS")
+    d.card(ihq=4, qh=0.01)
+    d.keyword("CONTROL_ENERGY")
+    d.card(hgen=2)
+    d.keyword("CONTROL_SHELL")
+    d.card(wrpang=20.0, esort=0, irnxx=-1, istupd=1 if plastic else 0)
+    for pid in (1, 2):
+        d.part("sheet", pid=pid, secid=1, mid=1)
+    d.keyword("SECTION_SHELL")
+    d.card(secid=1, elform=2, shrf=0.8333, nip=5)
+    d.card(t1=THICKNESS, t2=THICKNESS, t3=THICKNESS, t4=THICKNESS)
+    if plastic:
+        d.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY")
+        d.card(mid=1, ro=7.85e-9, e=YOUNG, pr=POISSON, sigy=YIELD, etan=YOUNG * PLASTIC / (YOUNG + PLASTIC))
+        for _ in range(3):
+            d.card(blank=None)
+    else:
+        d.keyword("MAT_ELASTIC")
+        d.card(mid=1, ro=7.85e-9, e=YOUNG, pr=POISSON)
+    d.part("weld", pid=3, secid=3, mid=3)
+    d.keyword("SECTION_BEAM")
+    d.card(secid=3, elform=9, shrf=1.0, qr=2, cst=1.0)
+    d.card(ts1=DIAMETER, ts2=DIAMETER)
+    d.keyword("MAT_SPOTWELD")
+    d.card(mid=3, ro=7.85e-9, e=YOUNG, pr=POISSON, sigy=20000.0, eh=1000.0, dt=4.0e-7)
+    d.card(efail=0.0)
+    d.keyword("SET_PART_LIST")
+    d.card(sid=1)
+    d.ids([1, 2])
+    d.keyword("CONTACT_SPOTWELD")
+    d.card(surfa=3, surfb=1, surfatyp=3, surfbtyp=2)
+    d.card(fs=None)
+    d.card(sfsa=None)
+    d.node_set(1, held)
+    d.node_set(2, pulled)
+    free = [0 if dof == PULL[kind] else 1 for dof in (1, 2, 3)]
+    d.keyword("BOUNDARY_SPC_SET")
+    d.card(nsid=1, cid=0, dofx=1, dofy=1, dofz=1, dofrx=1, dofry=1, dofrz=1)
+    d.card(nsid=2, cid=0, dofx=free[0], dofy=free[1], dofz=free[2], dofrx=1, dofry=1, dofrz=1)
+    d.keyword("BOUNDARY_PRESCRIBED_MOTION_SET")
+    d.card(nsid=2, dof=PULL[kind], vad=0 if plastic else 2, lcid=1, sf=stroke / (0.9 * duration) if plastic else 1.0e-3)
+    if plastic:
+        rise = [i / 20.0 for i in range(21)]
+        d.curve(1, [(0.2 * duration * s, 0.5 - 0.5 * math.cos(math.pi * s)) for s in rise] + [(2.0 * duration, 1.0)])
+        for name in ("SPCFORC", "NODOUT"):
+            d.keyword("DATABASE_" + name)
+            d.card(dt=duration / 400.0)
+        d.keyword("DATABASE_HISTORY_NODE")
+        d.ids([pulled[0]])
+    else:
+        d.curve(1, [(0.0, 0.0), (1.0, 1.0)])
+    d.nodes(nodes)
+    d.shells(shells)
+    d.beams({7001: (3, (7001, 7002))})
+    return d
+
+
+def run(nugget, path, form):
+    """The results' folder."""
+    results = path.with_suffix("").parent / f"{path.stem}_{form}"
+    if not (results / "summary.json").exists():
+        command = [nugget, "run", path, "-o", results, "-j1", "--quiet"] + (["--weld-tie", form] if form != "segment" else [])
+        done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(f"{path}: {done.stderr}")
+    return results
+
+
+def column(path, pattern):
+    rows, time = {}, 0.0
+    for line in path.read_text(encoding="ascii").splitlines():
+        at = re.search(r"at time\s*=?\s*([-+.\dE]+)", line)
+        found = re.search(pattern, line)
+        if at:
+            time = float(f"{float(at[1]):.4e}")
+        elif found and time not in rows:
+            rows[time] = float(found[1])
+    return rows
+
+
+def stiffness(results):
+    energy = json.loads((results / "summary.json").read_text(encoding="utf-8"))["energy"]["internal"]
+    return 2.0 * energy / 1.0e-3 ** 2
+
+
+def force(kind, results):
+    """At DISPLACEMENT, the mean over a tenth of it to either side: a straight line through the points there."""
+    number = r"\s*([-+]?\d\.\d+E[-+]\d+)"
+    skip = r"(?:\s*[-+]?\d\.\d+E[-+]\d+)" + "{%d}" % (PULL[kind] - 1)
+    reaction = column(results / "spcforc", r"force\s+resultants?\s*=?" + skip + number)
+    grip = column(results / "nodout", r"^\s*\d+" + skip + number)
+    at = DISPLACEMENT[kind]
+    near = [(grip[t] - at, abs(reaction[t])) for t in reaction.keys() & grip.keys() if abs(grip[t] - at) < 0.1 * at]
+    mean_u, mean_f = (sum(p[i] for p in near) / len(near) for i in (0, 1))
+    slope = sum((u - mean_u) * (f - mean_f) for u, f in near) / sum((u - mean_u) ** 2 for u, _ in near)
+    return mean_f - slope * mean_u
+
+
+def study(nugget, folder, sizes, plastic=(False, True)):
+    for kind in REACH:
+        for is_plastic in plastic:
+            for size in sizes:
+                for number, place in enumerate(PLACES):
+                    path = folder / f"{kind}_{'plastic' if is_plastic else 'elastic'}_{size:g}_{number}.k"
+                    deck(kind, size, place, is_plastic).write(path)
+                    for form in FORMS:
+                        results = run(nugget, path, form)
+                        value = force(kind, results) if is_plastic else stiffness(results)
+                        yield {"coupon": kind, "what": "force" if is_plastic else "stiffness", "size": size, "along": place[0],
+                               "across": place[1], "form": form, "value": value, "over_solids": value / (SOLIDS[kind][is_plastic] or 1.0)}
+
+
+def table(rows):
+    print(f"{'':24}" + "".join(f"{size:g} mm".rjust(14) for size in SIZES))
+    for kind in REACH:
+        for what in ("stiffness", "force"):
+            for form in FORMS:
+                cells = []
+                for size in SIZES:
+                    over = [100.0 * r["over_solids"] for r in rows if (r["coupon"], r["what"], r["form"], r["size"]) == (kind, what, form, size)]
+                    cells.append(f"{min(over):.0f} .. {max(over):.0f}" if over else "")
+                if any(cells):
+                    print(f"{kind + ', ' + what + ', ' + form:24}" + "".join(c.rjust(14) for c in cells))
+
+
+def draw(rows, path):
+    """Points over the size of the elements, a panel for each quantity; plain SVG."""
+    width, height, left, top = 260, 190, 46, 26
+    panels = [(kind, what) for what in ("stiffness", "force") for kind in REACH if any((r["coupon"], r["what"]) == (kind, what) for r in rows)]
+    lines = (len(panels) + 1) // 2 * (height + 54)
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{2 * (width + left)}" height="{lines + 20}" '
+           'font-family="sans-serif" font-size="11">', '<rect width="100%" height="100%" fill="white"/>']
+    for p, (kind, what) in enumerate(panels):
+        x0, y0 = left + (p % 2) * (width + left), top + (p // 2) * (height + 54)
+        most = 2.4
+        place = lambda size, over: (x0 + (size - 2.5) / 8.0 * (width - 20), y0 + height * (1.0 - min(over, most) / most))  # noqa: B023, E731
+        at = f"; {DISPLACEMENT[kind]:g} mm" if what == "force" else ""
+        out.append(f'<text x="{x0}" y="{y0 - 8}">{kind}: {what}{at}, over that of solids</text>')
+        for level in (0.0, 0.5, 1.0, 1.5, 2.0):
+            y = place(3, level)[1]
+            out.append(f'<line x1="{x0}" x2="{x0 + width - 20}" y1="{y:.1f}" y2="{y:.1f}" stroke="{"#444" if level == 1.0 else "#ddd"}"/>')
+            out.append(f'<text x="{x0 - 26}" y="{y + 4:.1f}">{level:.1f}</text>')
+        for size in SIZES:
+            out.append(f'<text x="{place(size, 0)[0] - 4:.1f}" y="{y0 + height + 14}">{size:g}</text>')
+        for form, colour, shift in (("segment", "#c33", -0.12), ("area", "#16a", 0.12)):
+            for r in rows:
+                if (r["coupon"], r["what"], r["form"]) == (kind, what, form):
+                    x, y = place(r["size"] + shift, r["over_solids"])
+                    out.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.6" fill="{colour}" fill-opacity="0.6"/>')
+        out.append(f'<text x="{x0 + 60}" y="{y0 + height + 28}">size of the elements, mm</text>')
+    out.append(f'<text x="{left}" y="{lines + 10}" fill="#c33">tied by the element under the weld</text>')
+    out.append(f'<text x="{left + 240}" y="{lines + 10}" fill="#16a">tied by area; a dot for each of seven places</text>')
+    path.write_text("\n".join(out + ["</svg>", ""]), encoding="utf-8")
+
+
+def main(nugget, folder):
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    rows = list(study(nugget, folder, SIZES))
+    with open(folder / "place.csv", "w", encoding="ascii", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys())
+        writer.writeheader()
+        writer.writerows(rows)
+    table(rows)
+    draw(rows, folder / "place.svg")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

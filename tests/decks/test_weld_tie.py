@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""--weld-tie area and *NUGGET_WELD_TIE: what a user gets of run, check, modes and frf, and what is refused."""
+import csv
+import io
+import unittest
+
+from lap_joint import deck, edited
+from nugget_command import CommandTest
+from test_restart import Restart
+from test_same_bits import SameBits
+
+CARD = "*NUGGET_WELD_TIE\n         1\n"
+MODES = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         8\n"
+
+
+def with_card(text, card=CARD):
+    return edited(text, ("*CONTROL_TERMINATION\n", card + "*CONTROL_TERMINATION\n"))
+
+
+class WeldTie(CommandTest):
+    def peak(self, folder):
+        return self.json(f"{folder}/summary.json")["weld"][0]["peak"]["shear"]
+
+    def test_option_and_card_are_the_same_and_another_than_none(self):
+        self.write(deck(), "plain.k")
+        self.write(with_card(deck()), "card.k")
+        self.write(with_card(deck(), CARD.replace("1", "0")), "zero.k")
+        self.nugget("run", "plain.k", "-o", "plain")
+        self.nugget("run", "plain.k", "-o", "option", "--weld-tie", "area")
+        self.nugget("run", "card.k", "-o", "card")
+        self.nugget("run", "zero.k", "-o", "zero")
+        swforc = {name: self.read(f"{name}/swforc").splitlines()[3:] for name in ("plain", "option", "card", "zero")}
+        self.assertEqual(swforc["option"], swforc["card"])
+        self.assertEqual(swforc["plain"], swforc["zero"])
+        self.assertNotEqual(swforc["plain"], swforc["card"])
+        self.assertIn("2 weld ends hang on discs of their sheets", self.read("option/run.log"))
+
+    def test_check_says_what_it_would_change(self):
+        self.write(deck(("       6.0       6.0       0.0", "       9.0       9.0       0.0")))  # reaches over its element
+        rows = {}
+        for folder, *option in (("plain",), ("area", "--weld-tie", "area")):
+            run = self.nugget("check", "model.k", "-o", folder, *option)
+            self.assertIn("Reach of the welds' forces into the sheets over the nugget's radius", run.stdout)
+            rows[folder] = next(csv.DictReader(io.StringIO(self.read(f"{folder}/welds.csv"))))
+        for name in ("hold_by_segment", "hold_by_area"):
+            self.assertEqual(rows["plain"][name], rows["area"][name])
+            self.assertGreater(float(rows["plain"][name]), 0.5)
+        self.assertLess(float(rows["plain"]["hold_by_segment"]), float(rows["plain"]["hold_by_area"]))
+
+    def test_modes_and_responses_know_it(self):
+        self.write(edited(deck(), ("*TITLE\n", MODES + "*TITLE\n")))
+        self.nugget("modes", "model.k", "-o", "plain", "-n", "4")
+        self.nugget("modes", "model.k", "-o", "area", "-n", "4", "--weld-tie", "area")
+        first = [[m["frequency_hz"] for m in self.json(f"{f}/summary.json")["modes"]] for f in ("plain", "area")]
+        self.assertNotEqual(*first)
+        self.assertIn("--weld-tie", self.nugget("frf", "--help").stdout)
+
+    def test_what_is_refused(self):
+        self.write(deck())
+        self.assertIn("'joint' is not built", self.nugget("run", "model.k", "--weld-tie", "joint", expect=2).stderr)
+        self.assertIn("expected area", self.nugget("check", "model.k", "--weld-tie", "disc", expect=2).stderr)
+        self.nugget("run", "--resume", "out", "--weld-tie", "area", expect=2)
+        self.write(with_card(deck(), "*NUGGET_WELD_TIE\n         2\n"))
+        run = self.nugget("run", "model.k", "-o", "out", expect=1)
+        self.assertIn("NUGGET_WELD_TIE form = 2", run.stderr)
+
+
+class SameBitsByArea(SameBits):
+    """Any number of threads; only this deck."""
+
+    def test_lap_joint_by_area(self):
+        self.compare(self.write(deck(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0"))), "--weld-tie", "area")
+
+
+class RestartByArea(Restart):
+    """A run that was begun by area goes on by area, though nothing in the deck says so."""
+
+    def test_resumed_by_area(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "-o", "whole", "--weld-tie", "area")
+        cycles = self.json("whole/summary.json")["cycles"]
+        self.nugget("run", "model.k", "-o", "part", "--weld-tie", "area", "--checkpoint", f"{cycles // 2}cycles", "--max-cycles",
+                    cycles // 2 + 1)
+        self.nugget("run", "--resume", "part", "--max-cycles", 10**9)
+        self.same("part", "whole")
+
+
+def load_tests(loader, _, __):
+    """Not those that the classes have of their bases: they run in their own scripts."""
+    tests = unittest.TestSuite(loader.loadTestsFromTestCase(WeldTie))
+    tests.addTest(SameBitsByArea("test_lap_joint_by_area"))
+    tests.addTest(RestartByArea("test_resumed_by_area"))
+    return tests
+
+
+if __name__ == "__main__":
+    unittest.main()
