@@ -22,6 +22,7 @@ RestartHead head(long cycle) {
           .until = 0.1,
           .max_cycles = 12,
           .checkpoint = "5min",
+          .weld_law = "law.so",
           .time = 1.0 / 3.0,
           .cycle = cycle};
 }
@@ -54,6 +55,7 @@ TEST(RestartFile, HeadAndStateComeBack) {
   EXPECT_EQ(file->head().cycle, 7);
   EXPECT_TRUE(file->head().skip_unsupported);
   EXPECT_EQ(file->head().checkpoint, "5min");
+  EXPECT_EQ(file->head().weld_law, "law.so");
   std::vector<double> values;
   (*file)(values);
   EXPECT_THAT(values, testing::ElementsAre(1.0, 2.0));
