@@ -131,8 +131,8 @@ void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen, 
   const kernel::ShellProperties shell = shell_properties(part, section, material, hourglass_of(part), model.control);
   const Members m = members(model.shells, chosen);
   constexpr int corners = ShellElement<kernel::Elastic, Kind>::corners;
-  const model::Law own = softening == weld::Softening{} ? material.law : weld::softened(material.law, softening);
-  const bool computed = with_shell_law(own, [&]<class Law>(const Law& law) {
+  const model::Law shell_law = softening == weld::Softening{} ? material.law : weld::softened(material.law, softening);
+  const bool computed = with_shell_law(shell_law, [&]<class Law>(const Law& law) {
     add_group(ShellElement<Law, Kind>{shell, kernel::LawKernel<Law>(law), model.shells, section.extra_mass},
               model::ElementKind::shell, p, m, shell_location);
   });

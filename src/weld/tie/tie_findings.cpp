@@ -114,10 +114,7 @@ void constrain_what_springs_stand_for(const model::Model& model, const Surroundi
   for (Tie& tie : ties) {
     if (!tie.spring || !(model.contacts[tie.contact].stiffness_scale_a >= 1.0)) continue;
     bool free = !held[tie.node] && around.rigid_body[tie.node] == none;
-    for (int corner = 0; corner < 4; ++corner) {
-      const Index n = tie.segment[corner];
-      free = free && (!carries(tie.weight, corner) || (!tied[n] && around.rigid_body[n] == none));
-    }
+    for (const Index n : carriers(tie)) free = free && !tied[n] && around.rigid_body[n] == none;
     tie.spring = !free;
   }
 }

@@ -23,6 +23,7 @@ RestartHead head(long cycle) {
           .max_cycles = 12,
           .checkpoint = "5min",
           .weld_law = "law.so",
+          .weld_tie = "area",
           .time = 1.0 / 3.0,
           .cycle = cycle};
 }
@@ -56,6 +57,7 @@ TEST(RestartFile, HeadAndStateComeBack) {
   EXPECT_TRUE(file->head().skip_unsupported);
   EXPECT_EQ(file->head().checkpoint, "5min");
   EXPECT_EQ(file->head().weld_law, "law.so");
+  EXPECT_EQ(file->head().weld_tie, "area");
   std::vector<double> values;
   (*file)(values);
   EXPECT_THAT(values, testing::ElementsAre(1.0, 2.0));
