@@ -8,8 +8,8 @@ touches, builds what that needs and runs the tests that it adds.
 
 NAME is that of a patch beside this file; `RECIPES` says how little of `src` it may touch. Recipes whose tests are in one
 room are proved together, in one copy and one build; `--room` takes all of that room. BUILD is a build folder of these
-sources (Ninja, tests on) that is up to date. Only what the patch changes, and what includes it, is compiled, without
-optimization; everything else is taken from there. Exits with 0 where the recipe holds, else with 1 and the reason.
+sources (Ninja, tests on) that is up to date. Only what the patch changes, and what includes it, is compiled, with
+little optimization; everything else is taken from there. Exits with 0 where the recipe holds, else with 1 and the reason.
 """
 import argparse
 import concurrent.futures
@@ -144,7 +144,7 @@ class Build:
         return made_from
 
     def options_of(self, like: str) -> list[str]:
-        """The compiler and the options of an object, for the copy and without optimization."""
+        """The compiler and the options of an object, for the copy and with little optimization."""
         words = self.command_of[like]
         options, skip = [], 0
         for word, following in zip(words, words[1:] + [""]):
@@ -157,7 +157,7 @@ class Build:
                 options += ["-include", str(self.header_in_copy(following))]
             elif word != "-MD":
                 options.append(word.replace(f"-I{ROOT}/", f"-I{self.copy}/"))
-        return [*options, "-O0"]
+        return [*options, "-O1"]
 
     def source_in_copy(self, made: str) -> pathlib.Path:
         """The source of an object in the copy; of one that CMake makes from several sources, a file that includes them there."""
@@ -206,7 +206,9 @@ class Build:
         own = [w for w in words if not w.endswith(".o")]
         where = own.index("-o")
         own[where + 1] = str(target)
-        subprocess.run(own[:where] + [str(o) for o in objects] + own[where:], cwd=self.folder, check=True)
+        # A function that is inlined here and not there makes the linker take the library's object of the same sources, too.
+        subprocess.run(own[:where] + ["-Wl,--allow-multiple-definition"] + [str(o) for o in objects] + own[where:],
+                       cwd=self.folder, check=True)
 
     def rooms_of(self, program: str) -> set[str]:
         """Rooms whose libraries a test program is linked with."""
