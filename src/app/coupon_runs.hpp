@@ -35,7 +35,7 @@ class InFolder {
 /// Writes their decks into the current folder; each will run into a folder of its name. Throws output::WriteError.
 std::vector<ChildRun> write_coupons(const weld::CouponCard& card, const std::vector<weld::CouponTest>& tests);
 
-/// A coupon as it was read and tied; nothing where it is refused, which is told.
+/// A coupon as it was read and tied; nothing where it is refused, which is reported.
 std::optional<PreparedDeck> prepare_coupon(const ChildRun& run);
 
 /// Runs them, as many at once as there are threads (0: all cores). Tells which did not end normally.

@@ -70,7 +70,7 @@ std::array<double, 4> load_at(const LoadPath& path, double force, const std::str
     return load;
   }
   throw CardFault(
-      fmt::format("{}: {:.4g} was measured, but the coupon bears no more than {:.4g} within its stroke even "
+      fmt::format("{}: {:.4g} was measured, but the coupon carries no more than {:.4g} within its stroke even "
                   "with a weld that does not fail [give the sheets of the test: thickness and material]",
                   test, force, *std::max_element(path.force.begin(), path.force.end())));
 }

@@ -91,7 +91,7 @@ class Fit(CommandTest):
         run = self.fit(curves({("ks2_00", "A"): force(0), ("ks2_00", "B"): force(0)}), expect=1)
         self.assertIn("curves.csv: the tests do not tell NRR", run.stderr)
         run = self.fit(curves({("ks2_00", ""): 1e7}), text=card(nrr=0.0), expect=1)
-        self.assertRegex(run.stderr, r"ks2_00: 1e\+07 was measured, but the coupon bears no more than")
+        self.assertRegex(run.stderr, r"ks2_00: 1e\+07 was measured, but the coupon carries no more than")
 
 
 if __name__ == "__main__":

@@ -309,7 +309,7 @@ void find_double_mass_scaling(const model::Model& model, Findings& findings) {
     const std::string larger =
         law->mass_step < step
             ? fmt::format(
-                  "; DT is the smaller one, so that it changes nothing but which mass is told as added ({:.4g} "
+                  "; DT is the smaller one, so that it changes nothing but which mass is reported as added ({:.4g} "
                   "beside {:.4g})",
                   law->mass_step, step)
             : fmt::format("; DT is the larger one and costs mass for which no step is gained ({:.4g} beside {:.4g})",

@@ -106,7 +106,7 @@ std::vector<char> held_otherwise(const model::Model& model) {
 }
 
 /// Ties by springs become ties by constraint where nothing stands against one (docs/decisions/0061): an explicit step
-/// bears no spring at a light node that is as stiff as what it ties. SFSA below 1 asks for a soft spring, and gets it.
+/// allows no spring at a light node that is as stiff as what it ties. SFSA below 1 asks for a soft spring, and gets it.
 void constrain_what_springs_stand_for(const model::Model& model, const Surroundings& around, std::vector<Tie>& ties) {
   const std::vector<char> held = held_otherwise(model);
   std::vector<char> tied(model.nodes.size(), 0);

@@ -622,7 +622,7 @@ double Tying::sheet_moved(const Record& r) const {
   return moved > penetration_share * r.closest.segment.thickness ? moved : 0.0;
 }
 
-/// What a weld over sheets that penetrate each other is told of them.
+/// What is reported of a weld over sheets that penetrate each other.
 std::string Tying::of_penetration(const Record& r, const Overlap& overlap) const {
   const double moved = sheet_moved(r);
   if (moved == 0.0 && overlap.left >= overlap.in_deck)
