@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/index.hpp"
 #include "driven_solid.hpp"
 #include "kernel/element/hexahedron.hpp"
@@ -430,6 +432,161 @@ double tip(int n, double coefficient, bool couple) {
   K[5][5] += 1e14;  // u_z of the neighbour: no turning about x
   const std::vector<double> u = solved(K, f);
   return 0.25 * (u[size - 1] + u[size - 4] + u[size - 7] + u[size - 10]);
+}
+
+/// f . u of the forces on a brick whose nodes move by `field`, twice its energy.
+template <class Field>
+double twice_the_energy(const HexahedronProperties& b, const Corners& x, const Field& field) {
+  const Dense K = stiffness(b, x);
+  double u[24], sum = 0.0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Vec3d at = field(x[i]);
+    u[3 * i] = at.x, u[3 * i + 1] = at.y, u[3 * i + 2] = at.z;
+  }
+  for (std::size_t i = 0; i < 24; ++i)
+    for (std::size_t j = 0; j < 24; ++j) sum += u[i] * K[i][j] * u[j];
+  return sum;
+}
+
+/// Moves a brick of sides 2 along xi, eta, zeta to the directions g1, g2, g3 in its middle.
+Corners parallelepiped(const Vec3d& g1, const Vec3d& g2, const Vec3d& g3) {
+  Corners x;
+  const Corners cube = box(2, 2, 2);
+  for (std::size_t i = 0; i < 8; ++i) x[i] = (cube[i].x - 1.0) * g1 + (cube[i].y - 1.0) * g2 + (cube[i].z - 1.0) * g3;
+  return x;
+}
+
+// Pure bending of a block: stress E kappa s along any direction r of a face, s the distance from the face through the
+// middle. The parallelepiped's nodes move as the block's points, and its energy is the block's: E kappa^2 V h^2 / 3, h
+// half its height. Sabotage: axes at right angles (the form of 1993); shear of the wrong pair; edges without nu.
+TEST(Hexahedron, ParallelepipedsBendExactly) {
+  Random random;
+  for (int trial = 0; trial < 30; ++trial) {
+    const Vec3d g[3] = {Vec3d{4, 0, 0} + random.vector(1.2), Vec3d{0, 2, 0} + random.vector(0.6),
+                        Vec3d{0, 0, 0.7} + random.vector(0.2)};
+    const Corners x = parallelepiped(g[0], g[1], g[2]);
+    const int face = trial % 3;
+    const Vec3d &a = g[(face + 1) % 3], &b = g[(face + 2) % 3], n = unit(cross(a, b)), r = unit(a + random() * b),
+                t = cross(n, r);
+    const double half = dot(g[face], n), kappa = 1e-3;
+    const auto bent = [&](const Vec3d& p) {
+      const double s = dot(p, n), along = dot(p, r), across = dot(p, t);
+      return kappa * (s * along * r - steel_nu * s * across * t -
+                      0.5 * (along * along + steel_nu * (s * s - across * across)) * n);
+    };
+    const double exact = steel_E * kappa * kappa * hexahedron_volume(x) * half * half / 3.0;
+    EXPECT_NEAR(twice_the_energy(brick(6, 1.0), x, bent), exact, 1e-9 * exact) << trial;
+  }
+}
+
+// The generalised forces that Belytschko and Bindeman (1993) give, of rectangular bricks however they lie. Sabotage: nu
+// / (1 - nu) for nu; a third for a ninth of the last pattern.
+TEST(Hexahedron, RectangularBricksHaveTheStiffnessOfBelytschkoAndBindeman) {
+  const double mu = steel_E / (2.0 * (1.0 + steel_nu)), nu = steel_nu;
+  const double sides[3] = {4 * 5.0, 4 * 3.0, 4 * 1.5};
+  const auto H = [&](int i, int j) {
+    const int k = (i + 1) % 3, l = (i + 2) % 3;
+    return i == j ? sides[k] * sides[l] / (3.0 * sides[i]) : sides[3 - i - j] / 3.0;
+  };
+  // Forces Q_i,pattern of a rate of the pattern `p` along j.
+  const auto expected = [&](int i, int k, int j, int p) {
+    if (p == 3 || k == 3) return p == k && i == j ? 2.0 * mu * (1.0 + nu) / 3.0 * H(i, i) : 0.0;
+    if (i == k)
+      return j != p ? 0.0 : i == j ? mu * (H((i + 1) % 3, (i + 1) % 3) + H((i + 2) % 3, (i + 2) % 3)) : mu * H(i, j);
+    if (i == j && k == p) return 2.0 * mu / (1.0 - nu) * H(i, i);
+    return i == p && k == j ? 2.0 * mu * nu / (1.0 - nu) * H(i, k) : 0.0;
+  };
+  const Vec3d axis = unit(Vec3d{1, -2, 3});
+  Corners x = box(5.0, 3.0, 1.5);
+  Vec3d e[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (Vec3d& a : x) a = turned(axis, 0.7, a);
+  for (Vec3d& a : e) a = turned(axis, 0.7, a);
+  const double sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                             {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  const auto pattern = [&](std::size_t n, int k) {
+    const double *s = sign[n], all = s[0] * s[1] * s[2];
+    return k == 3 ? all : all * s[k];
+  };
+  const Dense K = stiffness(brick(6, 1.0), x);
+  for (int p = 0; p < 4; ++p)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 4; ++k)
+        for (int i = 0; i < 3; ++i) {
+          double force = 0.0;
+          for (std::size_t n = 0; n < 8; ++n)
+            for (std::size_t m = 0; m < 8; ++m) {
+              const double ei[3] = {e[i].x, e[i].y, e[i].z}, ej[3] = {e[j].x, e[j].y, e[j].z};
+              for (std::size_t c = 0; c < 3; ++c)
+                for (std::size_t d = 0; d < 3; ++d)
+                  force += ei[c] * pattern(n, k) * K[3 * n + c][3 * m + d] * ej[d] * pattern(m, p);
+            }
+          EXPECT_NEAR(force, expected(i, k, j, p), 1e-9 * mu * sides[0]) << i << k << j << p;
+        }
+}
+
+// A rectangular brick with hourglass forces keeps them in axes that turn with it, however it is stretched: the frame of
+// the form of 1993. Sabotage: without the shortening by the growth of the sides.
+TEST(Hexahedron, StretchKeepsHourglassForces) {
+  Driven<Elastic> d(brick(6, 1.0), steel, box(5, 4, 3));
+  Random random;
+  const double dt = 1e-6;
+  for (int i = 0; i < 12; ++i) d.state[L::hourglass + i] = random();
+  d.step(0.0);
+  const auto hourglass = [&] {
+    std::vector<double> q;
+    const double sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                               {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+    for (int k = 0; k < 4; ++k) {
+      Vec3d sum{};
+      for (int n = 0; n < 8; ++n) {
+        const double *s = sign[n], all = s[0] * s[1] * s[2];
+        sum += (k == 3 ? all : all * s[k]) * d.force.f[n];
+      }
+      q.insert(q.end(), {sum.x, sum.y, sum.z});
+    }
+    return q;
+  };
+  const std::vector<double> before = hourglass();
+  const double most = *std::max_element(before.begin(), before.end());
+  const Vec3d rate{200.0, -100.0, 50.0};
+  for (int cycle = 0; cycle < 1000; ++cycle) {
+    for (int i = 0; i < 8; ++i) {
+      const Vec3d& x = d.nodes.x[i];
+      d.nodes.v[i] = {rate.x * x.x, rate.y * x.y, rate.z * x.z};
+    }
+    d.step(dt);
+  }
+  const std::vector<double> after = hourglass();
+  for (std::size_t i = 0; i < 12; ++i)
+    EXPECT_NEAR(after[i], before[i], 1e-8 * most) << i;  // a quarter of the third power of a step's growth
+}
+
+// Sabotage: the forces of the edges doubled.
+TEST(Hexahedron, PhysicalHourglassControlMakesNoModeFaster) {
+  Random random;
+  const auto fastest = [](const HexahedronProperties& b, const Corners& x) {
+    const Dense K = stiffness(b, x);
+    std::vector<double> u(24);
+    for (std::size_t i = 0; i < 24; ++i) u[i] = std::sin(1.0 + 3.7 * static_cast<double>(i));
+    double size = 0.0;
+    for (int turn = 0; turn < 3000; ++turn) {
+      std::vector<double> next(24);
+      size = 0.0;
+      for (std::size_t i = 0; i < 24; ++i) {
+        for (std::size_t j = 0; j < 24; ++j) next[i] += K[i][j] * u[j];
+        size += next[i] * next[i];
+      }
+      size = std::sqrt(size);
+      for (std::size_t i = 0; i < 24; ++i) u[i] = next[i] / size;
+    }
+    return size;
+  };
+  for (int trial = 0; trial < 20; ++trial) {
+    Corners x = parallelepiped(Vec3d{2, 0, 0} + random.vector(0.8), Vec3d{0, 1.5, 0} + random.vector(0.6),
+                               Vec3d{0, 0, 0.8} + random.vector(0.3));
+    for (Vec3d& p : x) p += random.vector(0.15);
+    EXPECT_LT(fastest(brick(6, 1.0), x), 1.01 * fastest(brick(6, 1e-6), x)) << trial;
+  }
 }
 
 TEST(Hexahedron, PhysicalHourglassControlBendsABeam) {
