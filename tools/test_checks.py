@@ -391,6 +391,46 @@ class VerificationTable(CheckCase):
             self.assertIn("rows.tsv: ", error)
 
 
+class Talk(CheckCase):
+    def setUp(self):
+        super().setUp()
+        rows = [f"| {n} | words | held | `verify.Weld.Breaks` |" for n in self.numbers()]
+        rows[0] = "| 1 | words | background | |"
+        self.page = "Of 89 statements: 88 held, 0 partly, 0 open, 1 background.\n\n" + "\n".join(rows) + "\n"
+        self.write("tests/verify/test_weld.cpp", "TEST(Weld, Breaks) {}\n")
+        self.write("tests/unit/weld/test_tie.cpp", "TEST_F(Tie, Holds) {}\n")
+        self.write("tests/decks/test_a.py", "class A:\n    def test_b(self):\n        pass\n")
+
+    @staticmethod
+    def numbers():
+        extra = {57: ["57b", "57c"], 76: ["76b"], 84: ["84b"]}
+        return [n for i in range(1, 87) for n in [str(i), *extra.get(i, [])]] + ["ex"]
+
+    def check(self, *changes):
+        text = self.page
+        for old, new in changes:
+            self.assertEqual(text.count(old), 1, old)
+            text = text.replace(old, new)
+        self.write("docs/verification/talk.md", text)
+        return self.run_check("check_talk.py")[1]
+
+    def test_tests_of_all_kinds_are_found(self):
+        names = "`verify.Weld.Breaks`, `unit.weld.Tie.Holds` (both), `tests/decks/test_a.py::test_b`"
+        self.assertEqual(self.check(("| 2 | words | held | `verify.Weld.Breaks` |", f"| 2 | words | held | {names} |")), "")
+
+    def test_each_breach_is_told_with_its_line(self):
+        row, counts = "| 3 | words | held | `verify.Weld.Breaks` |", ("88 held, 0 partly, 0 open", "87 held, 0 partly, 1 open")
+        for name in ("verify.Weld.Bends", "unit.tie.Tie.Holds", "tests/decks/test_a.py::test_c"):
+            self.assertEqual(self.check((row, f"| 3 | words | held | `{name}` |")),
+                             f"docs/verification/talk.md:5: 3: there is no test {name}\n")
+        self.assertIn(":5: 3 is held, but by no test", self.check((row, "| 3 | words | held | |")))
+        self.assertIn(":5: 3: the verdict is held, partly", self.check((row, row.replace("held", "fine"))))
+        self.assertIn(":6: 3 stands here twice", self.check((row, row + "\n" + row)))
+        self.assertIn("no row for 3", self.check((row + "\n", "")))
+        self.assertIn("expected the sentence `Of 89 statements: 87 held, 0 partly, 1 open", self.check((row, "| 3 | words | open | |")))
+        self.assertEqual(self.check((row, "| 3 | words | open | none |"), counts), "")
+
+
 class Site(CheckCase):
     def tool(self):
         spec = importlib.util.spec_from_file_location("nugget_site", TOOLS / "site.py")
