@@ -80,7 +80,7 @@ class Examples(unittest.TestCase):
                 self.assertLessEqual(len(line), 80, f"line {number}")
 
     def test_the_same_bytes_each_time(self):
-        for name in ("double_hat", "weld_placement", "tube_crush", "hat_crush", "weld_bond"):
+        for name in ("double_hat", "weld_placement", "talk", "tube_crush", "hat_crush", "weld_bond"):
             self.assertEqual(generate(name), generate(name))
 
     def test_double_hat(self):

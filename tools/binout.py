@@ -4,6 +4,7 @@
     tools/binout.py FILE            lists the branches and their variables
 """
 import collections
+import pathlib
 import struct
 import sys
 
@@ -12,7 +13,7 @@ TYPES = {1: "b", 2: "h", 3: "i", 4: "q", 5: "B", 6: "H", 7: "I", 8: "Q", 9: "f",
 
 def variables(path):
     """{path: values}, by following the records from the head; strings as bytes."""
-    data = open(path, "rb").read()
+    data = pathlib.Path(path).read_bytes()
     at, folder, found = data[0], "", {}
     while at < len(data):
         length, command = struct.unpack_from("<QB", data, at)

@@ -58,7 +58,7 @@ def strip(part, case, nodes, shells):
     return [number(i, j) for i, x in enumerate(xs) for j in range(len(ys)) if x < grip_edge + 1.0e-6]
 
 
-def make(case, welded=True):
+def make(case, welded=True, end_time=END_TIME):
     nodes, shells = {}, {}
     held = strip(UPPER, case, nodes, shells)
     pulled = strip(LOWER, case, nodes, shells)
@@ -75,7 +75,7 @@ One spot weld of {DIAMETER:g} mm holds two strips of {STRIP:g} x {WIDTH:g} x {TH
 in a grip: the left one stays, the right one is pulled along x. In this deck the weld stands over
 {WHAT[case]}. Units: mm, t, s, N, MPa.
 """)
-    controls(d, END_TIME)
+    controls(d, end_time)
     for name, interval in (("GLSTAT", 4.0e-5), ("SWFORC", 1.0e-5), ("NODOUT", 1.0e-5), ("BINARY_D3PLOT", 2.0e-4)):
         d.keyword("DATABASE_" + name)
         d.card(dt=interval)
