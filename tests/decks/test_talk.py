@@ -2,8 +2,8 @@
 """The figures of S. Bala's talk (examples/talk): every number of their runs beside what the talk or a formula says. docs/verification/talk.md
 names these tests; the example of the talk itself, a coupon torn apart, is in examples/test_examples.py.
 
-Sabotage that this catches: torsion of a brick lost in its tie, rotations of a rigid weld left free, hourglass types 1 to 3 with a stiffness,
-types 4 and 5 without QM, the rate of the engineering shear for SIGTAU, a projection before the contact.
+Sabotage that this catches: a tenth of the torsion lost in the in-plane forces, the exponents of a rigid weld left out, hourglass types 4 and
+5 without QM, the rate of the engineering shear for SIGTAU, a tolerance three times as large.
 """
 import pathlib
 import sys
