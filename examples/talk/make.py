@@ -10,7 +10,7 @@ import importlib
 import pathlib
 import sys
 
-TOPICS = ("thickness", "rigid", "torsion", "hourglass", "steps", "projections", "place", "forms", "toyota")
+TOPICS = ("thickness", "rigid", "torsion", "hourglass", "steps", "projections", "place", "forms", "meshes", "toyota")
 
 
 def topics(names=()):

@@ -50,6 +50,9 @@ class Talk(CommandTest):
     def test_bricks_stand_anywhere(self):
         self.check("forms")
 
+    def test_mesh_below_a_weld(self):
+        self.check("meshes")
+
     def test_stresses_of_a_bar_with_rates(self):
         self.check("toyota")
 
