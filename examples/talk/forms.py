@@ -10,7 +10,7 @@ FORMS = {"beam": 0, "1 brick": 1, "4 bricks": 4, "8 bricks": 8}
 
 
 def deck(case, bricks):
-    d = placement.make(case, end_time=6.0e-4)
+    d = placement.make(case, end_time=5.0e-4)
     if bricks:
         d.keyword("CONTROL_SPOTWELD_BEAM")
         d.card(lct=0, lcs=0, t_ort=0, prtflg=0, t_ors=0, rpbhx=bricks)

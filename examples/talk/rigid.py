@@ -8,7 +8,7 @@ import math
 import readers
 from place import elongation, placement
 
-NORMAL, SHEAR, TIME, STRAIN, END = 2000.0, 5000.0, 2.0e-3, 0.01, 2.8e-3
+NORMAL, SHEAR, TIME, STRAIN, END = 2000.0, 4000.0, 1.2e-3, 0.005, 1.8e-3
 # SN, SS, N, M, TF, EP
 FAILURE = {"rigid_holds": (0.0, 0.0, 0.0, 0.0, 1.0e20, 1.0e20), "rigid_force": (NORMAL, SHEAR, 2.0, 2.0, 1.0e20, 1.0e20),
            "rigid_time": (0.0, 0.0, 0.0, 0.0, TIME, 1.0e20), "rigid_strain": (0.0, 0.0, 0.0, 0.0, 1.0e20, STRAIN)}
