@@ -67,6 +67,13 @@ class Talk(CommandTest):
         for node, segment in ((9001, "1006 1007 1011 1010"), (9002, "2006 2007 2011 2010")):
             self.assertIn(f"node {node} on segment {segment} (shell", self.read("run.log"))
 
+    def test_every_figure_has_its_page(self):
+        folder = SOURCE / "docs" / "verification"
+        pages = "".join(path.read_text(encoding="utf-8") for path in folder.glob("talk_*.md"))
+        for topic in make.TOPICS:
+            self.assertEqual(pages.count(f"(img/talk_{topic}.svg)"), 1, topic)
+            self.assertTrue((folder / "img" / f"talk_{topic}.svg").exists(), topic)
+
     def test_figures(self):
         """One that is quick; all are drawn in the same way."""
         try:
