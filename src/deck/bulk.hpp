@@ -95,7 +95,8 @@ class CarefulLines {
   CarefulLines(const CarefulLines&) = delete;
   CarefulLines& operator=(const CarefulLines&) = delete;
 
-  Row read(const Card& card, std::string_view line, int number) {
+  template <class T>
+  RowOf<T> read(const CardOf<T>& card, std::string_view line, int number) {
     block_.lines.push_back({line, number});
     return cursor_.read(card);
   }

@@ -12,35 +12,61 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-Field number8(std::string_view name, IdSpace space, std::string_view meaning, double fallback = 0.0) {
-  const Range range = space == IdSpace::none ? any_value : at_least(0);
-  return {name, Kind::integer, {}, fallback, range, meaning, space, 8, true};
+/// An element as its first line (of two, for solids) gives it.
+struct ElementRow {
+  int id = 0, part = 0;
+  std::array<int, 10> node{};
+};
+using ElementCard = CardOf<ElementRow>;
+
+IntegerField number8(std::string_view name, IdSpace space, std::string_view meaning, double fallback = 0.0) {
+  return within_range(wide(nugget::id(name, space, fallback, meaning), 8), at_least(0));
 }
 
 /// A release of a beam's end: none is supported.
 Field release(std::string_view name, std::string_view meaning) {
-  return {name, Kind::integer, {}, 0.0, only(0.0), meaning, IdSpace::none, 8, true};
+  return within_range(wide(integer(name, 0, any_value, meaning), 8), only(0.0));
 }
 
 const std::array<std::string_view, 10> node_names{"n1", "n2", "n3", "n4", "n5", "n6", "n7", "n8", "n9", "n10"};
+/// What the nodes of an element mean, one for each that its card has.
+using NodeMeanings = std::vector<std::string_view>;
+const NodeMeanings shell_nodes{"node 1",
+                               "node 2",
+                               "node 3",
+                               "node 4; 0 or n3: a triangle",
+                               "mid-side node: shells of eight nodes are not supported",
+                               "mid-side node",
+                               "mid-side node",
+                               "mid-side node"};
+const NodeMeanings solid_nodes{"node 1; n1 to n10 may also stand on a line of their own", "node 2", "node 3", "node 4",
+                               "node 5; n5 to n8 repeat for wedges and tetrahedra",       "node 6", "node 7", "node 8"};
+const NodeMeanings beam_nodes{"node 1", "node 2", "orientation node"};
 
-/// EID PID N1 ... and fields behind the nodes.
-Card element_card(std::size_t nodes, std::vector<Field> behind = {}) {
-  Card card{
-      {number8("eid", IdSpace::element, "element id", required), number8("pid", IdSpace::part, "part id", required)}};
-  for (std::size_t i = 0; i < nodes; ++i) card.fields.push_back(number8(node_names[i], IdSpace::node, "node id"));
-  card.fields.insert(card.fields.end(), behind.begin(), behind.end());
+/// The first `needed` of them have to be given.
+void add_nodes(ElementCard& card, const NodeMeanings& meanings, std::size_t needed) {
+  for (std::size_t i = 0; i < meanings.size(); ++i)
+    card.add({nugget::at(&ElementRow::node, i),
+              number8(node_names[i], IdSpace::node, meanings[i], i < needed ? required : 0.0)});
+}
+
+/// EID PID N1 ...
+ElementCard element_card(const NodeMeanings& nodes, std::size_t needed) {
+  ElementCard card{{&ElementRow::id, number8("eid", IdSpace::element, "element id", required)},
+                   {&ElementRow::part, number8("pid", IdSpace::part, "part id", required)}};
+  add_nodes(card, nodes, needed);
   return card;
 }
 
-Card nodes_only_card(std::size_t nodes) {
-  Card card;
-  for (std::size_t i = 0; i < nodes; ++i) card.fields.push_back(number8(node_names[i], IdSpace::node, "node id"));
+/// N1 to N10 on a line of their own.
+ElementCard nodes_only_card() {
+  ElementCard card;
+  add_nodes(card, NodeMeanings(10, "node id"), 0);
   return card;
 }
 
-Field real16(std::string_view name, Dimension d, std::string_view meaning, Range range = any_value) {
-  Field f = wide(real(name, d, 0.0, range, meaning), 16);
+RealField real16(std::string_view name, Dimension d, std::string_view meaning, Range range = any_value) {
+  RealField f = wide(real(name, d, 0.0, range, meaning), 16);
   f.zero_is_default = false;
   return f;
 }
@@ -84,7 +110,7 @@ class ElementReader {
  protected:
   /// The first line of an element: id, part and `count` nodes; of beams with `releases` too (four that must be 0, and
   /// their axes).
-  bool read_element(std::string_view line, const Card& card, std::size_t count, bool releases = false) {
+  bool read_element(std::string_view line, const ElementCard& card, std::size_t count, bool releases = false) {
     row_ = {};
     PlainColumns cells(line);
     row_.id = cells.integer(width_);
@@ -97,19 +123,16 @@ class ElementReader {
     }
     if (cells.good() && nothing_released && row_.id > 0 && row_.part > 0 && offsets_fit()) return true;
     if (trimmed(line).empty()) return false;
-    const Row careful = careful_.read(card, line, lines_.number());
-    row_ = {careful.integer("eid"), careful.integer("pid"), {}};
-    for (std::size_t i = 0; i < count; ++i) row_.node[i] = careful.integer(node_names[i]);
+    row_ = *careful_.read(card, line, lines_.number());
     return row_.id != 0 && row_.part != 0;  // else a finding says so
   }
 
   /// A line of nodes only.
-  void read_nodes_line(std::string_view line, const Card& card, std::size_t count) {
+  void read_nodes_line(std::string_view line, const ElementCard& card, std::size_t count) {
     PlainColumns cells(line);
     read_plain_nodes(cells, 0, count);
     if (cells.good() && apply_node_offsets()) return;
-    const Row careful = careful_.read(card, line, lines_.number());
-    for (std::size_t i = 0; i < count; ++i) row_.node[i] = careful.integer(node_names[i]);
+    row_.node = careful_.read(card, line, lines_.number())->node;
   }
 
   /// The next line of the same element; a finding where the block ends first.
@@ -164,11 +187,6 @@ class ElementReader {
     return true;
   }
 
-  struct Element {
-    int id = 0, part = 0;
-    std::array<int, 10> node{};
-  };
-
   const Block& block_;
   ElementTable& out_;
   Findings& findings_;
@@ -176,7 +194,7 @@ class ElementReader {
   CarefulLines careful_;
   IdOffset element_offset_, part_offset_, node_offset_;
   std::size_t width_;
-  Element row_;
+  ElementRow row_;
   int first_line_ = 0;
 
  private:
@@ -195,25 +213,71 @@ class ElementReader {
 
 // ---- shells
 
-const Card& more_thickness_card() {
-  using dimension::length;
-  static const Card card{{real16("thic5", length, "thickness at node 5", at_least(0)),
-                          real16("thic6", length, "thickness at node 6", at_least(0)),
-                          real16("thic7", length, "thickness at node 7", at_least(0)),
-                          real16("thic8", length, "thickness at node 8", at_least(0))}};
+const ElementCard& shell_element_card() {
+  static const ElementCard card = element_card(shell_nodes, 3);
   return card;
 }
-const Card shell_system_card{{real16("thic1", dimension::length, "thickness at node 1", at_least(0)),
-                              real16("thic2", dimension::length, "thickness at node 2", at_least(0)),
-                              real16("thic3", dimension::length, "thickness at node 3", at_least(0)),
-                              real16("thic4", dimension::length, "thickness at node 4", at_least(0)),
-                              wide(id("mcid", IdSpace::define, 0, "coordinate system of the material"), 16)}};
-const Card shell_offset_card{{real16("offset", dimension::length, "distance of the reference surface from the nodes")}};
-const Card scalar_nodes_card{
-    {number8("ns1", IdSpace::node, "scalar node"), number8("ns2", IdSpace::node, "scalar node"),
-     number8("ns3", IdSpace::node, "scalar node"), number8("ns4", IdSpace::node, "scalar node"),
-     number8("ns5", IdSpace::node, "scalar node"), number8("ns6", IdSpace::node, "scalar node"),
-     number8("ns7", IdSpace::node, "scalar node"), number8("ns8", IdSpace::node, "scalar node")}};
+
+/// What the cards of the options of a shell give.
+struct ShellOptionRow {
+  std::array<double, 4> thickness{};
+  double angle = 0.0;
+  int system = 0;
+  double offset = 0.0;
+};
+using ShellOptionCard = CardOf<ShellOptionRow>;
+
+ShellOptionCard thickness_card() {
+  const std::array<std::string_view, 4> names{"thic1", "thic2", "thic3", "thic4"},
+      meanings{"thickness at node 1; 0: of the section", "thickness at node 2", "thickness at node 3",
+               "thickness at node 4"};
+  ShellOptionCard card;
+  for (std::size_t i = 0; i < 4; ++i)
+    card.add(
+        {nugget::at(&ShellOptionRow::thickness, i), real16(names[i], dimension::length, meanings[i], at_least(0))});
+  return card;
+}
+const ShellOptionCard& thickness_and_angle_card() {
+  static const ShellOptionCard card = [] {
+    ShellOptionCard c = thickness_card();
+    c.add({&ShellOptionRow::angle,
+           real16("beta", dimension::number, "angle of the material axes instead of the material's BETA [degrees]")});
+    return c;
+  }();
+  return card;
+}
+const ShellOptionCard& thickness_and_system_card() {
+  static const ShellOptionCard card = [] {
+    ShellOptionCard c = thickness_card();
+    c.add({&ShellOptionRow::system, wide(id("mcid", IdSpace::define, 0, "coordinate system of the material"), 16)});
+    return c;
+  }();
+  return card;
+}
+const ShellOptionCard& offset_card() {
+  static const ShellOptionCard card{
+      {&ShellOptionRow::offset, real16("offset", dimension::length, "mid-surface from the nodes, along the normal")},
+  };
+  return card;
+}
+
+/// Cards of which nothing is kept; what stands on them is checked.
+struct NothingKept {};
+using CheckedCard = CardOf<NothingKept>;
+
+const CheckedCard& more_thickness_card() {
+  using dimension::length;
+  static const CheckedCard card{real16("thic5", length, "thickness at node 5", at_least(0)),
+                                real16("thic6", length, "thickness at node 6", at_least(0)),
+                                real16("thic7", length, "thickness at node 7", at_least(0)),
+                                real16("thic8", length, "thickness at node 8", at_least(0))};
+  return card;
+}
+const CheckedCard scalar_nodes_card{
+    number8("ns1", IdSpace::node, "scalar node"), number8("ns2", IdSpace::node, "scalar node"),
+    number8("ns3", IdSpace::node, "scalar node"), number8("ns4", IdSpace::node, "scalar node"),
+    number8("ns5", IdSpace::node, "scalar node"), number8("ns6", IdSpace::node, "scalar node"),
+    number8("ns7", IdSpace::node, "scalar node"), number8("ns8", IdSpace::node, "scalar node")};
 
 class ShellReader : ElementReader {
  public:
@@ -232,7 +296,7 @@ class ShellReader : ElementReader {
     std::string_view line;
     while (lines_.next(line)) {
       first_line_ = lines_.number();
-      const bool kept = read_element(line, shell_card(), 8);
+      const bool kept = read_element(line, shell_element_card(), 8);
       if (!kept && trimmed(line).empty()) continue;
       if (kept) append();
       if (thick && !read_thickness(kept, mcid)) break;
@@ -255,13 +319,11 @@ class ShellReader : ElementReader {
     if (!mcid && !trimmed(columns(line, 4 * wide_cell, wide_cell)).empty()) angle = cells.real(wide_cell);
     const bool positive = t[0] >= 0.0 && t[1] >= 0.0 && t[2] >= 0.0 && t[3] >= 0.0;
     if (!cells.good() || !positive || block_.transform != nullptr) {
-      const Row row = careful_.read(mcid ? shell_system_card : shell_thickness_card(), line, lines_.number());
-      t = {row.real("thic1"), row.real("thic2"), row.real("thic3"), row.real("thic4")};
-      if (mcid) {
-        system = row.integer("mcid");
-      } else {
-        angle = row.blank("beta") ? none : row.real("beta");
-      }
+      const auto row =
+          careful_.read(mcid ? thickness_and_system_card() : thickness_and_angle_card(), line, lines_.number());
+      t = row->thickness;
+      system = row->system;
+      angle = mcid || row[&ShellOptionRow::angle].blank ? none : row->angle;
     }
     if (kept) {
       append(out_.thickness, t, {});
@@ -281,8 +343,8 @@ class ShellReader : ElementReader {
   bool read_offset(bool kept) {
     std::string_view line;
     if (!next_of_element(line, "offset card")) return false;
-    const Row row = careful_.read(shell_offset_card, line, lines_.number());
-    if (kept) append(out_.offset, row.real("offset"), none);
+    const auto row = careful_.read(offset_card(), line, lines_.number());
+    if (kept) append(out_.offset, row->offset, none);
     return true;
   }
 
@@ -307,18 +369,22 @@ bool is_short(std::string_view line, std::size_t width) {
   return second == std::string_view::npos || names_no_node(line.substr(second));
 }
 
-const Card& solid_short_card() {
-  static const Card card = element_card(0);
+const ElementCard& solid_element_card() {
+  static const ElementCard card = element_card(solid_nodes, 4);
   return card;
 }
-const Card& solid_nodes_card() {
-  static const Card card = nodes_only_card(10);
+const ElementCard& solid_short_card() {
+  static const ElementCard card = element_card({}, 0);
   return card;
 }
-const Card axes_card{
-    {real16("a1", dimension::number, "material axes"), real16("a2", dimension::number, "material axes"),
-     real16("a3", dimension::number, "material axes"), real16("a4", dimension::number, "material axes"),
-     real16("a5", dimension::number, "material axes")}};
+const ElementCard& solid_nodes_card() {
+  static const ElementCard card = nodes_only_card();
+  return card;
+}
+const CheckedCard axes_card{
+    real16("a1", dimension::number, "material axes"), real16("a2", dimension::number, "material axes"),
+    real16("a3", dimension::number, "material axes"), real16("a4", dimension::number, "material axes"),
+    real16("a5", dimension::number, "material axes")};
 
 class SolidReader : ElementReader {
  public:
@@ -340,7 +406,8 @@ class SolidReader : ElementReader {
       first_line_ = lines_.number();
       if (trimmed(line).empty()) continue;
       const bool two_lines = is_short(line, width_);
-      const bool kept = two_lines ? read_element(line, solid_short_card(), 0) : read_element(line, solid_card(), 8);
+      const bool kept =
+          two_lines ? read_element(line, solid_short_card(), 0) : read_element(line, solid_element_card(), 8);
       if (two_lines) {
         if (!next_of_element(line, "line of nodes")) break;
         read_nodes_line(line, solid_nodes_card(), 10);
@@ -354,7 +421,7 @@ class SolidReader : ElementReader {
   }
 
  private:
-  bool skip_card(const Card& card) {
+  bool skip_card(const CheckedCard& card) {
     std::string_view line;
     if (!next_of_element(line, "option card")) return false;
     careful_.read(card, line, lines_.number());
@@ -364,21 +431,61 @@ class SolidReader : ElementReader {
 
 // ---- beams
 
-const Card beam_section_card{
-    {real16("parm1", dimension::number, "section value"), real16("parm2", dimension::number, "section value"),
-     real16("parm3", dimension::number, "section value"), real16("parm4", dimension::number, "section value"),
-     real16("parm5", dimension::number, "section value")}};
-const Card beam_parts_card{{number8("pid1", IdSpace::part, "part to which node 1 is tied"),
-                            number8("pid2", IdSpace::part, "part to which node 2 is tied")}};
-const Card beam_offset_card{{real("wx1", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
-                             real("wy1", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
-                             real("wz1", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
-                             real("wx2", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
-                             real("wy2", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
-                             real("wz2", dimension::length, 0.0, only(0.0), "offset of the beam axis")}};
-const Card beam_orientation_card{{real("vx", dimension::number, 0.0, any_value, "orientation vector"),
-                                  real("vy", dimension::number, 0.0, any_value, "orientation vector"),
-                                  real("vz", dimension::number, 0.0, any_value, "orientation vector")}};
+/// What the cards of the options of a beam give.
+struct BeamOptionRow {
+  std::array<double, 5> section{};
+  std::array<int, 2> part{};
+  Vec3d orientation;
+};
+using BeamOptionCard = CardOf<BeamOptionRow>;
+
+const BeamOptionCard& section_card() {
+  static const BeamOptionCard card = [] {
+    const std::array<std::string_view, 5> names{"parm1", "parm2", "parm3", "parm4", "parm5"};
+    BeamOptionCard c;
+    for (std::size_t i = 0; i < 5; ++i)
+      c.add({nugget::at(&BeamOptionRow::section, i), real16(names[i], dimension::number, "section value")});
+    return c;
+  }();
+  return card;
+}
+const BeamOptionCard& parts_card() {
+  static const BeamOptionCard card{
+      {nugget::at(&BeamOptionRow::part, 0), number8("pid1", IdSpace::part, "part that end 1 is to be tied to")},
+      {nugget::at(&BeamOptionRow::part, 1), number8("pid2", IdSpace::part, "part that end 2 is to be tied to")},
+  };
+  return card;
+}
+const BeamOptionCard beam_offset_card{real("wx1", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
+                                      real("wy1", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
+                                      real("wz1", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
+                                      real("wx2", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
+                                      real("wy2", dimension::length, 0.0, only(0.0), "offset of the beam axis"),
+                                      real("wz2", dimension::length, 0.0, only(0.0), "offset of the beam axis")};
+const BeamOptionCard& orientation_card() {
+  const auto component = [](double Vec3d::*axis, std::string_view name, std::string_view meaning) {
+    return FieldOf<BeamOptionRow>(within(&BeamOptionRow::orientation, axis),
+                                  real(name, dimension::number, 0.0, any_value, meaning));
+  };
+  static const BeamOptionCard card{
+      component(&Vec3d::x, "vx", "direction from node 1, instead of n3: x"),
+      component(&Vec3d::y, "vy", "y"),
+      component(&Vec3d::z, "vz", "z"),
+  };
+  return card;
+}
+const ElementCard& beam_element_card() {
+  static const ElementCard card = [] {
+    ElementCard c = element_card(beam_nodes, 2);
+    for (const Field& behind :
+         {release("rt1", "released translations at node 1"), release("rr1", "released rotations at node 1"),
+          release("rt2", "released translations at node 2"), release("rr2", "released rotations at node 2")})
+      c.add(behind);
+    c.add(within_range(number8("local", IdSpace::none, "axes of the releases"), any_value));
+    return c;
+  }();
+  return card;
+}
 
 class BeamReader : ElementReader {
  public:
@@ -396,7 +503,7 @@ class BeamReader : ElementReader {
     while (lines_.next(line)) {
       first_line_ = lines_.number();
       if (trimmed(line).empty()) continue;
-      kept_ = read_element(line, beam_card(), 3, true);
+      kept_ = read_element(line, beam_element_card(), 3, true);
       if (kept_) append();
       if (has("THICKNESS") && !read_section()) break;
       if (has("PID") && !read_parts()) break;
@@ -407,33 +514,30 @@ class BeamReader : ElementReader {
   }
 
  private:
-  std::optional<Row> option_row(const Card& card, std::string_view what) {
+  std::optional<BeamOptionRow> option_row(const BeamOptionCard& card, std::string_view what) {
     std::string_view line;
     if (!next_of_element(line, what)) return {};
-    return careful_.read(card, line, lines_.number());
+    return *careful_.read(card, line, lines_.number());
   }
 
   bool read_section() {
-    const std::optional<Row> row = option_row(beam_section_card, "thickness card");
+    const auto row = option_row(section_card(), "thickness card");
     if (!row) return false;
-    if (kept_) {
-      append(out_.section,
-             {row->real("parm1"), row->real("parm2"), row->real("parm3"), row->real("parm4"), row->real("parm5")}, {});
-    }
+    if (kept_) append(out_.section, row->section, {});
     return true;
   }
 
   bool read_parts() {
-    const std::optional<Row> row = option_row(beam_parts_card, "card of parts");
+    const auto row = option_row(parts_card(), "card of parts");
     if (!row) return false;
-    if (kept_) append(out_.tied_parts, {row->integer("pid1"), row->integer("pid2")}, {});
+    if (kept_) append(out_.tied_parts, row->part, {});
     return true;
   }
 
   bool read_orientation() {
-    const std::optional<Row> row = option_row(beam_orientation_card, "orientation card");
+    const auto row = option_row(orientation_card(), "orientation card");
     if (!row) return false;
-    Vec3d v{row->real("vx"), row->real("vy"), row->real("vz")};
+    Vec3d v = row->orientation;
     if (block_.transform != nullptr) v = block_.transform->direction(v);
     if (kept_) append(out_.orientation, {v.x, v.y, v.z}, {});
     return true;
@@ -445,31 +549,25 @@ class BeamReader : ElementReader {
 }  // namespace
 
 const Card& shell_card() {
-  static const Card card = element_card(8);
-  return card;
+  return shell_element_card();
 }
-
 const Card& shell_thickness_card() {
-  using dimension::length;
-  static const Card card{{real16("thic1", length, "thickness at node 1", at_least(0)),
-                          real16("thic2", length, "thickness at node 2", at_least(0)),
-                          real16("thic3", length, "thickness at node 3", at_least(0)),
-                          real16("thic4", length, "thickness at node 4", at_least(0)),
-                          real16("beta", dimension::number, "angle of the material axes in degrees")}};
-  return card;
+  return thickness_and_angle_card();
 }
-
+const Card& shell_offset_card() {
+  return offset_card();
+}
 const Card& solid_card() {
-  static const Card card = element_card(8);
-  return card;
+  return solid_element_card();
 }
-
 const Card& beam_card() {
-  static const Card card = element_card(
-      3, {release("rt1", "released translations at node 1"), release("rr1", "released rotations at node 1"),
-          release("rt2", "released translations at node 2"), release("rr2", "released rotations at node 2"),
-          number8("local", IdSpace::none, "axes of the releases")});
-  return card;
+  return beam_element_card();
+}
+const Card& beam_parts_card() {
+  return parts_card();
+}
+const Card& beam_orientation_card() {
+  return orientation_card();
 }
 
 void read_shells(const Deck& deck, const Block& block, ElementTable& out, Findings& findings) {

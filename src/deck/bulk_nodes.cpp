@@ -30,8 +30,28 @@ bool read_plain(std::string_view line, const Block& block, const IdOffset& offse
   return true;
 }
 
-NodeRow from_row(const Row& row, const Block& block) {
-  NodeRow node{row.integer("nid"), {row.real("x"), row.real("y"), row.real("z")}, row.integer("tc"), row.integer("rc")};
+const CardOf<NodeRow>& node_row_card() {
+  using dimension::length;
+  const auto coordinate = [](double Vec3d::*axis, const RealField& field) {
+    return FieldOf<NodeRow>(within(&NodeRow::x, axis), wide(field, 16));
+  };
+  const auto code = [](int NodeRow::*member, std::string_view name, std::string_view meaning) {
+    return FieldOf<NodeRow>(member, wide(integer(name, 0, between(0, 7), meaning), 8));
+  };
+  static const CardOf<NodeRow> card{
+      {&NodeRow::id, wide(within_range(nugget::id("nid", IdSpace::node, required, "node id"), at_least(1)), 8)},
+      coordinate(&Vec3d::x, real("x", length, 0.0, any_value, "coordinate x")),
+      coordinate(&Vec3d::y, real("y", length, 0.0, any_value, "coordinate y")),
+      coordinate(&Vec3d::z, real("z", length, 0.0, any_value, "coordinate z")),
+      code(&NodeRow::tc, "tc", "constrained translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
+      code(&NodeRow::rc, "rc", "constrained rotations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"),
+  };
+  return card;
+}
+
+/// A line that has to be read carefully; id 0 where a finding says what is wrong with it.
+NodeRow read_carefully(CarefulLines& careful, std::string_view line, int number, const Block& block) {
+  NodeRow node = *careful.read(node_row_card(), line, number);
   if (block.transform != nullptr) node.x = block.transform->moved(node.x);
   return node;
 }
@@ -39,16 +59,7 @@ NodeRow from_row(const Row& row, const Block& block) {
 }  // namespace
 
 const Card& node_card() {
-  using namespace dimension;
-  static const Card card{{
-      wide(Field{"nid", Kind::integer, number, required, at_least(1), "node id", IdSpace::node}, 8),
-      wide(real("x", length, 0.0, any_value, "coordinate x"), 16),
-      wide(real("y", length, 0.0, any_value, "coordinate y"), 16),
-      wide(real("z", length, 0.0, any_value, "coordinate z"), 16),
-      wide(integer("tc", 0, between(0, 7), "constrained translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"), 8),
-      wide(integer("rc", 0, between(0, 7), "constrained rotations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"), 8),
-  }};
-  return card;
+  return node_row_card();
 }
 
 std::size_t estimated_rows(const Block& block, std::size_t lines_per_row) {
@@ -74,8 +85,8 @@ void read_nodes(const Deck& deck, const Block& block, NodeTable& out, Findings& 
     NodeRow node;
     if (!read_plain(line, block, offset, node)) {
       if (trimmed(line).empty()) continue;
-      node = from_row(careful.read(node_card(), line, lines.number()), block);
-      if (node.id == 0) continue;  // a finding says so
+      node = read_carefully(careful, line, lines.number(), block);
+      if (node.id == 0) continue;
     }
     out.id.push_back(node.id);
     out.x.push_back(node.x);

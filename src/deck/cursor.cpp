@@ -71,30 +71,10 @@ Fault fault_of(const Field& field, std::string_view text, const Value& value) {
 
 // ---- Row
 
-std::size_t Row::index(std::string_view name) const {
-  for (std::size_t i = 0; i < card_->fields.size(); ++i) {
-    if (card_->fields[i].name == name) return i;
-  }
-  throw std::logic_error(fmt::format("card of *{} has no field '{}'", keyword_, name));
-}
-
-double Row::real(std::string_view name) const {
-  return cells_[index(name)].value;
-}
-int Row::integer(std::string_view name) const {
-  return static_cast<int>(cells_[index(name)].value);
-}
-const std::string& Row::text(std::string_view name) const {
-  return cells_[index(name)].text;
-}
-bool Row::blank(std::string_view name) const {
-  return cells_[index(name)].blank;
-}
-Place Row::place(std::string_view name) const {
-  return entry(name).place;
-}
 Entry Row::entry(std::string_view name) const {
-  return entry_at(index(name));
+  for (std::size_t i = 0; i < card_->fields.size(); ++i)
+    if (card_->fields[i].name == name) return entry_at(i);
+  throw std::logic_error(fmt::format("card of *{} has no field '{}'", keyword_, name));
 }
 
 Entry Row::entry_of(std::ptrdiff_t offset) const {
@@ -118,11 +98,6 @@ Entry Row::entry_at(std::size_t field) const {
   entry.blank = cell.blank;
   entry.place = {place_.file, place_.line, cell.column};
   return entry;
-}
-
-void Row::report(Findings& findings, Severity severity, std::string_view name, std::string_view text,
-                 std::string_view remedy) const {
-  entry(name).report(findings, severity, text, remedy);
 }
 
 void Row::store(std::byte* object) const {

@@ -115,18 +115,9 @@ class Row {
   Place place() const { return place_; }                  ///< of the line
   std::string keyword() const { return '*' + keyword_; }  ///< that the card belongs to, for messages
 
-  // By name. All of these throw std::logic_error for a name that the card does not have: a fault of the program, not of
-  // the deck.
-  double real(std::string_view name) const;
-  int integer(std::string_view name) const;
-  const std::string& text(std::string_view name) const;
-  /// True where the field is blank (or the line ended before it, or the card is missing).
-  bool blank(std::string_view name) const;
-  /// Where the field stands.
-  Place place(std::string_view name) const;
+  /// What stands in the field of that name, for tables that are bound to no members. Throws std::logic_error for a name
+  /// that the card does not have: a fault of the program, not of the deck.
   Entry entry(std::string_view name) const;
-  void report(Findings& findings, Severity severity, std::string_view name, std::string_view text,
-              std::string_view remedy = {}) const;
 
  protected:
   /// Of the field that is bound to the member there; std::logic_error where none is.
@@ -141,7 +132,6 @@ class Row {
     bool blank = true;
     int column = 1;
   };
-  std::size_t index(std::string_view name) const;
   Entry entry_at(std::size_t field) const;
   void store(std::byte* object) const;
   const Card* card_ = nullptr;
@@ -261,11 +251,14 @@ void read_solids(const Deck& deck, const Block& block, ElementTable& out, Findin
 /// *ELEMENT_BEAM with THICKNESS, PID, OFFSET, ORIENTATION; nodes N1 N2 N3.
 void read_beams(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
 
-// The first cards of the bulk keywords, for `nugget keywords` (the readers above use the same tables).
+// The tables by which the readers above read, for `nugget keywords`.
 const Card& node_card();
 const Card& shell_card();
 const Card& shell_thickness_card();
+const Card& shell_offset_card();
 const Card& solid_card();
 const Card& beam_card();
+const Card& beam_parts_card();
+const Card& beam_orientation_card();
 
 }  // namespace nugget::deck

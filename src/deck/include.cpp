@@ -14,21 +14,44 @@ namespace fs = std::filesystem;
 
 constexpr int deepest_include = 64;
 
-const Card offsets_1{
-    {integer("idnoff", 0, any_value, "offset of node ids"), integer("ideoff", 0, any_value, "offset of element ids"),
-     integer("idpoff", 0, any_value, "offset of part ids"), integer("idmoff", 0, any_value, "offset of material ids"),
-     integer("idsoff", 0, any_value, "offset of set ids"),
-     integer("idfoff", 0, any_value, "offset of curve, table and function ids"),
-     integer("iddoff", 0, any_value, "offset of other *DEFINE ids")}};
-const Card offsets_2{{integer("idroff", 0, any_value, "offset of all other ids"), unused(),
-                      text("prefix", 10, "prefix of titles"), text("suffix", 10, "suffix of titles")}};
-const Card factors{{real("fctmas", dimension::number, 1.0, above_zero(), "unit factor of mass"),
-                    real("fcttim", dimension::number, 1.0, above_zero(), "unit factor of time"),
-                    real("fctlen", dimension::number, 1.0, above_zero(), "unit factor of length"),
-                    text("fcttem", 10, "change of temperature unit"),
-                    integer("incout1", 1, any_value, "writes dyna.inc"),
-                    real("fctchg", dimension::number, 0.0, any_value, "unit factor of electric charge")}};
-const Card transformation{{id("tranid", IdSpace::define, 0, "id of *DEFINE_TRANSFORMATION")}};
+/// *INCLUDE_TRANSFORM, its five cards but the first: what ids are raised by, units are multiplied by and points are
+/// moved by.
+struct TransformCards {
+  int idnoff = 0, ideoff = 0, idpoff = 0, idmoff = 0, idsoff = 0, idfoff = 0, iddoff = 0, idroff = 0;
+  std::string prefix, suffix;
+  double fctmas = 1.0, fcttim = 1.0, fctlen = 1.0, fctchg = 0.0;
+  std::string fcttem;
+  int incout1 = 1;
+  int tranid = 0;
+};
+using Cards = TransformCards;
+
+const CardOf<Cards> offsets_1{
+    {&Cards::idnoff, integer("idnoff", 0, any_value, "offset of node ids")},
+    {&Cards::ideoff, integer("ideoff", 0, any_value, "offset of element ids")},
+    {&Cards::idpoff, integer("idpoff", 0, any_value, "offset of part ids")},
+    {&Cards::idmoff, integer("idmoff", 0, any_value, "offset of material ids")},
+    {&Cards::idsoff, integer("idsoff", 0, any_value, "offset of set ids")},
+    {&Cards::idfoff, integer("idfoff", 0, any_value, "offset of curve, table and function ids")},
+    {&Cards::iddoff, integer("iddoff", 0, any_value, "offset of other *DEFINE ids")},
+};
+const CardOf<Cards> offsets_2{
+    {&Cards::idroff, integer("idroff", 0, any_value, "offset of all other ids")},
+    unused(),
+    {&Cards::prefix, text("prefix", 10, "prefix of titles")},
+    {&Cards::suffix, text("suffix", 10, "suffix of titles")},
+};
+const CardOf<Cards> factors{
+    {&Cards::fctmas, real("fctmas", dimension::number, 1.0, above_zero(), "unit factor of mass")},
+    {&Cards::fcttim, real("fcttim", dimension::number, 1.0, above_zero(), "unit factor of time")},
+    {&Cards::fctlen, real("fctlen", dimension::number, 1.0, above_zero(), "unit factor of length")},
+    {&Cards::fcttem, text("fcttem", 10, "change of temperature unit")},
+    {&Cards::incout1, integer("incout1", 1, any_value, "writes dyna.inc")},
+    {&Cards::fctchg, real("fctchg", dimension::number, 0.0, any_value, "unit factor of electric charge")},
+};
+const CardOf<Cards> transformation{
+    {&Cards::tranid, id("tranid", IdSpace::define, 0, "id of *DEFINE_TRANSFORMATION")},
+};
 
 /// The file of that name in a folder in other letters (decks come from systems that do not tell them apart); empty:
 /// none.
@@ -132,24 +155,24 @@ void Reader::include_transform(const Block& block, const Visit& visit) {
   }
   const Place place = cursor.place();
   const std::string name = file_name(cursor, block);
-  const Row ids = cursor.read(offsets_1);
-  const Row more_ids = cursor.read(offsets_2);
-  const Row units = cursor.read(factors);
-  const Row move = cursor.read(transformation);
-  for (const std::string_view field : {"prefix", "suffix"}) {
-    if (!more_ids.blank(field)) {
-      more_ids.report(findings_, Severity::warning, field, "titles of the included file stay as they are");
-    }
+  TransformCards cards;
+  cursor.read(offsets_1, cards);
+  const RowOf<Cards> titles = cursor.read(offsets_2, cards);
+  const RowOf<Cards> units = cursor.read(factors, cards);
+  const RowOf<Cards> move = cursor.read(transformation, cards);
+  for (const Entry& title : {titles[&Cards::prefix], titles[&Cards::suffix]}) {
+    if (!title.blank) title.report(findings_, Severity::warning, "titles of the included file stay as they are");
   }
-  if (!units.blank("fcttem") && units.text("fcttem").find_first_not_of("0123456789.") != std::string::npos) {
-    units.report(findings_, Severity::error, "fcttem", "temperatures are not supported", "leave the field blank");
+  if (cards.fcttem.find_first_not_of("0123456789.") != std::string::npos) {
+    units[&Cards::fcttem].report(findings_, Severity::error, "temperatures are not supported", "leave the field blank");
   }
-  if (units.real("fctchg") != 0.0 && units.real("fctchg") != 1.0) {
-    units.report(findings_, Severity::error, "fctchg", "electric charge is not supported", "leave the field blank");
+  if (cards.fctchg != 0.0 && cards.fctchg != 1.0) {
+    units[&Cards::fctchg].report(findings_, Severity::error, "electric charge is not supported",
+                                 "leave the field blank");
   }
-  if (!units.blank("incout1") && units.integer("incout1") == 1)
-    units.report(findings_, Severity::note, "incout1", "the file dyna.inc is not written",
-                 "nugget check shows the model");
+  if (const Entry written = units[&Cards::incout1]; !written.blank && cards.incout1 == 1) {
+    written.report(findings_, Severity::note, "the file dyna.inc is not written", "nugget check shows the model");
+  }
   if (cursor.more()) {
     findings_.error(cursor.place(), block.starred(), "more lines than the five cards of this keyword",
                     "give each included file its own *INCLUDE_TRANSFORM");
@@ -157,20 +180,20 @@ void Reader::include_transform(const Block& block, const Visit& visit) {
 
   Transform own;
   const auto offset = [&](IdSpace space) -> long& { return own.id_offset[static_cast<std::size_t>(space)]; };
-  offset(IdSpace::node) = ids.integer("idnoff");
-  offset(IdSpace::element) = ids.integer("ideoff");
-  offset(IdSpace::part) = ids.integer("idpoff");
-  offset(IdSpace::material) = ids.integer("idmoff");
-  offset(IdSpace::set) = ids.integer("idsoff");
-  offset(IdSpace::function) = ids.integer("idfoff");
-  offset(IdSpace::define) = ids.integer("iddoff");
-  offset(IdSpace::other) = more_ids.integer("idroff");
-  own.mass = units.real("fctmas");
-  own.time = units.real("fcttim");
-  own.length = units.real("fctlen");
+  offset(IdSpace::node) = cards.idnoff;
+  offset(IdSpace::element) = cards.ideoff;
+  offset(IdSpace::part) = cards.idpoff;
+  offset(IdSpace::material) = cards.idmoff;
+  offset(IdSpace::set) = cards.idsoff;
+  offset(IdSpace::function) = cards.idfoff;
+  offset(IdSpace::define) = cards.iddoff;
+  offset(IdSpace::other) = cards.idroff;
+  own.mass = cards.fctmas;
+  own.time = cards.fcttim;
+  own.length = cards.fctlen;
   Transform& target =
       deck_.impl->transforms.emplace_back(visit.transform == nullptr ? own : composed(*visit.transform, own));
-  pending_.push_back({&target, visit.transform, own, move.integer("tranid"), move.place("tranid")});
+  pending_.push_back({&target, visit.transform, own, cards.tranid, move[&Cards::tranid].place});
   if (!name.empty()) open(name, place, block, visit, &target);
 }
 

@@ -28,7 +28,12 @@ int column_of(const Line& line, std::string_view text) {
   return static_cast<int>(text.data() - line.text.data()) + 1;
 }
 
-const Card duplication_card{{integer("dflag", 1, between(1, 5), "treatment of parameters that are defined twice")}};
+struct DuplicationCard {
+  int dflag = 1;
+};
+const CardOf<DuplicationCard> duplication_card{
+    {&DuplicationCard::dflag, integer("dflag", 1, between(1, 5), "treatment of parameters that are defined twice")},
+};
 
 }  // namespace
 
@@ -56,7 +61,7 @@ void Reader::parameters(const Block& block, const Visit& visit) {
 
 void Reader::duplication(const Block& block) {
   Cursor cursor(deck_, block, findings_);
-  duplication_ = cursor.read(duplication_card).integer("dflag");
+  duplication_ = cursor.read(duplication_card)->dflag;
 }
 
 void Reader::parameter_pairs(const Block& block, const Line& line, int depth) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "deck/reader.hpp"
 #include "deck/text.hpp"
 
@@ -94,15 +95,34 @@ bool is_finite(const Matrix& m) {
   return true;
 }
 
-const Card id_card{{id("tranid", IdSpace::define, required, "id of the transformation")}};
+struct TransformationId {
+  int tranid = 0;
+};
+const CardOf<TransformationId> id_card{
+    {&TransformationId::tranid, id("tranid", IdSpace::define, required, "id of the transformation")},
+};
 
-Field argument(std::string_view name) {
-  Field f = real(name, dimension::number, 0.0, any_value, "argument of the option");
+/// A line of *DEFINE_TRANSFORMATION: the kind of motion and its arguments A1 to A7.
+struct Motion {
+  std::string option;
+  std::array<double, 7> a{};
+};
+
+FieldOf<Motion> argument(std::size_t i, std::string_view name) {
+  RealField f = real(name, dimension::number, 0.0, any_value, "argument of the option");
   f.zero_is_default = false;
-  return f;
+  return {at(&Motion::a, i), f};
 }
-const Card option_card{{text("option", 10, "kind of motion"), argument("a1"), argument("a2"), argument("a3"),
-                        argument("a4"), argument("a5"), argument("a6"), argument("a7")}};
+const CardOf<Motion> motion_card{
+    {&Motion::option, text("option", 10, "kind of motion")},
+    argument(0, "a1"),
+    argument(1, "a2"),
+    argument(2, "a3"),
+    argument(3, "a4"),
+    argument(4, "a5"),
+    argument(5, "a6"),
+    argument(6, "a7"),
+};
 
 /// Reads the lines of one *DEFINE_TRANSFORMATION.
 class TransformationCards {
@@ -113,22 +133,23 @@ class TransformationCards {
   Matrix read(Cursor& cursor) {
     Matrix total = identity;
     while (cursor.more()) {
-      const Row row = cursor.read(option_card);
+      const RowOf<Motion> row = cursor.read(motion_card);
       const Matrix one = motion(row);
       if (is_finite(one)) {
         total = product(total, one);
       } else {
-        row.report(findings_, Severity::error, "option", "the points or vectors of this line span no axis or plane",
-                   "give points apart from each other and a vector that is not zero");
+        row[&Motion::option].report(findings_, Severity::error,
+                                    "the points or vectors of this line span no axis or plane",
+                                    "give points apart from each other and a vector that is not zero");
       }
     }
     return total;
   }
 
  private:
-  Matrix motion(const Row& row) {
-    const std::string option = upper(row.text("option"));
-    const auto a = [&](int i) { return row.real(names[i - 1]); };
+  Matrix motion(const RowOf<Motion>& row) {
+    const std::string option = upper(row->option);
+    const auto a = [&](int i) { return row->a[i - 1]; };
     const Vec3d first{a(1), a(2), a(3)}, second{a(4), a(5), a(6)};
     if (option == "TRANSL") return matrix({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, first);
     if (option == "SCALE") return scaling(row, first);
@@ -138,42 +159,43 @@ class TransformationCards {
       return identity;
     }
     if (option == "TRANSL2ND") {
-      const Vec3d d = unit(node(row, "a2") - node(row, "a1"));
+      const Vec3d d = unit(node(row, 2) - node(row, 1));
       return matrix({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, a(3) * d);
     }
     if (option == "ROTATE") {
       if (a(4) != 0.0 || a(5) != 0.0 || a(6) != 0.0 || a(7) != 0.0) return rotation(first, second, a(7));
       // An axis and no angle (decks that take the angle from a parameter): ids of points are above 0.
       if (!(a(1) > 0.0 && a(2) > 0.0)) return identity;
-      const Vec3d from = point_or_node(row, "a1");
-      return rotation(point_or_node(row, "a2") - from, from, a(3));
+      const Vec3d from = point_or_node(row, 1);
+      return rotation(point_or_node(row, 2) - from, from, a(3));
     }
     if (option == "POS6P" || option == "POS6N") {
       std::array<Vec3d, 6> p;
-      for (std::size_t i = 0; i < 6; ++i) p[i] = option == "POS6P" ? point_or_node(row, names[i]) : node(row, names[i]);
+      for (int i = 0; i < 6; ++i) p[i] = option == "POS6P" ? point_or_node(row, i + 1) : node(row, i + 1);
       return placed(p);
     }
-    row.report(findings_, Severity::error, "option", "this option of *DEFINE_TRANSFORMATION is not supported",
-               "use TRANSL, TRANSL2ND, ROTATE, SCALE, MIRROR, POINT, POS6P or POS6N");
+    row[&Motion::option].report(findings_, Severity::error, "this option of *DEFINE_TRANSFORMATION is not supported",
+                                "use TRANSL, TRANSL2ND, ROTATE, SCALE, MIRROR, POINT, POS6P or POS6N");
     return identity;
   }
 
-  Matrix scaling(const Row& row, const Vec3d& f) {
+  Matrix scaling(const RowOf<Motion>& row, const Vec3d& f) {
     if (f.x == 0.0 || f.y == 0.0 || f.z == 0.0) {
-      row.report(findings_, Severity::error, "option", "a scale factor is 0",
-                 "give all three factors; 1 keeps an axis as it is");
+      row[&Motion::option].report(findings_, Severity::error, "a scale factor is 0",
+                                  "give all three factors; 1 keeps an axis as it is");
       return identity;
     }
     return matrix({f.x, 0, 0}, {0, f.y, 0}, {0, 0, f.z}, {});
   }
 
-  Vec3d point_or_node(const Row& row, std::string_view field) {
-    const auto point = points_.find(static_cast<long>(row.real(field)));
-    return point == points_.end() ? node(row, field) : point->second;
+  /// The point or node that argument `i` (from 1) names.
+  Vec3d point_or_node(const RowOf<Motion>& row, int i) {
+    const auto point = points_.find(static_cast<long>(row->a[i - 1]));
+    return point == points_.end() ? node(row, i) : point->second;
   }
 
   /// Nodes under *INCLUDE_TRANSFORM are not known yet when transformations are worked out.
-  Vec3d node(const Row& row, std::string_view field) {
+  Vec3d node(const RowOf<Motion>& row, int number) {
     if (!nodes_read_) {
       nodes_read_ = true;
       Findings elsewhere;  // the reader of the model reports what is wrong with the nodes
@@ -183,15 +205,13 @@ class TransformationCards {
       }
       for (std::size_t i = 0; i < table.id.size(); ++i) nodes_[table.id[i]] = table.x[i];
     }
-    const auto found = nodes_.find(static_cast<long>(row.real(field)));
+    const auto found = nodes_.find(static_cast<long>(row->a[number - 1]));
     if (found != nodes_.end()) return found->second;
-    row.report(findings_, Severity::error, field,
-               "there is no such point or node (nodes under *INCLUDE_TRANSFORM do not count)",
-               "define it with POINT above this line, or with *NODE outside of *INCLUDE_TRANSFORM");
+    row[at(&Motion::a, at(number - 1))].report(
+        findings_, Severity::error, "there is no such point or node (nodes under *INCLUDE_TRANSFORM do not count)",
+        "define it with POINT above this line, or with *NODE outside of *INCLUDE_TRANSFORM");
     return {};
   }
-
-  static constexpr std::array<std::string_view, 7> names{"a1", "a2", "a3", "a4", "a5", "a6", "a7"};
 
   const Deck& deck_;
   Findings& findings_;
@@ -250,13 +270,13 @@ void Reader::define_transformations() {
   for (const Block& block : transformations_) {
     Cursor cursor(deck_, block, findings_);
     if (block.keyword.ends_with("_TITLE")) cursor.skip();
-    const Row row = cursor.read(id_card);
+    const RowOf<TransformationId> row = cursor.read(id_card);
     Transform transform;
     transform.matrix = TransformationCards(deck_, findings_).read(cursor);
-    const int id = row.integer("tranid");
+    const int id = row->tranid;
     if (id != 0 && !deck_.impl->transformations.emplace(id, transform).second) {
-      row.report(findings_, Severity::error, "tranid", "this id is defined a second time",
-                 "give each transformation its own id");
+      row[&TransformationId::tranid].report(findings_, Severity::error, "this id is defined a second time",
+                                            "give each transformation its own id");
     }
   }
 }

@@ -18,70 +18,6 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 
-const Card mesh_node_card{{
-    wide(id("nid", IdSpace::node, required, "node id"), 8),
-    wide(real("x", dimension::length, 0, any_value, "coordinate x"), 16),
-    wide(real("y", dimension::length, 0, any_value, "coordinate y"), 16),
-    wide(real("z", dimension::length, 0, any_value, "coordinate z"), 16),
-    wide(integer("tc", 0, between(0, 7), "held translations: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 xyz"), 8),
-    wide(integer("rc", 0, between(0, 7), "held rotations, as tc"), 8),
-}};
-
-const Card element_shell_card{{
-    wide(id("eid", IdSpace::element, required, "element id"), 8),
-    wide(id("pid", IdSpace::part, required, "part id"), 8),
-    wide(id("n1", IdSpace::node, required, "node 1"), 8),
-    wide(id("n2", IdSpace::node, required, "node 2"), 8),
-    wide(id("n3", IdSpace::node, required, "node 3"), 8),
-    wide(id("n4", IdSpace::node, 0, "node 4; 0 or n3: a triangle"), 8),
-}};
-
-const Card element_thickness_card{{
-    wide(real("thic1", dimension::length, 0, at_least(0), "thickness at node 1; 0: of the section"), 16),
-    wide(real("thic2", dimension::length, 0, at_least(0), "thickness at node 2"), 16),
-    wide(real("thic3", dimension::length, 0, at_least(0), "thickness at node 3"), 16),
-    wide(real("thic4", dimension::length, 0, at_least(0), "thickness at node 4"), 16),
-    wide(real("beta", dimension::number, 0, any_value,
-              "angle of the material axes instead of the material's BETA [degrees]"),
-         16),
-}};
-
-const Card shell_offset_card{{
-    wide(real("offset", dimension::length, 0, any_value, "mid-surface from the nodes, along the normal"), 16),
-}};
-
-const Card element_solid_card{{
-    wide(id("eid", IdSpace::element, required, "element id"), 8),
-    wide(id("pid", IdSpace::part, required, "part id"), 8),
-    wide(id("n1", IdSpace::node, required, "node 1; n1 to n8 may also stand on a line of their own"), 8),
-    wide(id("n2", IdSpace::node, required, "node 2"), 8),
-    wide(id("n3", IdSpace::node, required, "node 3"), 8),
-    wide(id("n4", IdSpace::node, required, "node 4"), 8),
-    wide(id("n5", IdSpace::node, 0, "node 5; n5 to n8 repeat for wedges and tetrahedra"), 8),
-    wide(id("n6", IdSpace::node, 0, "node 6"), 8),
-    wide(id("n7", IdSpace::node, 0, "node 7"), 8),
-    wide(id("n8", IdSpace::node, 0, "node 8"), 8),
-}};
-
-const Card element_beam_card{{
-    wide(id("eid", IdSpace::element, required, "element id"), 8),
-    wide(id("pid", IdSpace::part, required, "part id"), 8),
-    wide(id("n1", IdSpace::node, required, "node 1"), 8),
-    wide(id("n2", IdSpace::node, required, "node 2"), 8),
-    wide(id("n3", IdSpace::node, 0, "orientation node"), 8),
-}};
-
-const Card beam_pid_card{{
-    wide(id("pid1", IdSpace::part, 0, "part that end 1 is to be tied to"), 8),
-    wide(id("pid2", IdSpace::part, 0, "part that end 2 is to be tied to"), 8),
-}};
-
-const Card beam_orientation_card{{
-    real("vx", dimension::number, 0, any_value, "direction from node 1, instead of n3: x"),
-    real("vy", dimension::number, 0, any_value, "y"),
-    real("vz", dimension::number, 0, any_value, "z"),
-}};
-
 struct MassCard {
   int eid = 0, nid = 0;
   double mass = 0;
@@ -313,22 +249,22 @@ void read_accelerometer(Builder& b, const Block& block, const Options&) {
 
 std::vector<Keyword> mesh_keywords() {
   return {
-      {.name = "NODE", .layout = {{"", &mesh_node_card}}, .read = read_node},
+      {.name = "NODE", .layout = {{"", &deck::node_card()}}, .read = read_node},
       {.name = "ELEMENT_SHELL",
        .options = {"THICKNESS", "BETA", "MCID", "OFFSET", "DOF"},
-       .layout = {{"", &element_shell_card},
-                  {"with _THICKNESS, _BETA or _MCID", &element_thickness_card},
-                  {"with _OFFSET", &shell_offset_card}},
+       .layout = {{"", &deck::shell_card()},
+                  {"with _THICKNESS, _BETA or _MCID", &deck::shell_thickness_card()},
+                  {"with _OFFSET", &deck::shell_offset_card()}},
        .read = read_shell_elements},
       {.name = "ELEMENT_SOLID",
        .options = {"ORTHO", "DOF", "TET4TOTET10"},
-       .layout = {{"", &element_solid_card}},
+       .layout = {{"", &deck::solid_card()}},
        .read = read_solid_elements},
       {.name = "ELEMENT_BEAM",
        .options = {"THICKNESS", "PID", "OFFSET", "ORIENTATION"},
-       .layout = {{"", &element_beam_card},
-                  {"with _PID", &beam_pid_card},
-                  {"with _ORIENTATION", &beam_orientation_card}},
+       .layout = {{"", &deck::beam_card()},
+                  {"with _PID", &deck::beam_parts_card()},
+                  {"with _ORIENTATION", &deck::beam_orientation_card()}},
        .read = read_beam_elements},
       {.name = "ELEMENT_MASS", .layout = {{"", &mass_card}}, .read = read_mass},
       {.name = "ELEMENT_MASS_NODE_SET", .layout = {{"", &set_mass_card}}, .read = read_set_mass},

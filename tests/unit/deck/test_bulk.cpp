@@ -211,9 +211,10 @@ TEST(BulkShells, WhatIsRefused) {
                    "            1.0\n");
   EXPECT_EQ(
       listed(e.findings),
-      "(text):4:13: error: *ELEMENT_SHELL_THICKNESS thic1 = -1.0: expected 0 or more (thickness at node 1)\n"
+      "(text):4:13: error: *ELEMENT_SHELL_THICKNESS thic1 = -1.0: expected 0 or more (thickness at node 1; 0: of the "
+      "section)\n"
       "(text):5:9: error: *ELEMENT_SHELL_THICKNESS pid = (blank): must be given (part id) [write its value there]\n"
-      "(text):7:31: error: *ELEMENT_SHELL_THICKNESS n2 = -2: expected 0 or more (node id)\n");
+      "(text):7:31: error: *ELEMENT_SHELL_THICKNESS n2 = -2: expected 0 or more (node 2)\n");
 }
 
 TEST(BulkSolids, ZerosBehindThePartAreNoNodes) {

@@ -19,25 +19,25 @@ TEST(Cards, FixedColumnsWithoutBlanksBetween) {
   Reading r = material("         11.00000E-7  200000.0       0.3   junk/x         5");
   const Row row = r.row("MAT_ELASTIC", elastic);
   EXPECT_CLEAN(r.findings);
-  EXPECT_EQ(row.integer("mid"), 1);
-  EXPECT_EQ(row.real("ro"), 1e-7);
-  EXPECT_EQ(row.real("e"), 200000.0);
-  EXPECT_EQ(row.real("pr"), 0.3);
-  EXPECT_EQ(row.integer("nip"), 5);
-  EXPECT_EQ(row.place("e").column, 23);
-  EXPECT_EQ(row.place("e").line, 3);
+  EXPECT_EQ(row.entry("mid").integer(), 1);
+  EXPECT_EQ(row.entry("ro").value, 1e-7);
+  EXPECT_EQ(row.entry("e").value, 200000.0);
+  EXPECT_EQ(row.entry("pr").value, 0.3);
+  EXPECT_EQ(row.entry("nip").integer(), 5);
+  EXPECT_EQ(row.entry("e").place.column, 23);
+  EXPECT_EQ(row.entry("e").place.line, 3);
 }
 
 TEST(Cards, CommasMakeALineFree) {
   Reading r = material("1, 7.8e-9 ,2.1+5,,,4");
   const Row row = r.row("MAT_ELASTIC", elastic);
   EXPECT_CLEAN(r.findings);
-  EXPECT_EQ(row.real("ro"), 7.8e-9);
-  EXPECT_EQ(row.real("e"), 2.1e5);
-  EXPECT_TRUE(row.blank("pr"));
-  EXPECT_EQ(row.integer("nip"), 4);
-  EXPECT_EQ(row.place("ro").column, 4);
-  EXPECT_EQ(material("1,1,1").row("MAT_ELASTIC", elastic).integer("nip"), 2);
+  EXPECT_EQ(row.entry("ro").value, 7.8e-9);
+  EXPECT_EQ(row.entry("e").value, 2.1e5);
+  EXPECT_TRUE(row.entry("pr").blank);
+  EXPECT_EQ(row.entry("nip").integer(), 4);
+  EXPECT_EQ(row.entry("ro").place.column, 4);
+  EXPECT_EQ(material("1,1,1").row("MAT_ELASTIC", elastic).entry("nip").integer(), 2);
   Reading trailing = material("1,1,1,,,2,,");
   trailing.row("MAT_ELASTIC", elastic);
   EXPECT_CLEAN(trailing.findings);
@@ -136,7 +136,7 @@ TEST(BoundCards, TextsComeIntoStrings) {
 TEST(Cards, FixedAndFreeLinesAlternate) {
   Reading r = material("         1       1.0       1.0\n2,1,1\n         3       1.0       1.0");
   Cursor c = r.cursor("MAT_ELASTIC");
-  for (int i = 1; i <= 3; ++i) EXPECT_EQ(c.read(elastic).integer("mid"), i);
+  for (int i = 1; i <= 3; ++i) EXPECT_EQ(c.read(elastic).entry("mid").integer(), i);
   EXPECT_CLEAN(r.findings);
 }
 
@@ -146,11 +146,11 @@ TEST(Cards, LongFormatHasTwentyColumns) {
   Reading r = material(columns_1_to_80 + "              unused                   3", "*MAT_ELASTIC +");
   const Row row = r.row("MAT_ELASTIC", elastic);
   EXPECT_CLEAN(r.findings);
-  EXPECT_EQ(row.integer("mid"), 1);
-  EXPECT_EQ(row.real("ro"), 1e-7);
-  EXPECT_EQ(row.real("e"), 2e5);
-  EXPECT_EQ(row.real("pr"), 0.3);
-  EXPECT_EQ(row.integer("nip"), 3);
+  EXPECT_EQ(row.entry("mid").integer(), 1);
+  EXPECT_EQ(row.entry("ro").value, 1e-7);
+  EXPECT_EQ(row.entry("e").value, 2e5);
+  EXPECT_EQ(row.entry("pr").value, 0.3);
+  EXPECT_EQ(row.entry("nip").integer(), 3);
 }
 
 TEST(Cards, I10WidensNarrowFieldsOnly) {
@@ -158,11 +158,11 @@ TEST(Cards, I10WidensNarrowFieldsOnly) {
                    wide(id("nid", IdSpace::node, required, "node"), 8),
                    wide(real("mass", dimension::mass, 0.0, at_least(0.0), "mass"), 16)}};
   Reading i10("*KEYWORD I10=Y\n*ELEMENT_MASS\n         1         2             0.5\n");
-  EXPECT_EQ(i10.row("ELEMENT_MASS", mass).real("mass"), 0.5);
+  EXPECT_EQ(i10.row("ELEMENT_MASS", mass).entry("mass").value, 0.5);
   Reading standard("*KEYWORD\n*ELEMENT_MASS\n       1       2             0.5\n");
-  EXPECT_EQ(standard.row("ELEMENT_MASS", mass).real("mass"), 0.5);
+  EXPECT_EQ(standard.row("ELEMENT_MASS", mass).entry("mass").value, 0.5);
   Reading longer("*KEYWORD LONG=Y\n*ELEMENT_MASS\n                   1                   2                 0.5\n");
-  EXPECT_EQ(longer.row("ELEMENT_MASS", mass).real("mass"), 0.5);
+  EXPECT_EQ(longer.row("ELEMENT_MASS", mass).entry("mass").value, 0.5);
   EXPECT_CLEAN(i10.findings);
   EXPECT_CLEAN(standard.findings);
   EXPECT_CLEAN(longer.findings);
@@ -171,23 +171,23 @@ TEST(Cards, I10WidensNarrowFieldsOnly) {
 TEST(Cards, BlankAndZeroTakeTheDefault) {
   Reading r = material("         1       1.0       1.0       0.0                   0");
   const Row row = r.row("MAT_ELASTIC", elastic);
-  EXPECT_EQ(row.integer("nip"), 2);
-  EXPECT_FALSE(row.blank("nip"));
-  EXPECT_FALSE(row.blank("pr"));
+  EXPECT_EQ(row.entry("nip").integer(), 2);
+  EXPECT_FALSE(row.entry("nip").blank);
+  EXPECT_FALSE(row.entry("pr").blank);
   Field counted = integer("n", 7, at_least(0), "n");
   counted.zero_is_default = false;
   const Card card{{counted, integer("m", 9, at_least(0), "m")}};
   Reading zeros("*KEYWORD\n*X\n         0         0\n");
-  EXPECT_EQ(zeros.row("X", card).integer("n"), 0);
-  EXPECT_EQ(zeros.row("X", card).integer("m"), 9);
+  EXPECT_EQ(zeros.row("X", card).entry("n").integer(), 0);
+  EXPECT_EQ(zeros.row("X", card).entry("m").integer(), 9);
 }
 
 TEST(Cards, AnIntegerMayBeWrittenAsAReal) {
   Reading r = material("       1.0       1.0       1.0                          3.");
   const Row row = r.row("MAT_ELASTIC", elastic);
   EXPECT_CLEAN(r.findings);
-  EXPECT_EQ(row.integer("mid"), 1);
-  EXPECT_EQ(row.integer("nip"), 3);
+  EXPECT_EQ(row.entry("mid").integer(), 1);
+  EXPECT_EQ(row.entry("nip").integer(), 3);
 }
 
 struct Refused {
@@ -259,11 +259,11 @@ TEST(Cards, AMissingCardHasDefaultsAndOneErrorIfAFieldIsRequired) {
   Cursor c = r.cursor("MAT_ELASTIC");
   c.read(elastic);
   const Row row = c.read(defaults);
-  EXPECT_EQ(row.real("a"), 3.0);
-  EXPECT_TRUE(row.blank("a"));
-  EXPECT_EQ(row.text("t"), "");
+  EXPECT_EQ(row.entry("a").value, 3.0);
+  EXPECT_TRUE(row.entry("a").blank);
+  EXPECT_EQ(row.entry("t").text, "");
   EXPECT_CLEAN(r.findings);
-  EXPECT_EQ(c.read(elastic).integer("mid"), 0);
+  EXPECT_EQ(c.read(elastic).entry("mid").integer(), 0);
   EXPECT_ONE_FINDING(r.findings,
                      "(text):2:1: error: *MAT_ELASTIC mid = (blank): must be given, but the keyword ends after 1 data "
                      "line(s) (material id) [add the missing card]");
@@ -292,11 +292,11 @@ TEST(Cards, HeadingsKeepTheirCommas) {
   Reading r("*KEYWORD\n*X\n         7welds, left and right\n8,welds, left\n");
   Cursor c = r.cursor("X");
   Row row = c.read(with_heading);
-  EXPECT_EQ(row.integer("id"), 7);
-  EXPECT_EQ(row.text("heading"), "welds, left and right");
+  EXPECT_EQ(row.entry("id").integer(), 7);
+  EXPECT_EQ(row.entry("heading").text, "welds, left and right");
   row = c.read(with_heading);
-  EXPECT_EQ(row.integer("id"), 8);
-  EXPECT_EQ(row.text("heading"), "welds, left");
+  EXPECT_EQ(row.entry("id").integer(), 8);
+  EXPECT_EQ(row.entry("heading").text, "welds, left");
   EXPECT_CLEAN(r.findings);
 }
 
@@ -329,9 +329,9 @@ TEST(Cards, ListsOfIds) {
 
 TEST(Cards, ComplainingAboutAField) {
   Reading r = material("         1       1.0       5.0");
-  r.row("MAT_ELASTIC", elastic).report(r.findings, Severity::warning, "e", "is small", "use MPa");
+  r.row("MAT_ELASTIC", elastic).entry("e").report(r.findings, Severity::warning, "is small", "use MPa");
   EXPECT_ONE_FINDING(r.findings, "(text):3:28: warning: *MAT_ELASTIC e = 5.0: is small [use MPa]");
-  EXPECT_THROW(r.row("MAT_ELASTIC", elastic).real("nonsense"), std::logic_error);
+  EXPECT_THROW(r.row("MAT_ELASTIC", elastic).entry("nonsense").value, std::logic_error);
 }
 
 }  // namespace

@@ -132,10 +132,10 @@ TEST(PublicDecks, ParametersOfTheCar) {
   std::vector<double> yields, thicknesses;
   for (const Block& b : deck.blocks) {
     Cursor c(deck, b, findings);
-    if (b.keyword == "MAT_PLASTIC_KINEMATIC") yields.push_back(c.read(yield).real("sigy"));
+    if (b.keyword == "MAT_PLASTIC_KINEMATIC") yields.push_back(c.read(yield).entry("sigy").value);
     if (b.keyword != "SECTION_SHELL") continue;
     c.skip();
-    thicknesses.push_back(c.read(thickness).real("t2"));
+    thicknesses.push_back(c.read(thickness).entry("t2").value);
   }
   const auto has = [](const std::vector<double>& v, double x) { return std::find(v.begin(), v.end(), x) != v.end(); };
   EXPECT_EQ(yields.size(), 7u);

@@ -181,16 +181,16 @@ TEST(IncludeTransform, IdsAndUnits) {
       f.path);
   Cursor c(r.deck, r.deck.blocks[0], r.findings);
   const Row row = c.read(sheet);
-  EXPECT_EQ(row.integer("secid"), 801);
-  EXPECT_EQ(row.integer("lcid"), -605);
-  EXPECT_DOUBLE_EQ(row.real("t"), 15.0);
-  EXPECT_DOUBLE_EQ(row.real("ro"), 7.8 * 0.001 / 1000.0);
-  EXPECT_EQ(row.integer("psid"), 0);
-  EXPECT_EQ(row.integer("n"), 3);
+  EXPECT_EQ(row.entry("secid").integer(), 801);
+  EXPECT_EQ(row.entry("lcid").integer(), -605);
+  EXPECT_DOUBLE_EQ(row.entry("t").value, 15.0);
+  EXPECT_DOUBLE_EQ(row.entry("ro").value, 7.8 * 0.001 / 1000.0);
+  EXPECT_EQ(row.entry("psid").integer(), 0);
+  EXPECT_EQ(row.entry("n").integer(), 3);
   const Row defaults = c.read(sheet);
-  EXPECT_EQ(defaults.real("t"), 2.0);  // a default is in the units of the whole deck
-  EXPECT_EQ(defaults.integer("psid"), 504);
-  EXPECT_EQ(Cursor(r.deck, r.deck.blocks[1], r.findings).read(sheet).integer("secid"), 1);
+  EXPECT_EQ(defaults.entry("t").value, 2.0);  // a default is in the units of the whole deck
+  EXPECT_EQ(defaults.entry("psid").integer(), 504);
+  EXPECT_EQ(Cursor(r.deck, r.deck.blocks[1], r.findings).read(sheet).entry("secid").integer(), 1);
   EXPECT_CLEAN(r.findings);
 }
 

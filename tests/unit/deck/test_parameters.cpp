@@ -11,7 +11,7 @@ const Card pair{
 
 double value(const std::string& parameters, const std::string& cell) {
   Reading r("*KEYWORD\n" + parameters + "*X\n" + cell + "\n");
-  const double v = r.row("X", pair).real("a");
+  const double v = r.row("X", pair).entry("a").value;
   EXPECT_CLEAN(r.findings);
   return v;
 }
@@ -41,8 +41,8 @@ TEST(Parameters, SignsNeighboursAndFullPrecision) {
   EXPECT_EQ(value(p, "  - &x"), -1.2345678901234568);
   Reading r("*KEYWORD\n" + p + "*X\n&x        &n        \n");
   const Row row = r.row("X", pair);
-  EXPECT_EQ(row.real("a"), 1.2345678901234568);
-  EXPECT_EQ(row.integer("b"), 4);
+  EXPECT_EQ(row.entry("a").value, 1.2345678901234568);
+  EXPECT_EQ(row.entry("b").integer(), 4);
   EXPECT_CLEAN(r.findings);
 }
 
@@ -52,7 +52,7 @@ TEST(Parameters, InTextsAndTitles) {
       "&name\n");
   Cursor c = r.cursor("X");
   EXPECT_EQ(c.read_text(), "R&D of the hat, 1.5 mm, 3 layers");
-  EXPECT_EQ(c.read(pair).text("c"), "hat");
+  EXPECT_EQ(c.read(pair).entry("c").text, "hat");
   EXPECT_CLEAN(r.findings);
 }
 
@@ -63,14 +63,14 @@ TEST(Parameters, MustBeDefinedBefore) {
       r.findings,
       "(text):3:1: error: *X a = &late: the parameter 'late' is not defined before this line [define it with "
       "*PARAMETER above this keyword, or correct the name]");
-  EXPECT_EQ(r.row("Y", pair).real("a"), 1.0);
+  EXPECT_EQ(r.row("Y", pair).entry("a").value, 1.0);
 }
 
 TEST(Parameters, ARedefinitionDoesNotLeakBack) {
   Reading r("*KEYWORD\n*PARAMETER_MUTABLE\nRa,1.0\n*X\n&a\n*PARAMETER\nRa,2.0\n*Y\n&a\n");
   EXPECT_CLEAN(r.findings);
-  EXPECT_EQ(r.row("Y", pair).real("a"), 2.0);
-  EXPECT_EQ(r.row("X", pair).real("a"), 1.0);
+  EXPECT_EQ(r.row("Y", pair).entry("a").value, 2.0);
+  EXPECT_EQ(r.row("X", pair).entry("a").value, 1.0);
 }
 
 TEST(Parameters, TwiceIsAnErrorUnlessTheDeckSaysOtherwise) {
@@ -90,7 +90,7 @@ TEST(Parameters, TwiceIsAnErrorUnlessTheDeckSaysOtherwise) {
     Reading r = with_flag(c.flag);
     EXPECT_EQ(r.findings.errors(), c.errors) << c.flag;
     EXPECT_EQ(r.findings.warnings(), c.warnings) << c.flag;
-    EXPECT_EQ(r.row("X", pair).real("a"), c.value) << c.flag;
+    EXPECT_EQ(r.row("X", pair).entry("a").value, c.value) << c.flag;
   }
 }
 
@@ -103,13 +103,13 @@ TEST(Parameters, LocalToAFile) {
   const Card reals{
       {real("a", dimension::number, 0.0, any_value, "a"), real("b", dimension::number, 0.0, any_value, "b")}};
   Reading r("*KEYWORD\n*PARAMETER\nRa,1.0\n*INCLUDE\ninner.k\nsister.k\n*OUTER\n&a,&global\n*NONE\n&b\n", folder.path);
-  EXPECT_EQ(r.row("INNER", reals).real("a"), 2.0);
-  EXPECT_EQ(r.row("INNER", reals).real("b"), 3.0);
-  EXPECT_EQ(r.row("DEEP", reals).real("a"), 9.0);
-  EXPECT_EQ(r.row("DEEP", reals).real("b"), 3.0);
-  EXPECT_EQ(r.row("SISTER", reals).real("a"), 1.0);
-  EXPECT_EQ(r.row("OUTER", reals).real("a"), 1.0);
-  EXPECT_EQ(r.row("OUTER", reals).real("b"), 4.0);
+  EXPECT_EQ(r.row("INNER", reals).entry("a").value, 2.0);
+  EXPECT_EQ(r.row("INNER", reals).entry("b").value, 3.0);
+  EXPECT_EQ(r.row("DEEP", reals).entry("a").value, 9.0);
+  EXPECT_EQ(r.row("DEEP", reals).entry("b").value, 3.0);
+  EXPECT_EQ(r.row("SISTER", reals).entry("a").value, 1.0);
+  EXPECT_EQ(r.row("OUTER", reals).entry("a").value, 1.0);
+  EXPECT_EQ(r.row("OUTER", reals).entry("b").value, 4.0);
   EXPECT_CLEAN(r.findings);
   r.row("NONE", reals);
   EXPECT_EQ(r.findings.errors(), 1);
@@ -200,9 +200,9 @@ TEST(Expressions, IntegersDivideToIntegersWithAWarning) {
       "*KEYWORD\n*PARAMETER\nIn,7,Rx,7\n*PARAMETER_EXPRESSION\nI half    n/2\nR real    x/2\nI cut     "
       "3.9\n*X\n&half\n&real\n&cut\n");
   Cursor c = r.cursor("X");
-  EXPECT_EQ(c.read(pair).real("a"), 3.0);
-  EXPECT_EQ(c.read(pair).real("a"), 3.5);
-  EXPECT_EQ(c.read(pair).real("a"), 3.0);
+  EXPECT_EQ(c.read(pair).entry("a").value, 3.0);
+  EXPECT_EQ(c.read(pair).entry("a").value, 3.5);
+  EXPECT_EQ(c.read(pair).entry("a").value, 3.0);
   ASSERT_EQ(r.findings.all().size(), 1u) << listed(r.findings);
   EXPECT_THAT(listed(r.findings), testing::HasSubstr("half: integers divide to an integer: 7/2 gives 3"));
 }
