@@ -52,6 +52,21 @@ void separate_pressures(model::Model& m, Findings& findings) {
     if (section.elform == 13) section.elform = 10;
 }
 
+/// The brick of enhanced strains (18) is made for linear analyses: eight points, without locking in bending. -1 is such a
+/// brick.
+void enhance_strains(model::Model& m, Findings& findings) {
+  bool any = false;
+  for (model::SectionSolid& section : m.solid_sections) {
+    if (section.elform != 18) continue;
+    section.elform = -1;
+    any = true;
+  }
+  if (any)
+    findings.note({m.deck, 0, 0}, "*SECTION_SOLID",
+                  "bricks of ELFORM 18 (enhanced strains) are computed as -1, eight points with assumed strains: both "
+                  "are exact in bending of rectangular bricks");
+}
+
 void stabilize_bricks(model::Model& m, Findings& findings) {
   std::vector<int> changed;
   for (model::Part& part : m.parts) {
@@ -59,7 +74,7 @@ void stabilize_bricks(model::Model& m, Findings& findings) {
     const int form = m.solid_sections[part.section].elform;
     const bool rigid = part.material != model::none &&
                        std::holds_alternative<kernel::Rigid>(m.materials[part.material].law),
-               one_point = !rigid && (form == 0 || form == 1 || form == 18);
+               one_point = !rigid && (form == 0 || form == 1);
     const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[part.hourglass];
     model::Hourglass bindeman = now;
     const int elform = m.solid_sections[part.section].elform;
@@ -171,6 +186,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
   refuse_fluids(m, findings);
   constrain_driven_nodes(m);
   change_bricks(m, findings);
+  enhance_strains(m, findings);
   separate_pressures(m, findings);
   stabilize_bricks(m, findings);
   integrate_shells_fully(m, findings);

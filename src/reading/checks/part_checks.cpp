@@ -110,7 +110,7 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& re
   const auto s = at(part.section);
   int& elform = b.model.solid_sections[s].elform;
   if (is_cohesive(elform) || bond_of(b.model, part)) return check_bond_formulation(b, part, reported);
-  // In linear analyses the one-point brick with its physical stabilisation stands for 18 (nvh::linear_model).
+  // Linear analyses have a brick for 18 (nvh::linear_model).
   const bool linear = elform == 18 && b.model.implicit.active;
   const bool is_weld = is<kernel::Spotweld>(b.model, part),
              is_corner_shape = elform == 4 || elform == 10 || elform == 13 || elform == 15 || elform == 16;
@@ -511,7 +511,7 @@ void check_parts(Builder& b) {
   std::vector<char> reported_shell(b.model.shell_sections.size(), 0), reported_solid(b.model.solid_sections.size(), 0),
       reported_beam(b.model.beam_sections.size(), 0);
   const auto warn_of_none = [&](const Part& part, Index index, const std::string& keyword) {
-    const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; told
+    const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; reported
     if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin && !of_layers.contains(part.id))
       b.findings.warning(part.place, keyword, fmt::format("part {} has no elements", part.id));
   };
