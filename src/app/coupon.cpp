@@ -88,19 +88,7 @@ ExitCode coupon(const CouponArguments& arguments) {
                arguments.thickness.size());
     return ExitCode::wrong_command;
   }
-  return guarded(arguments.directory, [&](const fs::path& directory) {
-    try {
-      return test_card(arguments, directory);
-    } catch (const CardFault& fault) {
-      fmt::print(stderr, "nugget: {}\nnothing was run\n", fault.what());
-      return ExitCode::refused;
-    } catch (const output::WriteError&) {
-      throw;
-    } catch (const std::runtime_error& error) {
-      fmt::print(stderr, "nugget: {}\n", error.what());
-      return ExitCode::error_termination;
-    }
-  });
+  return study_card(arguments.directory, [&](const fs::path& directory) { return test_card(arguments, directory); });
 }
 
 }  // namespace nugget::app

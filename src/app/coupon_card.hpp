@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.hpp"
+#include "app/command.hpp"
 #include "model/model.hpp"
 #include "weld/coupon/coupon.hpp"
 
@@ -17,6 +17,25 @@ namespace nugget::app {
 struct CardFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// Runs `work`, a study of a weld card, in its folder (guarded); a fault of the card or of a coupon's run becomes its
+/// exit code.
+template <class Work>
+ExitCode study_card(const std::string& directory, Work work) {
+  return guarded(directory, [&](const std::filesystem::path& folder) {
+    try {
+      return work(folder);
+    } catch (const CardFault& fault) {
+      fmt::print(stderr, "nugget: {}\n", fault.what());
+      return ExitCode::refused;
+    } catch (const output::WriteError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      fmt::print(stderr, "nugget: {}\n", error.what());
+      return ExitCode::error_termination;
+    }
+  });
+}
 
 /// A card as coupons take it, and what is to be said of it.
 struct TakenCard {

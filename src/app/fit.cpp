@@ -214,19 +214,7 @@ ExitCode fit(const FitArguments& arguments) {
   fs::path directory = arguments.output;
   directory.replace_extension();
   directory += "_runs";
-  return guarded(directory.string(), [&](const fs::path& folder) {
-    try {
-      return Fit(arguments, folder).run();
-    } catch (const CardFault& fault) {
-      fmt::print(stderr, "nugget: {}\n", fault.what());
-      return ExitCode::refused;
-    } catch (const output::WriteError&) {
-      throw;
-    } catch (const std::runtime_error& error) {
-      fmt::print(stderr, "nugget: {}\n", error.what());
-      return ExitCode::error_termination;
-    }
-  });
+  return study_card(directory.string(), [&](const fs::path& folder) { return Fit(arguments, folder).run(); });
 }
 
 }  // namespace nugget::app

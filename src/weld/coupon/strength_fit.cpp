@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -97,17 +98,25 @@ std::optional<VectorXd> linear_solution(const std::vector<StrengthSample>& sampl
   return VectorXd(-0.5 * (x.array() / scale.array()).log());
 }
 
+using Parts = Eigen::JacobiSVD<MatrixXd>;
+
 /// A strength of which the samples say nothing, or nothing apart from another one: its name; empty: there is none.
-std::string untold(const MatrixXd& derivative, const std::vector<std::size_t>& sought) {
+/// `parts`: of the derivatives.
+std::string undetermined_strength(const MatrixXd& derivative, const Parts& parts,
+                                  const std::vector<std::size_t>& sought) {
   constexpr double little = 0.02;  // of a failure value, in the sample that it counts most in
   for (std::size_t k = 0; k < sought.size(); ++k)
     if (derivative.col(static_cast<Eigen::Index>(k)).cwiseAbs().maxCoeff() < little) return strength_names[sought[k]];
-  const Eigen::JacobiSVD<MatrixXd> parts(derivative, Eigen::ComputeThinV);
   const auto last = parts.singularValues().size() - 1;
   if (parts.singularValues()[last] > 1e-3 * parts.singularValues()[0]) return {};
   Eigen::Index most = 0;
   parts.matrixV().col(last).cwiseAbs().maxCoeff(&most);
   return strength_names[sought[static_cast<std::size_t>(most)]];
+}
+
+/// Diagonal entry i of the inverse of J^T J, by the parts of J.
+double inverse_square(const Parts& parts, Eigen::Index i) {
+  return (parts.matrixV().row(i).transpose().array() / parts.singularValues().array()).square().sum();
 }
 
 }  // namespace
@@ -135,12 +144,12 @@ StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std:
   for (const StrengthSample& s : samples)
     if (std::none_of(sought.begin(), sought.end(), [&](std::size_t k) { return s.load[k] > 0.0; }))
       fit.fault = fmt::format("{} loads none of the strengths that are sought", s.test);
-  const auto not_told = [](const std::string& name) {
+  const auto undetermined = [](const std::string& name) {
     return fmt::format(
-        "the tests do not tell {}: none of them loads it enough, or always together with another strength", name);
+        "the tests do not determine {}: none of them loads it enough, or always together with another strength", name);
   };
   if (const std::string name = force_not_seen(samples, sought); fit.fault.empty() && !name.empty())
-    fit.fault = not_told(name);
+    fit.fault = undetermined(name);
   if (!fit.fault.empty()) return fit;
 
   ForceErrors errors(samples, sought);
@@ -156,8 +165,9 @@ StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std:
   MatrixXd derivative(values, parameters);
   errors(log_strength, residual);
   errors.df(log_strength, derivative);
-  if (const std::string name = untold(derivative, sought); !name.empty()) {
-    fit.fault = not_told(name);
+  const Parts parts(derivative, Eigen::ComputeThinV);
+  if (const std::string name = undetermined_strength(derivative, parts, sought); !name.empty()) {
+    fit.fault = undetermined(name);
     return fit;
   }
   for (Eigen::Index i = 0; i < values; ++i) fit.ratio.push_back(std::exp(-residual[i]));
@@ -167,11 +177,10 @@ StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std:
   if (freedom == 0) return fit;
   const double variance = residual.squaredNorm() / freedom;
   fit.scatter = std::sqrt(variance);
-  const MatrixXd covariance = variance * (derivative.transpose() * derivative).inverse();
   const double t = student_limit(freedom);
   for (std::size_t k = 0; k < sought.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const double half = t * std::sqrt(covariance(i, i));
+    const double half = t * std::sqrt(variance * inverse_square(parts, i));
     fit.low[sought[k]] = fit.strength[sought[k]] * std::exp(-half);
     fit.high[sought[k]] = fit.strength[sought[k]] * std::exp(half);
   }
