@@ -32,7 +32,7 @@ std::array<double, 8> turned(const std::array<double, 8>& r, double c, double s)
   return t;
 }
 
-/// Calls `fill(element, group, seat)` for those that have a kernel.
+/// Calls `fill(element, group, location)` for those that have a kernel.
 template <class Fill>
 void each_element(const system::System& system, const std::vector<ElementLocation>& locations, const Fill& fill) {
   parallel_for(locations.size(), 256, [&](std::size_t begin, std::size_t end) {

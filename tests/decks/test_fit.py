@@ -89,7 +89,7 @@ class Fit(CommandTest):
 
     def test_what_the_tests_do_not_tell(self):
         run = self.fit(curves({("ks2_00", "A"): force(0), ("ks2_00", "B"): force(0)}), expect=1)
-        self.assertIn("curves.csv: the tests do not tell NRR", run.stderr)
+        self.assertIn("curves.csv: the tests do not determine NRR", run.stderr)
         run = self.fit(curves({("ks2_00", ""): 1e7}), text=card(nrr=0.0), expect=1)
         self.assertRegex(run.stderr, r"ks2_00: 1e\+07 was measured, but the coupon carries no more than")
 

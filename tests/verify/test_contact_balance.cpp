@@ -214,7 +214,7 @@ TEST(ContactBalance, BirthWithinAnotherBodyGivesNothing) {
     s.shells(1, {0.0, 0.0, 0.0}, {30.0, 30.0, 0.0}, 6, 6);
     s.shells(2, {3.3, 2.1, 1.05}, {20.0, 20.0, 0.0}, 4, 4);
     velocity(s, 2, {0.0, 0.0, -10000.0});
-    expect_bounce("born within the other plate, " + form, bounce(s.deck()));
+    expect_bounce("starts within the other plate, " + form, bounce(s.deck()));
   }
 }
 

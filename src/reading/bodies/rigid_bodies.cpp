@@ -436,7 +436,7 @@ class Maker {
     const bool apart = norm(place(weld.nodes.back()) - place(weld.nodes.front())) > 0.0;
     if (apart || weld.axis || (generalized && !weld.can_fail())) return true;
     if (generalized)
-      refuse(b_, card.second, "the nodes are at one place, so they do not tell in which direction the weld fails",
+      refuse(b_, card.second, "the nodes are at one place, so they define no direction in which the weld fails",
              "give a coordinate system whose z axis is the normal of the sheets");
     else
       refuse(b_, card.second, "both nodes are at one place", "use *CONSTRAINED_GENERALIZED_WELD_SPOT for such nodes");

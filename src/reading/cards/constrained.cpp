@@ -473,7 +473,7 @@ void make_interpolation(Builder& b, const RowOf<InterpolationCard1>& head,
     return refuse(b, head[&InterpolationCard1::dnid], "is among its own independent nodes", "take it out of them");
   if (out.weight.size() < 3 || on_a_line(b.model, out))
     return refuse(b, head[&InterpolationCard1::icid],
-                  "the independent nodes lie on a line, so they do not tell a rotation",
+                  "the independent nodes lie on a line, so they define no rotation",
                   "give three or more that do not");
   b.model.interpolations.push_back(std::move(out));
 }

@@ -610,7 +610,7 @@ void report_same_id(Builder& builder, const Contact& contact) {
     if (other.id == contact.id)
       return builder.findings.warning(
           contact.place, '*' + contact.keyword,
-          fmt::format("contact {} has the number of the one at {}:{}: rcforc and sleout do not tell them apart",
+          fmt::format("contact {} has the number of the one at {}:{}: rcforc and sleout cannot be told apart",
                       contact.id, other.place.file, other.place.line),
           "give each an id of its own, with _ID");
 }

@@ -513,7 +513,7 @@ void read_spring_beam(Builder& b, const Block& block, const Options& options) {
           [degrees](Builder& later, kernel::DiscreteBeam& law) {
             for (const auto& [degree, rates] : degrees) {
               const int dof = degree->dof;
-              if (dof < 1 || dof > 6) continue;  // told
+              if (dof < 1 || dof > 6) continue;  // reported already
               const auto i = at(dof - 1);
               kernel::DiscreteSpring& spring = law.dof[i];
               if (spring.kind != DiscreteKind::none)

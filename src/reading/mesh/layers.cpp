@@ -136,7 +136,7 @@ void make_layers_of(Builder& b, Laws& laws, Part& part, const LayerStack& stack)
   std::map<Index, kernel::ComposedLaw> turned;  // layers of one material share their law
   for (const LayerCard& card : stack.layers) {
     const Index material = material_of(b, card, part);
-    if (material == none) continue;  // told
+    if (material == none) continue;  // reported already
     const auto found = laws.find(material, card);
     if (!found) continue;
     const Material& m = material_at(b, material);

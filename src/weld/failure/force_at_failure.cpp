@@ -12,7 +12,7 @@ double force_at_failure(const model::Model& model, const model::WeldLaw& law, co
   const double axial = std::sin(radians), shear = angle == 90.0 ? 0.0 : std::cos(radians);
   // A function may remember loads, so each force meets a new one.
   const auto value = [&](double force) {
-    Findings known;  // told when the deck was read
+    Findings known;  // reported when the deck was read
     Load load;
     load.resultants.axial = force * axial;
     load.resultants.shear_s = force * shear;

@@ -244,12 +244,12 @@ void report_tied_adhesive(const model::Model& model, const std::vector<Vec3d>& x
                           Findings& findings) {
   std::vector<const Tie*> tie_of(model.nodes.size(), nullptr);
   for (const Tie& tie : ties) tie_of[tie.node] = &tie;
-  struct Told {
+  struct AdhesiveOfContact {
     int sprung = 0, bricks = 0;
     double before = 0.0, after = 0.0;  // thickness of the first brick
     bool matters = false;
   };
-  std::vector<Told> reported(model.contacts.size());
+  std::vector<AdhesiveOfContact> of_contact(model.contacts.size());
   std::vector<char> seen(model.nodes.size(), 0);
   for (std::size_t e = 0; e < model.solids.size(); ++e) {
     const kernel::CohesiveBond* bond = model::bond_of(model, model.parts[model.solids.part[e]]);
@@ -263,16 +263,16 @@ void report_tied_adhesive(const model::Model& model, const std::vector<Vec3d>& x
       before += side * model.nodes.x[n];
       after += side * x[n];
       if (tie && tie->moved > 0.0) moved = tie;
-      if (tie && tie->spring && !std::exchange(seen[n], 1)) ++reported[tie->contact].sprung;
+      if (tie && tie->spring && !std::exchange(seen[n], 1)) ++of_contact[tie->contact].sprung;
     }
     if (moved == nullptr || std::abs(norm(after) - norm(before)) <= 0.1 * std::max(norm(after), norm(before))) continue;
-    Told& t = reported[moved->contact];
+    AdhesiveOfContact& t = of_contact[moved->contact];
     if (t.bricks++ == 0) t.before = norm(before), t.after = norm(after);
     t.matters = t.matters || (bond->yields() && bond->glue.thickness == 0.0);
   }
-  for (std::size_t c = 0; c < reported.size(); ++c) {
+  for (std::size_t c = 0; c < of_contact.size(); ++c) {
     const model::Contact& contact = model.contacts[c];
-    const Told& t = reported[c];
+    const AdhesiveOfContact& t = of_contact[c];
     if (t.sprung > 0)
       findings.warning(
           contact.place, name_contact(contact),

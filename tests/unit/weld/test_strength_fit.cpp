@@ -72,7 +72,7 @@ TEST(StrengthFit, StudentsTable) {  // W. S. Gosset's table, two-sided 5 %
 TEST(StrengthFit, SaysWhatTheTestsDoNotTell) {
   const std::array<double, 4> truth{5500.0, 9800.0, 0.0, 0.0};
   std::vector<StrengthSample> shear{{"lap_shear", {0.0, 9800.0, 0.0, 100.0}}, {"ks2_00", {10.0, 9700.0, 0.0, 100.0}}};
-  EXPECT_THAT(fit_strengths(shear, {4000.0, 4000.0, 0.0, 0.0}).fault, testing::HasSubstr("do not tell NRR"));
+  EXPECT_THAT(fit_strengths(shear, {4000.0, 4000.0, 0.0, 0.0}).fault, testing::HasSubstr("do not determine NRR"));
   EXPECT_THAT(fit_strengths(shear, {4000.0, 4000.0, 4000.0, 0.0}).fault, testing::HasSubstr("2 tests for 3 strengths"));
   EXPECT_THAT(fit_strengths(shear, {0.0, 0.0, 4000.0, 0.0}).fault, testing::HasSubstr("loads none"));
   EXPECT_THAT(fit_strengths(tests_of(truth, 0.0, 0.0, 1, 1), {}).fault, testing::HasSubstr("no strength above 0"));
