@@ -22,6 +22,7 @@ pid_t start_child(const ChildRun& run, const fs::path& program) {
   fs::create_directories(run.folder, error);
   std::vector<std::string> words{program.string(), "run", run.deck.string(), "-o", run.folder.string(), "-j", "1",
                                  "--quiet"};
+  words.insert(words.end(), run.options.begin(), run.options.end());
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);

@@ -11,6 +11,7 @@ namespace nugget::app {
 /// A deck that this program runs in a process of its own, with one thread, quietly.
 struct ChildRun {
   std::filesystem::path deck, folder;
+  std::vector<std::string> options{};  ///< of `nugget run`, beside folder and threads
   int exit_code = -1;
 };
 

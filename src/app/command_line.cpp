@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/weld_drop_runs.hpp"
 
 namespace {
 
@@ -112,6 +113,15 @@ int nugget::app::command_line(int argc, char** argv) {
   const char* weld_law = "shared library with your own failure function of welds: OPT 2, 12, 22";
   run_command->add_option("--weld-law", run.weld_law, weld_law);
   CLI::Option* run_weld_tie = add_weld_tie(run_command, run.weld_tie);
+  CLI::Option* run_drop = run_command->add_option(
+      "--drop-weld", run.drop_weld,
+      "run without welds: ids separated by commas (together); all, or each:ID,ID (one run without each, ranked)");
+  run_command
+      ->add_option("--intrusion", run.intrusion,
+                   "A,B: how far these two nodes come together or apart in each of those runs (both in nodout)")
+      ->allow_extra_args(false)
+      ->needs(run_drop)
+      ->check(CLI::Validator([](const std::string& text) { return nugget::app::wrong_intrusion(text); }, ""));
   run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
   run_command
       ->add_option("--checkpoint", run.checkpoint,
@@ -124,7 +134,8 @@ int nugget::app::command_line(int argc, char** argv) {
                    "if it stands elsewhere now")
       ->excludes(run_output)
       ->excludes(run_skip)
-      ->excludes(run_weld_tie);
+      ->excludes(run_weld_tie)
+      ->excludes(run_drop);
 
   const CLI::Validator frequency = number_above_zero("a frequency above 0", false);
   nugget::app::ModesArguments modes;

@@ -21,6 +21,7 @@
 #include "app/restart.hpp"
 #include "app/run_log.hpp"
 #include "app/statics.hpp"
+#include "app/weld_drop_runs.hpp"
 #include "base/parallel.hpp"
 #include "impact/recording/result_files.hpp"
 #include "impact/recording/weld_results.hpp"
@@ -105,7 +106,8 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .max_cycles = arguments.max_cycles,
           .checkpoint = arguments.checkpoint,
           .weld_law = arguments.weld_law,
-          .weld_tie = arguments.weld_tie};
+          .weld_tie = arguments.weld_tie,
+          .drop_weld = arguments.drop_weld};
 }
 
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as
@@ -310,6 +312,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
 }  // namespace
 
 ExitCode run(const RunArguments& arguments) {
+  if (drops_each(arguments.drop_weld)) return run_without_each(arguments);
   if (arguments.resume.empty())
     return guarded(arguments.directory,
                    [&](const fs::path& directory) { return run_in(directory, arguments, nullptr); });

@@ -15,14 +15,22 @@ namespace {
 
 /// Removes the elements that are deleted in another system of the same deck.
 void remove_deleted_elements(system::System& system, const system::System& run) {
-  using Seats = std::vector<system::System::ElementLocation> system::System::*;
-  for (const Seats locations : {&system::System::shell_location, &system::System::solid_location,
-                                &system::System::beam_location, &system::System::discrete_location})
+  using Locations = std::vector<system::System::ElementLocation> system::System::*;
+  for (const Locations locations : {&system::System::shell_location, &system::System::solid_location,
+                                    &system::System::beam_location, &system::System::discrete_location})
     for (std::size_t i = 0; i < (run.*locations).size(); ++i) {
       const auto &there = (run.*locations)[i], &here = (system.*locations)[i];
       if (there.group < 0 || here.group < 0 || run.groups[there.group]->alive(at(there.element))) continue;
       system.groups[here.group]->remove(at(here.element));
     }
+}
+
+/// Removes what *DEFINE_ELEMENT_DEATH deletes before the run begins; what it deletes later is there.
+void remove_absent_elements(system::System& system) {
+  for (const model::ElementDeath& death : system.model.element_deaths) {
+    const system::System::ElementLocation location = system.location_of(death.kind, death.element);
+    if (death.time <= 0.0 && location.group >= 0) system.groups[location.group]->remove(at(location.element));
+  }
 }
 
 }  // namespace
@@ -37,6 +45,7 @@ LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments&
       ties_(nvh::linear_ties(deck_.ties, findings)) {
   if (findings.errors() == 0) model_.emplace(nvh::linear_model(deck_.model, findings));
   if (findings.errors() == 0) system_.emplace(*model_, ties_, findings);
+  if (system_) remove_absent_elements(*system_);
   if (system_ && after != nullptr) remove_deleted_elements(*system_, *after);
   if (findings.errors() == 0) matrices_.emplace(*system_, findings);
   setup_seconds_ = deck_.penetration_seconds + deck_.tie_seconds + clock_.seconds();

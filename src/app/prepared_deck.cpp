@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "app/clock.hpp"
+#include "app/dropped_welds.hpp"
 #include "app/refused_welds.hpp"
+#include "app/weld_drop_runs.hpp"
 #include "base/checksum.hpp"
 #include "deck/checksum.hpp"
 #include "impact/contact/initial_penetrations.hpp"
@@ -111,6 +113,7 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   std::vector<Vec3d> x = impact::resolve_initial_penetrations(p.model, findings);
   p.penetration_seconds = clock.seconds();
   tie_and_audit(p, std::move(x), findings);
+  if (!arguments.drop_weld.empty() && !drops_each(arguments.drop_weld)) drop_welds(p, arguments.drop_weld, findings);
   return p;
 }
 

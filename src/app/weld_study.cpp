@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "app/dropped_welds.hpp"
 #include "app/preload.hpp"
 #include "base/index.hpp"
 #include "nvh/eigen/mode_files.hpp"
@@ -188,16 +188,10 @@ std::optional<DropRequest> drop_request(const std::string& word, const system::S
     error_text = "the deck has no weld of beams or bricks";
     return {};
   }
+  const auto ids = read_weld_ids(word, error_text);
+  if (!ids) return {};
   nvh::WeldGroup group;
-  for (std::size_t begin = 0; begin <= word.size();) {
-    const std::size_t end = std::min(word.find(',', begin), word.size());
-    int id = 0;
-    const auto [stop, error] = std::from_chars(word.data() + begin, word.data() + end, id);
-    if (error != std::errc{} || stop != word.data() + end) {
-      error_text = fmt::format("'{}' is no weld, expected its id, ids separated by commas, or 'all'",
-                               word.substr(begin, end - begin));
-      return {};
-    }
+  for (const int id : *ids) {
     const std::size_t before = group.size();
     for (std::size_t w = 0; w < welds.size(); ++w) {
       if (welds[w].id != id) continue;
@@ -214,7 +208,6 @@ std::optional<DropRequest> drop_request(const std::string& word, const system::S
       error_text = fmt::format("there is no weld {}; welds.csv of `nugget check` lists them", id);
       return {};
     }
-    begin = end + 1;
   }
   std::sort(group.begin(), group.end());
   group.erase(std::unique(group.begin(), group.end()), group.end());

@@ -17,6 +17,7 @@
 #include "model/control.hpp"
 #include "model/damping.hpp"
 #include "model/discrete.hpp"
+#include "model/element_death.hpp"
 #include "model/frequency.hpp"
 #include "model/heat_zone.hpp"
 #include "model/implicit.hpp"
@@ -177,6 +178,7 @@ struct Model : LoadLists {
   Beams beams;
   std::vector<Discrete> discretes;
   std::vector<HexAssembly> hex_assemblies;
+  std::vector<ElementDeath> element_deaths;
   std::vector<PointMass> masses;
   std::vector<PointInertia> inertias;
 

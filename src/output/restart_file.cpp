@@ -37,6 +37,7 @@ Json to_json(const RestartHead& h) {
           {"checkpoint", h.checkpoint},
           {"weld_law", h.weld_law},
           {"weld_tie", h.weld_tie},
+          {"drop_weld", h.drop_weld},
           {"time", h.time},
           {"cycle", h.cycle}};
 }
@@ -55,6 +56,7 @@ RestartHead from_json(const Json& j) {
   j.at("checkpoint").get_to(h.checkpoint);
   j.at("weld_law").get_to(h.weld_law);
   j.at("weld_tie").get_to(h.weld_tie);
+  j.at("drop_weld").get_to(h.drop_weld);
   j.at("time").get_to(h.time);
   j.at("cycle").get_to(h.cycle);
   return h;

@@ -25,6 +25,7 @@ std::vector<Keyword> all_families() {
            johnson_cook_keywords,
            equation_of_state_keywords,
            erosion_keywords,
+           element_death_keywords,
            gissmo_keywords,
            friction_keywords,
            orthotropic_material_keywords,

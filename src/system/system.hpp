@@ -79,6 +79,12 @@ class System {
     int element = -1;
   };
   std::vector<ElementLocation> shell_location, solid_location, beam_location, discrete_location;
+  /// Of a shell, a solid or a beam.
+  ElementLocation location_of(model::ElementKind kind, model::Index element) const {
+    return (kind == model::ElementKind::shell   ? shell_location
+            : kind == model::ElementKind::solid ? solid_location
+                                                : beam_location)[element];
+  }
   /// Of an element of a weld.
   ElementLocation location_of(const weld::Weld& weld, model::Index element) const {
     return (weld.of_bricks() ? solid_location : beam_location)[element];

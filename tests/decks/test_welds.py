@@ -132,6 +132,38 @@ class Welds(CommandTest):
         self.assertIn("largest share of the strain energy", self.nugget("welds", ".").stdout)
         self.assertIn("--sort margin: . holds natural modes", self.nugget("welds", ".", "--sort", "margin", expect=2).stderr)
 
+    def test_a_study_of_runs_without_each_weld(self):
+        """Two sheets, two welds; only the far one holds the upper sheet's other end: without it the welds part further."""
+        two = deck((f"{31:8d}{3:8d}{301:8d}{302:8d}{0:8d}\n", f"{31:8d}{3:8d}{301:8d}{302:8d}{0:8d}\n{41:8d}{3:8d}{401:8d}{402:8d}{0:8d}\n"),
+                   ("*ELEMENT_SHELL\n", f"{401:8d}{15.0:16.4f}{9.0:16.4f}{0.0:16.4f}\n{402:8d}{15.0:16.4f}{9.0:16.4f}{1.2:16.4f}\n*ELEMENT_SHELL\n"),
+                   STRONG, ("*DATABASE_HISTORY_NODE\n       216\n", "*DATABASE_HISTORY_NODE\n       216       101       202\n"))
+        self.write(two)
+        table = self.nugget("run", "model.k", "--drop-weld", "all", "--intrusion", "101,202", "--quiet", "-o", "study").stdout
+        rows = list(csv.DictReader(io.StringIO(self.read("study/weld_drop.csv"))))
+        self.assertEqual(rows[0]["without"], "none")
+        self.assertEqual(sorted(r["without"] for r in rows[1:]), ["31", "41"])
+        # Each line is that of a run of its own.
+        for row in rows:
+            drop = [] if row["without"] == "none" else ["--drop-weld", row["without"]]
+            self.nugget("run", "model.k", "--quiet", "-o", "alone", "-j", 1, *drop)
+            self.assertAlmostEqual(float(row["internal_energy"]) / self.json("alone/summary.json")["energy"]["internal"], 1.0, 8)
+            self.assertIn(row["without"], table)
+        change = [abs(float(r["intrusion 101-202"]) / float(rows[0]["intrusion 101-202"]) - 1.0) for r in rows[1:]]
+        self.assertEqual(change, sorted(change, reverse=True))
+        self.assertGreater(change[0], 0.0)
+        # Without both, nothing holds the sheets together: as the deck without its welds.
+        self.nugget("run", "model.k", "--quiet", "-o", "both", "--drop-weld", "31,41")
+        self.assertEqual([r["failure_mode"] for r in self.rows("both")], ["element death"] * 2)
+        self.assertIn("not there from the start", self.rows("both")[0]["remarks"])
+        self.assertAlmostEqual(float(self.rows("both")[0]["peak_axial"]), 0.0, 6)
+
+    def test_what_cannot_be_taken_out_is_refused(self):
+        self.write(deck(STRONG))
+        self.assertIn("there is no weld 7", self.nugget("run", "model.k", "--drop-weld", "7", expect=1).stderr)
+        self.assertIn("there is no weld 7", self.nugget("run", "model.k", "--drop-weld", "each:7", expect=2).stderr)
+        self.assertIn("'x' is no weld", self.nugget("run", "model.k", "--drop-weld", "x", expect=1).stderr)
+        self.assertIn("expected two nodes", self.nugget("run", "model.k", "--drop-weld", "all", "--intrusion", "101", expect=2).stderr)
+
     def test_refusals(self):
         self.assertIn("holds no results of a run", self.nugget("welds", ".", expect=2).stderr)
         self.nugget("welds", ".", "--sort", "age", expect=2)

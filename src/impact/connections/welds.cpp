@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <variant>
 
 #include "base/index.hpp"
@@ -20,6 +21,16 @@ std::array<double, 8> corner_jacobians(const std::array<Vec3d, 8>& x) {
   for (std::size_t a = 0; a < 8; ++a)
     j[a] = dot(x[along[a][0]] - x[a], cross(x[along[a][1]] - x[a], x[along[a][2]] - x[a]));
   return j;
+}
+
+/// When *DEFINE_ELEMENT_DEATH deletes the first element of a weld; infinite where it deletes none.
+double first_death(const model::Model& model, const weld::Weld& w) {
+  const model::ElementKind kind = w.of_bricks() ? model::ElementKind::solid : model::ElementKind::beam;
+  double first = std::numeric_limits<double>::infinity();
+  for (const model::ElementDeath& death : model.element_deaths)
+    if (death.kind == kind && std::find(w.elements.begin(), w.elements.end(), death.element) != w.elements.end())
+      first = std::min(first, death.time);
+  return first;
 }
 
 }  // namespace
@@ -66,6 +77,7 @@ void Welds::Bricks::gather(const system::System& system, const system::State& st
 
 Welds::Welds(system::System& system, Findings& findings) : system_(system) {
   for (const weld::Weld& w : system.ties.welds) {
+    death_time_.push_back(first_death(system.model, w));
     histories_.emplace_back();
     bricks_.emplace_back();
     works_.emplace_back();
@@ -147,6 +159,7 @@ weld::FailureMode Welds::element_failure_mode(std::size_t i, const system::State
   each_element(i, [&](const system::ElementGroup& group, std::size_t e) { active += group.alive(e); });
   // ASFF = 1: the first brick to fail takes its assembly with it.
   if (active == 0 || (law.damage.whole && active < count)) {
+    if (state.time >= death_time_[i]) return weld::FailureMode::element_deleted;
     // What erosion took (ERODE, PSFAIL) has not reached the strain at which its points fail or their damage begins.
     const model::Part& part = system_.model.parts[system_.ties.welds[i].part];
     const auto* points = std::get_if<kernel::Spotweld>(&system_.model.materials[part.material].law);
@@ -225,7 +238,7 @@ void Welds::Bricks::archive(Archive& a) {
 
 void Welds::archive(Archive& a) {
   a(histories_, bricks_, works_, failed_, events_);
-  a.built(system_);
+  a.built(system_, death_time_);
 }
 
 }  // namespace nugget::impact

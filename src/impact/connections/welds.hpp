@@ -79,6 +79,7 @@ class Welds {
   std::vector<std::unique_ptr<weld::History>> histories_;
   std::vector<std::unique_ptr<Bricks>> bricks_;  ///< null for other welds
   std::vector<WeldWork> works_;
+  std::vector<double> death_time_;  ///< of *DEFINE_ELEMENT_DEATH; infinite: none [time]
   int failed_ = 0;
   std::vector<std::string> events_;
 };

@@ -44,7 +44,9 @@ std::string too_many_failed(const system::System& system, double time) {
 
 }  // namespace
 
-Erosion::Erosion(system::System& system) : system_(system) {}
+Erosion::Erosion(system::System& system) : system_(system), deaths_(system.model.element_deaths) {
+  std::stable_sort(deaths_.begin(), deaths_.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+}
 
 bool Erosion::wants_small_steps(ElementKind kind) const {
   const model::Control& control = system_.model.control;
@@ -73,6 +75,7 @@ int Erosion::distortion_rule(const system::ElementGroup& group) const {
 }
 
 void Erosion::update(const system::State& state, double first_step) {
+  delete_by_time(state.time);
   const double dtmin = system_.model.control.smallest_step;
   for (const auto& group : system_.groups) {
     if (group->inverted >= 0 && wants_negative_volume(*group)) delete_negative_volumes(*group, state.time);
@@ -81,6 +84,19 @@ void Erosion::update(const system::State& state, double first_step) {
     if (const int rule = distortion_rule(*group); rule > 0) check_distortion(*group, rule, state);
   }
   if (stop_.empty()) stop_ = too_many_failed(system_, state.time);
+}
+
+void Erosion::delete_by_time(double time) {
+  for (; next_death_ < deaths_.size() && deaths_[next_death_].time <= time; ++next_death_) {
+    const model::ElementDeath& death = deaths_[next_death_];
+    const system::System::ElementLocation location = system_.location_of(death.kind, death.element);
+    if (location.group < 0) continue;
+    system::ElementGroup& group = *system_.groups[location.group];
+    const std::size_t e = at(location.element);
+    if (!group.alive(e)) continue;
+    remove(group, e, time, "as *DEFINE_ELEMENT_DEATH says");
+    group.release_step(e);
+  }
 }
 
 void Erosion::remove(system::ElementGroup& group, std::size_t e, double time, std::string_view why) {
@@ -102,7 +118,6 @@ void Erosion::delete_negative_volumes(system::ElementGroup& group, double time) 
     if (!group.alive(e) || group.stable_step(e) > 0.0) continue;
     remove(group, e, time, "its volume is negative");
     group.release_step(e);
-    ++deleted_.negative_volume;
   }
   group.inverted = -1;
 }
@@ -117,7 +132,6 @@ void Erosion::delete_small_steps(system::ElementGroup& group, double limit, doub
       remove(group, e, time,
              system_.model.control.smallest_step > 0.0 ? "its step fell below DTMIN" : "its step fell to nothing");
       group.release_step(e);
-      ++deleted_.small_step;
     }
   }
 }
@@ -136,13 +150,12 @@ void Erosion::check_distortion(system::ElementGroup& group, int rule, const syst
       return;
     }
     remove(group, e, state.time, "a corner of it has turned inside out");
-    ++deleted_.distorted;
   }
 }
 
 void Erosion::archive(Archive& a) {
-  a(deleted_, events_, stop_);
-  a.built(system_);
+  a(events_, stop_, next_death_);
+  a.built(system_, deaths_);
 }
 
 }  // namespace nugget::impact

@@ -249,9 +249,11 @@ void Simulation::start() {
   components_.preloads.start(state_);
   components_.strains.start(state_);
   components_.accelerometers.start(state_);
+  components_.erosion.start(state_);
   internal_force_at_rest();
   system_.scale_mass(true);
   update_mass_bounds();
+  remove_deleted_elements();
   contact_forces();
   applied_forces();
   transfer_dependent_forces();

@@ -22,6 +22,7 @@ std::vector<Keyword> honeycomb_material_keywords();    ///< *MAT_..._HONEYCOMB
 std::vector<Keyword> foam_material_keywords();         ///< *MAT_... of foam
 std::vector<Keyword> cohesive_material_keywords();     ///< *MAT_COHESIVE_...
 std::vector<Keyword> erosion_keywords();               ///< *MAT_ADD_EROSION
+std::vector<Keyword> element_death_keywords();         ///< *DEFINE_ELEMENT_DEATH_...
 std::vector<Keyword> gissmo_keywords();                ///< *MAT_ADD_DAMAGE_GISSMO
 std::vector<Keyword> friction_keywords();              ///< *DEFINE_FRICTION
 std::vector<Keyword> plastic_material_keywords();      ///< *MAT_... of metals beside 003 and 024

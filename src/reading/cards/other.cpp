@@ -193,7 +193,7 @@ Rows other_definitions() {
       refused("DEFINE_FRICTION_*", "friction by direction or scaled is not built; use *DEFINE_FRICTION"),
       refused("DEFINE_DEATH_TIMES_*", "motions that end by position are not built; give a death time"),
       refused("DEFINE_CONSTRUCTION_STAGES", "construction in stages is not built"),
-      refused("DEFINE_ELEMENT_DEATH*", "deletion of elements by a card is not built"),
+      refused("DEFINE_ELEMENT_DEATH*", "deletion at a time is built for shells, solids and beams and their sets only"),
       refused("DEFINE_*", "this definition is not built"),
   };
 }

@@ -53,6 +53,7 @@ std::string_view to_string(FailureMode mode) {
     case FailureMode::time: return "failure time";
     case FailureMode::plastic_strain: return "plastic strain";
     case FailureMode::sheet_deleted: return "deleted sheet";
+    case FailureMode::element_deleted: return "element death";
     case FailureMode::distortion: return "distortion";
   }
   return "";

@@ -25,6 +25,7 @@ enum class FailureMode {
   time,
   plastic_strain,
   sheet_deleted,
+  element_deleted,  ///< by *DEFINE_ELEMENT_DEATH
   distortion,
 };
 std::string_view to_string(FailureMode mode);
