@@ -52,8 +52,8 @@ void separate_pressures(model::Model& m, Findings& findings) {
     if (section.elform == 13) section.elform = 10;
 }
 
-/// The brick of enhanced strains (18) is made for linear analyses: eight points, without locking in bending. -1 is such a
-/// brick.
+/// The brick of enhanced strains (18) is made for linear analyses: eight points, without locking in bending. -1 is such
+/// a brick.
 void enhance_strains(model::Model& m, Findings& findings) {
   bool any = false;
   for (model::SectionSolid& section : m.solid_sections) {
