@@ -151,6 +151,15 @@ int nugget::app::command_line(int argc, char** argv) {
   modes_command->add_option("--drop-weld", modes.drop,
                             "what the modes are without a weld: its id, ids separated by commas (together), or all "
                             "(each on its own, ranked)");
+  modes_command
+      ->add_option("--least-welds", modes.least_welds,
+                   "which welds can go while the first elastic frequency keeps this share, e.g. 0.95")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            const double share = std::atof(text.c_str());
+            return share > 0.0 && share < 1.0 ? std::string() : fmt::format("'{}', expected between 0 and 1", text);
+          },
+          ""));
   modes_command->add_option("--compare", modes.compare, "folder of another run: which modes are the same (MAC)");
   modes_command->add_option("-j,--threads", modes.run.threads, "threads (default: all cores); also ncpu=N")
       ->check(count);

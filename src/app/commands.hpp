@@ -41,6 +41,7 @@ struct ModesArguments {
   double low = 0.0, high = 0.0;  ///< frequencies [cycles/time]; 0: the deck's
   bool response = false;         ///< the frequency response that the deck asks for as well
   std::string drop;              ///< welds to be taken out: ids separated by commas, or `all`; empty: none
+  double least_welds = 0.0;      ///< share of the first frequency that the least welds are to keep; 0: not asked
   std::string compare;           ///< folder of another run whose modes are compared; empty: none
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/frf.hpp"
+#include "app/least_welds.hpp"
 #include "app/linear_job.hpp"
 #include "app/mode_pairs.hpp"
 #include "app/preload.hpp"
@@ -136,10 +137,12 @@ void fill_mode_reports(const nvh::Modes& modes, output::Summary& s) {
 }
 
 /// The welds that `--drop-weld` names, if any; where it cannot be obeyed, why.
-std::optional<DropRequest> drop_of(const std::string& word, const nvh::ModeRequest& request,
+std::optional<DropRequest> drop_of(const ModesArguments& arguments, const nvh::ModeRequest& request,
                                    const system::System& system, std::string& error_text) {
-  if (word.empty()) return {};
-  if (request.low <= 0.0 && request.centre <= 0.0) return drop_request(word, system, error_text);
+  const std::string& word = arguments.drop;
+  if (word.empty() && arguments.least_welds == 0.0) return {};
+  if (request.low <= 0.0 && request.centre <= 0.0)
+    return word.empty() ? std::optional<DropRequest>() : drop_request(word, system, error_text);
   error_text = "it needs the lowest modes: leave out --fmin (LFLAG, CENTER in the deck)";
   return {};
 }
@@ -157,9 +160,10 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   nvh::Matrices& matrices = job.matrices();
   const nvh::ModeRequest request = request_of(arguments, model);
   std::string error_text;
-  const std::optional<DropRequest> drop = drop_of(arguments.drop, request, matrices.system, error_text);
+  const std::optional<DropRequest> drop = drop_of(arguments, request, matrices.system, error_text);
   if (!error_text.empty()) {
-    fmt::print(stderr, "nugget: --drop-weld {}: {}\n", arguments.drop, error_text);
+    fmt::print(stderr, "nugget: {}: {}\n",
+               arguments.drop.empty() ? "--least-welds" : fmt::format("--drop-weld {}", arguments.drop), error_text);
     job.add_to_log(log_termination({impact::Termination::error, error_text}));
     return ExitCode::wrong_command;
   }
@@ -179,6 +183,8 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
       status("frequency response");
       more = responses_of(directory, job.header(), matrices, modes, model, summary, std::ref(status));
     }
+    if (arguments.least_welds > 0.0)
+      more += find_least_welds(directory, matrices, modes, arguments.least_welds, std::ref(status));
     if (drop) more += weld_study(directory, matrices, modes, *drop, summary, std::ref(status));
     if (other) {
       const nvh::ModeComparison comparison = nvh::compare(matrices, modes, *other);

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "app/dropped_welds.hpp"
-#include "app/preload.hpp"
+#include "app/lessened_structure.hpp"
 #include "base/index.hpp"
 #include "nvh/eigen/mode_files.hpp"
 #include "output/result_file.hpp"
@@ -69,25 +69,12 @@ nvh::Columns weighted_shapes(const nvh::Matrices& whole, const nvh::Matrices& m,
 /// Modes of the structure without the welds, as many as were asked for, and their partners.
 void solve_anew(const nvh::Matrices& m, const nvh::Modes& modes, const nvh::WeldGroup& group, Row& row,
                 const nvh::ProgressCallback& progress) {
-  Findings findings;  // those of the whole structure have been reported
-  system::System system(m.system.model, m.system.ties, findings);
-  for (const std::size_t w : group) {
-    const weld::Weld& weld = system.ties.welds[w];
-    for (const model::Index element : weld.elements) {
-      const system::System::ElementLocation location = system.location_of(weld, element);
-      if (location.group >= 0) system.groups[location.group]->remove(at(location.element));
-    }
-  }
-  nvh::Matrices less(system, findings);
-  try {
-    stiffen_by_preload(less);
-  } catch (const nvh::Factorization::SolverError&) {
-    return;  // without the weld it does not carry its load
-  }
+  const auto less = LessenedStructure::make(m, group);
+  if (less == nullptr) return;
   nvh::ModeRequest request;
   request.count = static_cast<int>(modes.eigenvalue.size());
-  const nvh::Modes now = nvh::find_modes(less, request, progress);
-  const nvh::Columns mac = nvh::compute_mac(weighted_shapes(m, m, modes), weighted_shapes(m, less, now));
+  const nvh::Modes now = nvh::find_modes(less->matrices(), request, progress);
+  const nvh::Columns mac = nvh::compute_mac(weighted_shapes(m, m, modes), weighted_shapes(m, less->matrices(), now));
   const std::vector<int> partner = nvh::partners(mac);
   for (std::size_t i = 0; i < partner.size(); ++i) {
     row.solved.push_back(partner[i] < 0 ? 0.0 : now.frequency(at(partner[i])));

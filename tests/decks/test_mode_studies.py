@@ -133,6 +133,33 @@ class ModeStudies(CommandTest):
         for frequency in solved.values():
             self.assertLess(min(abs(frequency / f - 1.0) for f in fewer if f > 1.0), 1e-6)
 
+    def test_the_least_welds_that_keep_the_first_mode(self):
+        """Of seven welds; against decks that never had the welds that went: the first frequency, and that none more can go.
+
+        Sabotage that this catches: a search that goes on below the share, that stops early, or that names other welds than it solved."""
+        places = (15.0, 45.0, 75.0, 90.0, 105.0, 135.0, 165.0)
+        self.write(strips(places))
+        self.nugget("modes", "model.k", "-n", 12, "-o", "search", "--least-welds", 0.9, "--quiet")
+        whole = self.frequencies("search")[6]
+        with open(self.folder / "search" / "least_welds.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(sorted(int(r["weld"]) for r in rows), [5000 + int(x) for x in places])
+        left = [float(r["weld"]) - 5000.0 for r in rows if r["goes"] == "no"]
+        last = [float(r["first_frequency"]) for r in rows if r["goes"] == "yes"][-1]
+        self.assertLess(len(left), len(places))
+
+        def first(remaining):
+            self.write(strips(tuple(sorted(remaining))), "fewer.k")
+            self.nugget("modes", "fewer.k", "-n", 9, "-o", "fewer", "--quiet")
+            return next((f for f in self.frequencies("fewer")[6:7] if f > 1.0), 0.0)
+
+        self.assertAlmostEqual(first(left) / last, 1.0, 6)
+        self.assertGreaterEqual(last, 0.9 * whole)
+        for x in left:
+            self.assertLess(first([y for y in left if y != x]), 0.9 * whole)
+        self.nugget("modes", "model.k", "--least-welds", 1.5, expect=2)
+        self.assertIn("--least-welds", self.nugget("modes", "model.k", "--fmin", 10.0, "--least-welds", 0.9, expect=2).stderr)
+
     def test_comparison_with_another_run(self):
         self.write(strips())
         self.write(strips((90.0,)), "fewer.k")
