@@ -58,6 +58,7 @@ std::vector<Keyword> all_families() {
            generalized_body_load_keywords,
            airbag_keywords,
            rigidwall_keywords,
+           seam_weld_keywords,
            constrained_keywords,
            joint_stiffness_keywords,
            joint_keywords,

@@ -127,6 +127,32 @@ class Swforc(CommandTest):
             steps.append(self.json("summary.json")["time_step"]["first"])
         self.assertEqual(*steps)
 
+    def fillet(self, sigy):
+        """A fillet along y between 106 and 206 whose throat of 10 x 2 lies in the plane of the sheets."""
+        return self.run_with("*DEFINE_COORDINATE_SYSTEM\n         7       0.0       0.0       0.0       1.0       0.0       0.0\n"
+                             "       0.0       1.0       0.0\n*SET_NODE_LIST\n        90\n       206       106\n"
+                             "*CONSTRAINED_GENERALIZED_WELD_FILLET_ID\n       901\n        90         7\n"
+                             f"                    {sigy:10.3f}       0.8      10.0                 2.0       0.0\n")
+
+    def test_a_fillet_weld_has_the_value_of_its_throat(self):
+        """beta sqrt(sigma_n^2 + 3 tau^2) / SIGY, out of the two forces of the same row; and no remark meant for spots."""
+        rows, weld = self.fillet(250.0)
+        self.assertEqual({r[:2] for r in rows}, {("generalized weld", 901)})
+        for _, _, axial, shear, _, failure, _ in rows:
+            value = 0.8 * math.sqrt(max(axial, 0.0) ** 2 + 3.0 * shear ** 2) / 20.0 / 250.0
+            self.assertAlmostEqual(float(failure), value, delta=6e-6)
+        self.assertGreater(max(float(r[5]) for r in rows), 1e-3)
+        self.assertEqual((weld["id"], weld["kind"], weld["sheet1"], weld["sheet2"], weld["failed"]), ("901", "rigid", "2", "1", "no"))
+        self.assertEqual([f for f in self.json("findings.json") if "rigid weld 901" in f["text"]], [])
+        weakest = 250.0 * float(weld["peak_failure"])
+
+        rows, weld = self.fillet(0.5 * weakest)
+        self.assertEqual((weld["failed"], rows[-1][5]), ("yes", "failure"))
+        self.assertIn("between nodes 106 and 206 by ", self.read("run.log"))
+        self.assertIn("generalized weld failed  id=     901", self.read("run.log"))
+        ends = float(weld["failure_time"])
+        self.assertTrue(all(float(r[5]) < 1.0 for r in rows if r[4] < ends))
+
     def test_damage_of_welds_that_fade(self):
         """RS far beyond what the joint reaches: some damage. A weld without RS has none to tell."""
         card = ("*MAT_SPOTWELD\n         3  7.85e-09  210000.0       0.3     500.0    1000.0\n"

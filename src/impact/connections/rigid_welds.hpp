@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +17,9 @@ namespace nugget::impact {
 ///     f_i = m_i a_i - f_i(applied),   a_i = a_c + alpha x r_i + omega x (omega x r_i),
 /// with the mass of the node itself (docs/theory/weld.md#rigid-welds). When a weld fails its nodes continue as free
 /// nodes with that mass and the velocity they have; of a spot of more than two nodes the outermost node is released
-/// first. Welds limit no time step.
+/// first. A fillet or butt weld fails seam by seam (model::Seam), and lets go the nodes that no seam holds any more: a
+/// node with one neighbour hands all its force to the seams to it; the three seams of a triangle are equally stiff.
+/// Welds limit no time step.
 class RigidWelds {
  public:
   /// The system must outlive it. A weld that can fail, but whose nodes ties follow, is an error.
@@ -48,6 +51,14 @@ class RigidWelds {
     int group;
     std::size_t element;
   };
+  /// A seam as it runs, beside its history in `joints`.
+  struct SeamNow {
+    const model::Seam* source;
+    std::array<int, 2> nodes;  ///< system nodes
+    Vec3d tension, normal;     ///< in body axes
+    weld::RigidWeldLoad load;  ///< in this cycle
+    void archive(Archive& a);
+  };
   struct Weld {
     const model::RigidWeld* source;
     std::size_t body;                            ///< in System::bodies
@@ -55,16 +66,28 @@ class RigidWelds {
     std::vector<Load> loads;                     ///< on these nodes
     std::vector<std::vector<Neighbour>> around;  ///< elements at these nodes; only where plastic strain matters
     Vec3d axis;                                  ///< given one, in body axes; zero: the line of the outermost nodes
-    std::vector<weld::RigidWeldHistory> joints;  ///< at the first node; with more than two nodes, at the last one too
+    /// Of a spot: at the first node; with more than two nodes, at the last one too. Of others: one a seam.
+    std::vector<weld::RigidWeldHistory> joints;
+    std::vector<SeamNow> seams;  ///< empty of a spot
     void archive(Archive& a);
   };
 
   void find_neighbours();
   void refuse_ties_on_failing_welds(Findings& findings) const;
+  void add_joints(Weld& weld) const;
+  Load force_on(const Weld& weld, std::size_t i, const system::State& state) const;
   weld::RigidWeldLoad joint_load(const Weld& weld, bool last, const system::State& state) const;
+  weld::RigidWeldLoad seam_load(const Weld& weld, std::size_t j, const system::State& state) const;
   double plastic_strain(const Weld& weld, bool last, const system::State& state) const;
+  double seam_strain(const Weld& weld, std::size_t j, const system::State& state) const;
+  double largest_strain(const std::vector<Neighbour>& around, const system::State& state) const;
+  bool update_spot(Weld& weld, system::State& state);
+  bool update_seams(Weld& weld, system::State& state);
   void release(Weld& weld, bool first, bool last, system::State& state);
-  void report(const Weld& weld, const weld::RigidWeldHistory& joint, int node, const system::State& state);
+  bool release_unseamed(Weld& weld, system::State& state);
+  void let_go(Weld& weld, const std::vector<char>& holds, system::State& state);
+  void report(const Weld& weld, const weld::RigidWeldHistory& joint, const std::string& where,
+              const system::State& state);
 
   system::System& system_;
   std::vector<Weld> welds_;

@@ -86,14 +86,8 @@ void add_rigid_weld(const weld::RigidWeldHistory& history, output::WeldReport& r
   report.peak_failure = history.peak_failure_value();
   report.peak_failure_time = history.peak_failure_time();
   const weld::RigidWeldHistory::Last& last = history.last();
-  report.last = {last.axial,
-                 last.shear,
-                 last.moment,
-                 last.torsion,
-                 not_available,
-                 last.normal_term + last.shear_term,
-                 {},
-                 {not_available, not_available}};
+  report.last = {last.axial,    last.shear, last.moment, last.torsion,
+                 not_available, last.value, {},          {not_available, not_available}};
   add_term(report.last.terms, weld::FailureMode::axial, last.normal_term);
   add_term(report.last.terms, weld::FailureMode::shear, last.shear_term);
   report.energy = not_available;
@@ -212,8 +206,7 @@ output::SwforcState swforc_state(const Snapshot& now) {
     const model::RigidWeld& weld = now.components.rigid_welds.weld(i);
     const weld::RigidWeldHistory& h = now.components.rigid_welds.history(i);
     s.rows.push_back({weld.id,
-                      weld.kind == model::RigidWeld::Kind::generalized ? output::WeldKind::generalized
-                                                                       : output::WeldKind::constraint,
+                      weld.on_a_set() ? output::WeldKind::generalized : output::WeldKind::constraint,
                       h.axial(),
                       h.shear(),
                       now.components.rigid_welds.length(i, now.state),

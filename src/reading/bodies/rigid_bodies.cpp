@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "base/index.hpp"
 #include "model/axes.hpp"
 #include "model/lumped_mass.hpp"
+#include "reading/bodies/seams.hpp"
 #include "reading/builder/common_cards.hpp"
 
 namespace nugget::reading {
@@ -386,13 +388,14 @@ class Maker {
 
   void add_weld(const BodyCards::Weld& card) {
     RigidWeld weld = card.weld;
-    const bool generalized = weld.kind == RigidWeld::Kind::generalized;
+    const bool generalized = weld.on_a_set();
     if (!find_weld_nodes(card, weld)) return;
     std::vector<Index> different = weld.nodes;
     make_unique(different);
     if (different.size() < 2)
       return refuse(b_, card.first, "a weld joins two nodes or more",
                     generalized ? "add nodes to the set" : "give two different nodes");
+    if (!card.seams.empty() && !make_seams(b_, card, adjoining(), weld)) return;
     if (const Index part_body = touched_part(weld.nodes); part_body != none) {
       if (weld.can_fail())
         return refuse(
@@ -418,7 +421,7 @@ class Maker {
   }
 
   bool find_weld_nodes(const BodyCards::Weld& card, RigidWeld& weld) {
-    if (weld.kind == RigidWeld::Kind::generalized) {
+    if (weld.on_a_set()) {
       const Set<Index>* set = b_.node_set(card.first);
       if (set) weld.nodes = set->members;
       return set != nullptr;
@@ -427,9 +430,15 @@ class Maker {
     return weld.nodes[0] != none && weld.nodes[1] != none;
   }
 
+  const AdjoiningElements& adjoining() {
+    if (!adjoining_) adjoining_.emplace(model_);
+    return *adjoining_;
+  }
+
   /// The axis of CID. Without one the first and the last node must determine it, where it is needed.
   bool find_axis(const BodyCards::Weld& card, RigidWeld& weld) {
-    const bool generalized = weld.kind == RigidWeld::Kind::generalized;
+    if (!weld.seams.empty()) return true;  // they have directions of their own
+    const bool generalized = weld.on_a_set();
     if (generalized)
       if (const Index system = b_.system(card.second); system != none) weld.axis = model_.systems[system].axes.e3;
     const auto place = [&](Index node) { return model_.nodes.x[node]; };
@@ -533,6 +542,7 @@ class Maker {
   std::vector<Index> lead_;  ///< by seed: the seed that it is merged into, or itself
   Ids seed_ids_;
   std::vector<char> has_element_;  ///< by node; empty until it is asked for
+  std::optional<AdjoiningElements> adjoining_;
 };
 
 }  // namespace

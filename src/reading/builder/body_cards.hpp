@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "deck/deck.hpp"
@@ -60,15 +61,30 @@ struct BodyCards {
     bool set = false;  ///< a node set, else one node
     deck::RowOf<ExtraNodesCard> row;
   };
+  /// A fillet or butt weld between two nodes.
+  struct Seam {
+    model::Seam seam;              ///< its nodes and directions are found later
+    bool butt = false;             ///< its tensile direction is x, that of a fillet z
+    double angle = 0.0;            ///< ALPHA of a fillet: throat against the sheet [rad]
+    deck::Entry first, second;     ///< NODEA and NODEB; blank: the next two of the set
+    deck::Entry system, strength;  ///< NCID, or CID; SIGY
+  };
   struct Weld {
     model::RigidWeld weld;      ///< nodes, body and axis are found later
     deck::Entry first, second;  ///< generalized: the node set and the coordinate system; else the two nodes
+    std::vector<Seam> seams;
   };
 
   std::vector<Nodal> nodal;
   std::vector<ExtraNodes> extra_nodes;
   std::vector<deck::RowOf<MergeCard>> merges;
   std::vector<Weld> welds;
+
+  /// Adds a weld; one without a number gets the next.
+  void add(Weld weld) {
+    if (weld.weld.id == 0) weld.weld.id = static_cast<int>(welds.size()) + 1;
+    welds.push_back(std::move(weld));
+  }
 };
 
 }  // namespace nugget::reading

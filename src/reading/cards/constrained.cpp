@@ -340,11 +340,6 @@ double weld_failure_value(double written) {
   return written >= forever ? 0.0 : written;
 }
 
-void keep_weld(Builder& builder, BodyCards::Weld weld) {
-  if (weld.weld.id == 0) weld.weld.id = static_cast<int>(builder.body_cards.welds.size()) + 1;
-  builder.body_cards.welds.push_back(std::move(weld));
-}
-
 void read_weld_spot(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
@@ -361,7 +356,7 @@ void read_weld_spot(Builder& builder, const Block& block, const Options& options
     weld.weld.failure_time = weld_failure_value(failure->tfail);
     weld.weld.failure_strain = weld_failure_value(failure->epsf);
     take_strength(builder, failure, weld.weld);
-    keep_weld(builder, std::move(weld));
+    builder.body_cards.add(std::move(weld));
   }
 }
 
@@ -383,7 +378,7 @@ void read_spotweld(Builder& builder, const Block& block, const Options& options)
       weld.weld.filter = filter->nf;
       weld.weld.window = filter->tw;
     }
-    keep_weld(builder, std::move(weld));
+    builder.body_cards.add(std::move(weld));
   }
 }
 
@@ -528,9 +523,6 @@ std::vector<Keyword> constrained_keywords() {
        .layout = {{"with _ID", &weld_id_card}, {{}, &rivet_card}},
        .read = read_rivet},
 
-      refused("CONSTRAINED_GENERALIZED_WELD_*",
-              "fillet, butt, cross and combined welds are not built: their cards are not documented to this project; "
-              "spots (*CONSTRAINED_GENERALIZED_WELD_SPOT) are"),
       refused(
           "CONSTRAINED_INTERPOLATION_SPOTWELD",
           "welds without elements between sheets (SPR4, the nonnodal rows of swforc) are not built: their law is not "

@@ -374,7 +374,8 @@ std::vector<Report> audit(const model::Model& model, const Ties& ties, Findings&
     report.spot = inspection.spot(weld);
     report.stack = inspection.stack(weld);
     for (const Check& check : all_checks) {
-      CheckResult evaluate = check.evaluate(inspection, weld);
+      // Seams stand at edges, one behind the other: the rules are those of spots.
+      CheckResult evaluate = weld.is_seam() ? CheckResult{} : check.evaluate(inspection, weld);
       report.values.push_back(evaluate.value);
       if (evaluate.remark()) report.remarks.push_back({&check, evaluate.excess, std::move(evaluate.text)});
     }

@@ -15,6 +15,7 @@ namespace nugget::weld {
 struct RigidWeldLoad {
   Vec3d force;           ///< of the weld on the node, in axes that turn with the weld [force]
   Vec3d axis;            ///< from the node into the weld, unit, in the same axes
+  Vec3d normal;          ///< of a seam: of its throat, unit or zero, in the same axes
   double moment = 0.0;   ///< bending at mid-length [force length]
   double torsion = 0.0;  ///< about the axis [force length]
 };
@@ -43,10 +44,12 @@ class ForceFilter {
 ///     plastic strain > EP                            ductile
 ///     t >= TF
 ///
-/// with f_n along the weld, tension positive, f_s across it (LS-DYNA Keyword Manual, docs/theory/weld.md#rigid-welds).
+/// or, of a seam, by the stresses on its throat (model::Seam). With f_n along the weld, tension positive, f_s across it
+/// (LS-DYNA Keyword Manual, docs/theory/weld.md#rigid-welds).
 class RigidWeldHistory {
  public:
-  explicit RigidWeldHistory(const model::RigidWeld& law) : law_(&law), filter_(law.filter, law.window) {}
+  explicit RigidWeldHistory(const model::RigidWeld& law, const model::Seam* seam = nullptr)
+      : law_(&law), seam_(seam), filter_(law.filter, law.window) {}
 
   /// Takes the load at `time` and the largest plastic strain of the adjoining elements. True if the joint fails now.
   bool update(double time, const RigidWeldLoad& load, double plastic_strain);
@@ -66,7 +69,8 @@ class RigidWeldHistory {
   struct Last {
     double axial = 0.0, shear = 0.0;             ///< [force]
     double moment = 0.0, torsion = 0.0;          ///< [force length]
-    double normal_term = 0.0, shear_term = 0.0;  ///< of the failure value
+    double value = 0.0;                          ///< of the criterion; failure from 1 on
+    double normal_term = 0.0, shear_term = 0.0;  ///< whose sum it is; of a seam the square of it
   };
   /// The load in the cycle of failure; while the weld holds, the latest.
   const Last& last() const { return last_; }
@@ -79,9 +83,15 @@ class RigidWeldHistory {
   void archive(Archive& a);
 
  private:
+  struct Terms {
+    double value, normal, shear;
+  };
+  Terms of_spot() const;
+  Terms of_seam(const Vec3d& force, const Vec3d& normal) const;
   void fail(double time, FailureMode mode);
 
   const model::RigidWeld* law_;
+  const model::Seam* seam_;  ///< null of a spot
   ForceFilter filter_;
   double axial_ = 0.0, shear_ = 0.0, moment_ = 0.0, torsion_ = 0.0;
   double value_ = 0.0, failure_time_ = 0.0;

@@ -399,7 +399,7 @@ std::string name_body(const model::RigidBody& body) {
   switch (body.origin) {
     case model::RigidBody::Origin::part: return fmt::format("rigid part {}", body.id);
     case model::RigidBody::Origin::nodal: return fmt::format("nodal rigid body {}", body.id);
-    case model::RigidBody::Origin::weld: return fmt::format("generalized weld spot {}", body.id);
+    case model::RigidBody::Origin::weld: return fmt::format("generalized weld {}", body.id);
   }
   return {};
 }

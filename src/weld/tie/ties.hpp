@@ -90,7 +90,7 @@ using Facet = std::array<Index, 4>;
 struct Weld {
   enum class Kind { beam, solid, assembly, rigid, connector };  ///< connector: a discrete beam between sheets
   /// What a rigid weld is written as.
-  enum class Rigid : unsigned char { spotweld, generalized, nodal_body, rivet };
+  enum class Rigid : unsigned char { spotweld, generalized, nodal_body, rivet, fillet, butt, cross_fillet, combined };
   Kind kind = Kind::beam;
   int id = 0;                               ///< element id; of an assembly or a rigid weld its own
   Index part = none;                        ///< none for a rigid weld
@@ -115,6 +115,7 @@ struct Weld {
       ends;  ///< beam: end 1, end 2; bricks: each node of the end faces once, in the elements' order; rigid: its nodes
   Place place;
 
+  bool is_seam() const { return kind == Kind::rigid && rigid > Rigid::rivet; }
   bool of_bricks() const { return kind == Kind::solid || kind == Kind::assembly; }
 };
 

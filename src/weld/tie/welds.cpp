@@ -91,6 +91,10 @@ Weld::Rigid written_as(model::RigidWeld::Kind kind) {
     case model::RigidWeld::Kind::generalized: return Weld::Rigid::generalized;
     case model::RigidWeld::Kind::nodal_body: return Weld::Rigid::nodal_body;
     case model::RigidWeld::Kind::rivet: return Weld::Rigid::rivet;
+    case model::RigidWeld::Kind::fillet: return Weld::Rigid::fillet;
+    case model::RigidWeld::Kind::butt: return Weld::Rigid::butt;
+    case model::RigidWeld::Kind::cross_fillet: return Weld::Rigid::cross_fillet;
+    case model::RigidWeld::Kind::combined: return Weld::Rigid::combined;
   }
   return Weld::Rigid::spotweld;
 }
@@ -101,6 +105,10 @@ std::string keyword_of_rigid(Weld::Rigid rigid) {
     case Weld::Rigid::generalized: return "*CONSTRAINED_GENERALIZED_WELD_SPOT";
     case Weld::Rigid::nodal_body: return "*CONSTRAINED_NODAL_RIGID_BODY";
     case Weld::Rigid::rivet: return "*CONSTRAINED_RIVET";
+    case Weld::Rigid::fillet: return "*CONSTRAINED_GENERALIZED_WELD_FILLET";
+    case Weld::Rigid::butt: return "*CONSTRAINED_GENERALIZED_WELD_BUTT";
+    case Weld::Rigid::cross_fillet: return "*CONSTRAINED_GENERALIZED_WELD_CROSS_FILLET";
+    case Weld::Rigid::combined: return "*CONSTRAINED_GENERALIZED_WELD_COMBINED";
   }
   return {};
 }

@@ -206,7 +206,6 @@ TEST(RigidBodies, FaultsOfRigidWelds) {
   EXPECT_TRUE(
       Built(small_deck("*CONSTRAINED_SPOTWELD\n         1         2\n*CONSTRAINED_SPOTWELD\n         2         3\n"))
           .error("node 2 belongs to two rigid bodies"));
-  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_GENERALIZED_WELD_FILLET\n         1\n")).error("not documented"));
 }
 
 // ---- rigid walls
