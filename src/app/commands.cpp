@@ -58,8 +58,17 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   const system::System::Masses m = system.masses();
   s.mass = {m.physical, m.added, m.added_to_welds};
   const impact::Energy& e = run.energy();
-  s.energy = {e.kinetic,     e.internal, e.hourglass, e.contact, e.damping, e.external, e.eroded + e.eroded_kinetic,
-              e.step_change, e.initial,  e.ratio()};
+  s.energy = {e.kinetic,
+              e.internal,
+              e.hourglass,
+              e.contact,
+              e.damping,
+              e.external,
+              e.eroded + e.eroded_kinetic,
+              e.step_change,
+              e.initial,
+              e.ratio(),
+              e.ratio_without_step_change()};
   s.seconds.read = p.read_seconds;
   s.seconds.setup = setup_seconds;
   s.seconds.solve = run.solve_seconds();

@@ -77,9 +77,17 @@ Json to_json(const Summary::Seconds& s) {
 }
 
 Json to_json(const Summary::Energies& e) {
-  return {{"kinetic", e.kinetic}, {"internal", e.internal}, {"hourglass", e.hourglass}, {"contact", e.contact},
-          {"damping", e.damping}, {"external", e.external}, {"eroded", e.eroded},       {"step_change", e.step_change},
-          {"initial", e.initial}, {"ratio", e.ratio}};
+  return {{"kinetic", e.kinetic},
+          {"internal", e.internal},
+          {"hourglass", e.hourglass},
+          {"contact", e.contact},
+          {"damping", e.damping},
+          {"external", e.external},
+          {"eroded", e.eroded},
+          {"step_change", e.step_change},
+          {"initial", e.initial},
+          {"ratio", e.ratio},
+          {"ratio_without_step_change", e.ratio_without_step_change}};
 }
 
 Json to_json(const Summary& s) {

@@ -126,7 +126,7 @@ struct Summary {
   } mass;
   struct Energies {
     double kinetic = 0.0, internal = 0.0, hourglass = 0.0, contact = 0.0, damping = 0.0, external = 0.0, eroded = 0.0,
-           step_change = 0.0, initial = 0.0, ratio = 1.0;
+           step_change = 0.0, initial = 0.0, ratio = 1.0, ratio_without_step_change = 1.0;
   } energy;
   struct Seconds {
     double read = 0.0, setup = 0.0, solve = 0.0, output = 0.0;

@@ -150,7 +150,7 @@ class Bodies(CommandTest):
         """By _ID where the card has one, else the place in the deck, or the next that is free."""
         wall = "{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n"
         deck = (
-            "*KEYWORD\n*TITLE\ntwo walls\n*CONTROL_TERMINATION\n1e-5\n*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n*SECTION_SOLID\n1,1\n"
+            "*KEYWORD\n*TITLE\ntwo walls\n*CONTROL_TERMINATION\n1e-5\n*CONTROL_TIMESTEP\n0,0.6\n*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n*SECTION_SOLID\n1,1\n"
             "*PART\nbrick\n1,1,1\n*INITIAL_VELOCITY_GENERATION\n1,2,0.0,-1000.0,0.0,0.0\n\n"
             "*NODE\n1,0.,0.,0.\n2,10.,0.,0.\n3,10.,10.,0.\n4,0.,10.,0.\n5,0.,0.,10.\n6,10.,0.,10.\n7,10.,10.,10.\n8,0.,10.,10.\n"
             "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n"

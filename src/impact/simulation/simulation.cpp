@@ -145,6 +145,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   }
   solve_seconds_ = elapsed();
   if (progress) report_progress(progress, end_time);
+  // Of the last balance nobody has asked yet.
+  if (outcome.termination == Termination::normal && unstable()) return {Termination::error, describe_instability()};
   return outcome;
 }
 
@@ -403,6 +405,7 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
     return error(
         fmt::format("the solution diverged: its energy is no number that results can hold at time {:.6g}, cycle {}",
                     state_.time, state_.cycle));
+  if (unstable()) return error(describe_instability());
   if (!components_.erosion.reason_to_stop().empty()) return error(components_.erosion.reason_to_stop());
   if (std::isnan(state_.dt))
     return error(
@@ -503,6 +506,24 @@ void Simulation::transfer_dependent_forces() {
   update_mass_bounds();
 }
 
+bool Simulation::unstable() const {
+  return energy_.created() > 0.5 * energy_.size() && energy_.created() > largest_input_;
+}
+
+std::string Simulation::describe_instability() const {
+  const auto worst = std::max_element(parts_.begin(), parts_.end(), [](const PartEnergy& a, const PartEnergy& b) {
+    return a.internal + a.hourglass < b.internal + b.hourglass;
+  });
+  return fmt::format(
+      "the run is unstable: of its energy of {:.3g}, {:.3g} is made by the time integration, by time {:.6g}, cycle "
+      "{}{}: the step is too long [give a smaller TSSFAC in *CONTROL_TIMESTEP, e.g. {:.2g}]",
+      energy_.size(), energy_.created(), state_.time, state_.cycle,
+      worst == parts_.end() ? std::string()
+                            : fmt::format(", most of it in part {}",
+                                          system_.model.parts[static_cast<std::size_t>(worst - parts_.begin())].id),
+      0.75 * system_.model.control.step_scale);
+}
+
 void Simulation::update_energy_balance() {
   // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
   system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
@@ -515,6 +536,7 @@ void Simulation::update_energy_balance() {
   });
   energy_.step_change = step_change_;
   if (state_.cycle == 0) energy_.initial = energy_.total();
+  largest_input_ = std::max(largest_input_, std::abs(energy_.initial + energy_.external));
   // Beyond what the result files' words hold a number is none either.
   if (std::abs(energy_.total()) < std::numeric_limits<float>::max()) return;
   diverged_ = true;
@@ -530,8 +552,8 @@ void Simulation::archive(Archive& a) {
   a(energy_, parts_, controlling_);
   a(masses_.physical, masses_.added, masses_.added_to_welds, masses_.added_by_part);
   a(inverse_mass_, inverse_inertia_, contact_mass_, dependent_);
-  a(diverged_, relaxation_, step_change_, power_on_change_, first_step_, smallest_step_, stable_step_, longest_step_,
-    smallest_by_, seconds_, solve_seconds_);
+  a(diverged_, relaxation_, step_change_, largest_input_, power_on_change_, first_step_, smallest_step_, stable_step_,
+    longest_step_, smallest_by_, seconds_, solve_seconds_);
   a.built(stopped_springs_, v_before_, w_before_, momentum_before_, block_power_, stop_requested_, checkpoint_cycle_,
           checkpoint_time_, checkpoint_seconds_, begin_, timed_until_);
 }

@@ -81,6 +81,9 @@ class Simulation {
   void report_progress(const ProgressCallback& progress, double end_time) const;
   /// Energies at the present time; the previous ones stay where the solution is not a number.
   void update_energy_balance();
+  /// More energy has come from nowhere than was ever put in, and it is most of what there is.
+  bool unstable() const;
+  std::string describe_instability() const;
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
   void write_checkpoint_if_due(const Options& options);
   Outcome reason_to_stop(const Options& options, double end_time) const;
@@ -104,6 +107,7 @@ class Simulation {
   bool diverged_ = false;
   Relaxation relaxation_;
   double step_change_ = 0.0;         ///< Energy::step_change so far
+  double largest_input_ = 0.0;       ///< of the energy balances so far: what was there and put in, its size
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
   std::vector<double> block_power_;  ///< the nodes' part of it, by block
 
