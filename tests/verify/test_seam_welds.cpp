@@ -274,9 +274,38 @@ TEST(SeamWelds, AFilterDelaysFailureByHalfItsLength) {
   EXPECT_NEAR(failure_time(filtered, {1, 0, 0}) - failure_time(butt, {1, 0, 0}), 50.0 * step, 1.01 * step);
 }
 
-// Strips of steel whose ends meet, butt-welded node by node, and pulled: the middle node of the edge carries two of
-// four quarters of the force. EPSF opens the welds once the steel beside them has strained so far. Sabotage: seams that
-// look at one of the two sheets only (the soft one).
+// Three masses turn about the middle one; at t = 1, half a radian on, the last is let go. The seam that stays then
+// carries omega^2/2 at once: the mean does not mix forces in the axes of two bodies. Sabotage: it does.
+TEST(SeamWelds, TheAverageBeginsAnewWithTheRemainingBody) {
+  Specimen s;
+  std::vector<int> nodes;
+  const double omega = 0.5;
+  for (const double y : {-1.0, 0.0, 1.0}) {
+    nodes.push_back(s.mass_point({0, y, 0}, 1.0, 0.1));
+    s.card("INITIAL_VELOCITY_NODE", {double(nodes.back()), -omega * y, 0, 0, 0, 0, omega});
+  }
+  s.node_set(1, nodes);
+  s.text("*CONSTRAINED_GENERALIZED_WELD_COMBINED\n" + fields({1, 1, 101, 0, 2}) + fields({0}) +
+         fields({double(nodes[0]), double(nodes[1]), 1, 1}) + fields({1.0}) +
+         fields({double(nodes[1]), double(nodes[2]), 1, 1}));
+  timed(s, 1.5);
+  Experiment experiment(s.deck());
+  double worst = 0.0, shear = 0.0, before = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    const weld::RigidWeldHistory& h = now.components.rigid_welds.history(0);
+    if (now.state.time < 1.0 - 2.0 * step) before = h.axial();
+    if (now.state.time < 1.0 + 2.0 * step) return;
+    worst = std::max(worst, std::abs(h.axial() - 0.5 * omega * omega));
+    shear = std::max(shear, h.shear());
+  });
+  ASSERT_EQ(experiment.simulation().components().rigid_welds.events().size(), 1u);
+  EXPECT_NEAR(before, omega * omega, 1e-6);
+  EXPECT_NEAR(worst, 0.0, 1e-4);
+  EXPECT_NEAR(shear, 0.0, 1e-4);
+}
+
+// Two sheets whose ends meet, butt-welded node by node, and pulled: EPSF opens the welds once the soft one has strained
+// so far beside them. Sabotage: seams that look at their first node only.
 TEST(SeamWelds, PlasticStrainOfEitherSheetOpensTheWeld) {
   Specimen s;
   s.card("MAT_PLASTIC_KINEMATIC", {1, 7.85e-9, 210000.0, 0.3, 250.0, 1000.0, 1.0}).text(fields({}));

@@ -245,6 +245,7 @@ bool RigidWelds::release_unseamed(Weld& weld, system::State& state) {
     seam.tension = now.local(axes.global(seam.tension));
     seam.normal = now.local(axes.global(seam.normal));
   }
+  for (weld::RigidWeldHistory& joint : weld.joints) joint.restart_filter();
   return true;
 }
 

@@ -55,6 +55,8 @@ class RigidWeldHistory {
   bool update(double time, const RigidWeldLoad& load, double plastic_strain);
   /// Begins anew for the joint that is the outermost after one has failed; peaks stay.
   void move_inward();
+  /// Forgets the forces that are averaged: their axes are others from now on.
+  void restart_filter() { filter_ = ForceFilter(law_->filter, law_->window); }
 
   double axial() const { return axial_; }      ///< f_n, filtered [force]
   double shear() const { return shear_; }      ///< |f_s|, filtered [force]
