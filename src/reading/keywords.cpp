@@ -58,6 +58,7 @@ std::vector<Keyword> all_families() {
            airbag_keywords,
            rigidwall_keywords,
            constrained_keywords,
+           coarsening_keywords,
            joint_stiffness_keywords,
            joint_keywords,
            contact_keywords,
