@@ -221,6 +221,13 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(CLI::IsMember({4, 5}));
   weld_command->add_option("--units", weld.units, "of the card of --stack (default: \"mm, t, s\")")
       ->check(CLI::IsMember(nugget::app::unit_names()));
+  weld_command->add_flag("--adapt", weld.adapt,
+                         "no placement, but MODEL.k with the sheets around its welds meshed so that each weld stands "
+                         "over the centre of an element of its size");
+  weld_command
+      ->add_option("--least-step", weld.least_step,
+                   "of --adapt: share of the time step of the shells around a weld that must be left (default: 0.7)")
+      ->check(CLI::Range(0.1, 1.0));
   weld_command->add_flag("--skip-unsupported", weld.skip_unsupported, "unsupported keywords are left out");
 
   nugget::app::WeldsArguments welds;
@@ -297,8 +304,11 @@ int nugget::app::command_line(int argc, char** argv) {
   try {
     cli.parse(words);
     if (run_command->parsed() && run.deck.empty() && run.resume.empty()) throw CLI::RequiredError("model");
+    if (weld.adapt && !weld.deck.empty()) throw CLI::ExcludesError("--adapt", "points");
+    if (weld.adapt && !weld.stack.empty()) throw CLI::ExcludesError("--adapt", "--stack");
+    if (weld.adapt) std::swap(weld.points, weld.deck);  // its one file is the model
     if (weld_command->parsed() && weld.stack.empty() && weld.deck.empty())
-      throw CLI::RequiredError(weld.points.empty() ? "points" : "model");
+      throw CLI::RequiredError(weld.points.empty() && !weld.adapt ? "points" : "model");
     if (weld_command->parsed() && !weld.stack.empty() && !weld.points.empty())
       throw CLI::ExcludesError("--stack", "points");
   } catch (const CLI::ParseError& error) {

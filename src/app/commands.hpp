@@ -58,6 +58,8 @@ struct WeldArguments {
   std::vector<std::string> stack;                ///< `T:RM` of each sheet, in mm and MPa: a card and no placement
   std::string units = "mm, t, s";                ///< of that card
   double rule = 5.0;                             ///< diameter over sqrt(t)
+  bool adapt = false;       ///< no placement: the sheets around the welds of `deck` are meshed anew
+  double least_step = 0.7;  ///< of that: what must be left of the time step of the shells there
   int threads = 0;
   bool skip_unsupported = false;
 };
@@ -94,6 +96,8 @@ ExitCode modes(const ModesArguments& arguments);
 ExitCode frf(const RunArguments& arguments, bool direct);
 ExitCode check(const CheckArguments& arguments);
 ExitCode weld(const WeldArguments& arguments);
+/// Moves the nodes around the welds of a deck; see weld::adapt().
+ExitCode adapt_welds(const WeldArguments& arguments);
 /// Names of the systems of units.
 const std::vector<std::string>& unit_names();
 /// (Re)makes report.html of the results in a folder.

@@ -20,6 +20,7 @@
 #include "reading/build.hpp"
 #include "weld/failure/missing_data.hpp"
 #include "weld/failure/user_library.hpp"
+#include "weld/placement/coarsening.hpp"
 #include "weld/tie/inferred_welds.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -91,6 +92,21 @@ void tie_and_audit(PreparedDeck& p, std::vector<Vec3d> x, Findings& findings) {
   p.is_tied = true;
 }
 
+/// *CONTROL_COARSEN: the deck is read once more, with four shells merged to one where nothing stands against it.
+void coarsen(PreparedDeck& p, const deck::Deck& deck, bool skip_unsupported, Findings& findings) {
+  Findings told, again;  // what was found in the deck has been said
+  const model::Coarsening merged = weld::coarsening_of(p.model, weld::tie(p.model, told));
+  const std::size_t shells = p.model.shells.size();
+  p.model = reading::build(deck, again, skip_unsupported, p.model.weld_library, &merged);
+  for (const Finding& f : again.all())
+    if (f.severity == Severity::error) findings.add(f);
+  findings.note(p.model.coarsen.place, "*CONTROL_COARSEN",
+                fmt::format("{} shells became {}: {} times four to one; {} nodes are gone, {} hang on the side of a "
+                            "merged shell",
+                            shells, p.model.shells.size(), merged.merged.size(), merged.removed_nodes.size(),
+                            merged.hanging.size()));
+}
+
 }  // namespace
 
 PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
@@ -106,6 +122,7 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
     p.deck_checksum = checksum(file_bytes(arguments.weld_law), p.deck_checksum);
   }
   p.model = reading::build(deck, findings, arguments.skip_unsupported, library);
+  if (p.model.coarsen.on && findings.errors() == 0) coarsen(p, deck, arguments.skip_unsupported, findings);
   if (library) note_unused_library(p.model, findings);
   if (arguments.weld_tie == "area") p.model.control.weld_tie = model::WeldTie::area;
   p.read_seconds = clock.seconds();

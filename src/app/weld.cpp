@@ -131,6 +131,7 @@ ExitCode weld(const WeldArguments& arguments) {
       return ExitCode::wrong_command;
     }
   try {
+    if (arguments.adapt) return adapt_welds(arguments);
     return arguments.stack.empty() ? place_welds(arguments, fields) : weld_a_stack(arguments);
   } catch (const output::WriteError& e) {
     fmt::print(stderr, "nugget: {}\n", e.what());

@@ -26,6 +26,7 @@ struct Transform {
   Frame3d turn{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< columns of the rotation R of A = R S, S symmetric
   Vec3d point(const Vec3d& x) const;              ///< a position as written: scaled to the new unit, then moved
   Vec3d moved(const Vec3d& x) const;        ///< a position already in the new unit (read as a length by a Row): moved
+  Vec3d written(const Vec3d& x) const;      ///< the position that `point` brings to `x`
   Vec3d direction(const Vec3d& d) const;    ///< a direction or a velocity: turned, neither moved nor scaled
   bool turns() const;                       ///< the matrix changes directions
   bool scales() const;                      ///< it is more than a turn and a shift
@@ -68,6 +69,13 @@ class Deck {
       blocks;  ///< in reading order; KEYWORD, END, INCLUDE..., PARAMETER..., DEFINE_TRANSFORMATION are consumed
   std::vector<std::pair<std::string, Place>> consumed;  ///< those, for the table of keywords (keyword as in Block)
   std::size_t bytes = 0;                                ///< of all files
+  /// A file opened by the line of an *INCLUDE...; once for each time that it is.
+  struct Inclusion {
+    std::size_t from = 0;  ///< the file of the line, in `files`
+    int line = 0;          ///< the first one of the file's name
+    std::size_t file = 0;  ///< that was opened
+  };
+  std::vector<Inclusion> inclusions;  ///< in reading order
 
   /// *DEFINE_TRANSFORMATION by its id (id_offset and unit factors of the result say nothing); null where there is none.
   const Transform* transformation(int id) const;

@@ -260,6 +260,7 @@ void Reader::open(const std::string& name, const Place& place, const Block& bloc
                       "check the file");
     }
   }
+  deck_.inclusions.push_back({visit.file, place.line, inner.file});
   inner.format = block.format;
   inner.transform = transform;
   inner.depth = visit.depth + 1;

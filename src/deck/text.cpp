@@ -72,4 +72,14 @@ std::string readable(std::string_view text) {
   return s;
 }
 
+std::string name_lines(std::string name) {
+  constexpr std::size_t width = 78;
+  std::string lines;
+  while (name.size() > 80) {
+    lines += name.substr(0, width) + " +\n";
+    name.erase(0, width);
+  }
+  return lines + name + '\n';
+}
+
 }  // namespace nugget::deck

@@ -29,4 +29,7 @@ std::string lower(std::string_view text);
 /// Text for people and for JSON: bytes that are not UTF-8 are taken as Latin-1, tabs become blanks.
 std::string readable(std::string_view text);
 
+/// A file name behind *INCLUDE in lines of 80 columns, continued by ` +`.
+std::string name_lines(std::string name);
+
 }  // namespace nugget::deck

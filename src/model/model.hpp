@@ -13,6 +13,7 @@
 #include "base/finding.hpp"
 #include "base/index.hpp"
 #include "base/vec3.hpp"
+#include "model/coarsening.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
 #include "model/damping.hpp"
@@ -165,6 +166,7 @@ struct Model : LoadLists {
   std::string title;
   std::string deck;  ///< path of the master file as given
   Control control;
+  CoarsenControl coarsen;
   Implicit implicit;
   std::optional<FrequencyResponse> frequency_response;
   std::optional<SteadyState> steady_state;
@@ -181,6 +183,10 @@ struct Model : LoadLists {
   std::vector<ElementDeath> element_deaths;
   std::vector<PointMass> masses;
   std::vector<PointInertia> inertias;
+
+  /// What cards name one by one, in the order in which it is looked up, some more than once; and what lists of sets
+  /// name.
+  std::vector<Index> named_nodes, named_shells, listed_nodes, listed_shells;
 
   std::vector<Part> parts;  ///< in deck order
   std::vector<SectionShell> shell_sections;
@@ -211,6 +217,7 @@ struct Model : LoadLists {
   std::vector<RigidBody> rigid_bodies;  ///< MAT_RIGID parts (merged), nodal rigid bodies, rigid welds
   std::vector<RigidWeld> rigid_welds;
   std::vector<Interpolation> interpolations;
+  std::vector<HangingNode> hanging_nodes;
   std::vector<Joint> joints;
   std::vector<Accelerometer> accelerometers;
   std::vector<SinglePointConstraint> spcs;

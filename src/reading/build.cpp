@@ -91,8 +91,9 @@ void read_block(Builder& b, const deck::Block& block, KeywordSummary& summary) {
 }  // namespace
 
 model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsupported,
-                   std::shared_ptr<const model::WeldLibrary> weld_library) {
+                   std::shared_ptr<const model::WeldLibrary> weld_library, const model::Coarsening* coarsening) {
   Builder b(deck, findings);
+  b.coarsening = coarsening;
   b.model.weld_library = std::move(weld_library);
   b.skip_unsupported = skip_unsupported;
   b.model.deck = deck.path.string();

@@ -60,6 +60,7 @@ std::vector<Keyword> all_families() {
            rigidwall_keywords,
            seam_weld_keywords,
            constrained_keywords,
+           coarsening_keywords,
            joint_stiffness_keywords,
            joint_keywords,
            contact_keywords,

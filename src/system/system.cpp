@@ -125,6 +125,17 @@ void System::make_constraints(Findings& findings) {
     if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place))
       add_best_fit(node_of[i.node], i.rotations, i.independent, i.weight, ties.x[i.node]);
   }
+  for (std::size_t k = 0; k < model.hanging_nodes.size(); ++k) {
+    const model::HangingNode& h = model.hanging_nodes[k];
+    if (!claim(h.node, {.side = static_cast<model::Index>(k)}, h.place)) continue;
+    // Off the line between the ends the arm turns with them, so that the node keeps to any rigid motion.
+    const Vec3d a = ties.x[h.ends[0]], along = ties.x[h.ends[1]] - a, off = ties.x[h.node] - a;
+    const double share = dot(off, along) / dot(along, along);
+    const Vec3d arm = off - share * along;
+    const std::array<ConstraintMap::Term, 2> terms{
+        {{node_of[h.ends[0]], 1.0 - share, arm}, {node_of[h.ends[1]], share, arm}}};
+    map.add(node_of[h.node], true, terms);
+  }
   for (int node : map.sort_rows(static_cast<int>(all_nodes())))
     findings.error({model.deck, 0, 0}, "", fmt::format("node {} is tied to itself through other ties", node_id(node)),
                    "tie the weld to a sheet whose nodes are free");
@@ -177,6 +188,7 @@ std::string System::name(const ConstraintSource& constraint_name) const {
   if (constraint_name.contact != model::none) return weld::name_contact(model.contacts[constraint_name.contact]);
   if (constraint_name.interpolation != model::none)
     return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[constraint_name.interpolation].id);
+  if (constraint_name.side != model::none) return "the side of a shell (*CONSTRAINED_ADAPTIVITY)";
   return "nothing";
 }
 

@@ -213,10 +213,12 @@ class System {
   std::vector<Vec3d> start_;  ///< positions at time 0, by system node
   std::vector<MassOnlyElement> mass_only_elements_;
   std::vector<double> own_inertia_;
-  /// What makes a node dependent: a rigid body, a tie contact or an interpolation of the model.
+  /// What makes a node dependent: a rigid body, a tie contact, an interpolation or a side of a shell of the model.
   struct ConstraintSource {
-    model::Index body = model::none, contact = model::none, interpolation = model::none;
-    bool none() const { return body == model::none && contact == model::none && interpolation == model::none; }
+    model::Index body = model::none, contact = model::none, interpolation = model::none, side = model::none;
+    bool none() const {
+      return body == model::none && contact == model::none && interpolation == model::none && side == model::none;
+    }
   };
   std::string name(const ConstraintSource& constraint_name) const;
   std::vector<ConstraintSource> constraint_source_;     ///< by system node

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`nugget weld`: from a list of points to a deck that passes `nugget check` and runs."""
+import csv
 import re
 import unittest
 
@@ -17,6 +18,23 @@ def sheets():
         text, count = re.subn(rf"\*{keyword}\n[^*]*", "", text)
         assert count == 1, keyword
     return re.sub(r" +30[12] .*\n", "", text)
+
+
+def large_sheets(before="", after=""):
+    """Two sheets of 8 x 8 shells of 5 mm, 1.2 apart."""
+    nodes, shells = "*NODE\n", "*ELEMENT_SHELL\n"
+    for sheet in (1, 2):
+        for j in range(9):
+            for i in range(9):
+                nodes += f"{1000 * sheet + 9 * j + i:8d}{5.0 * i:16.6f}{5.0 * j:16.6f}{1.2 * (sheet - 1):16.6f}\n"
+        for j in range(8):
+            for i in range(8):
+                n = 1000 * sheet + 9 * j + i
+                shells += "".join(f"{v:8d}" for v in (n, sheet, n, n + 1, n + 10, n + 9)) + "\n"
+    text = sheets()
+    begin, end = text.index("*NODE"), text.index("*END")
+    text = re.sub(r"\*(BOUNDARY|DATABASE_HISTORY|LOAD|SET)[^\n]*\n[^*]*", "", text[:begin]) + before
+    return text + nodes + shells + after + "*END\n"
 
 
 class Weld(CommandTest):
@@ -75,6 +93,52 @@ class Weld(CommandTest):
                 run = self.place(points=points, expect=1)
                 self.assertIn(text, run.stderr)
                 self.assertNotIn("joined.k", self.files())
+
+    def adaptable(self, before="", after=""):
+        """joined.k: the weld over a node of two sheets in an included file."""
+        self.write(large_sheets(before, after), "car/sheets.k")
+        self.write("20, 20, 0.6, 5.0\n", "points.csv")
+        self.nugget("weld", "points.csv", "car/sheets.k", "-o", "joined.k")
+
+    def test_adapt(self):
+        self.adaptable()
+        run = self.nugget("weld", "--adapt", "joined.k", "-o", "adapted.k")
+        lines = run.stdout.splitlines()
+        self.assertEqual(len(lines), 6, run.stdout)
+        for line in lines[1:3]:
+            self.assertRegex(line, r"^ +beam weld \d+ +[12] +\d+ +1\.00 +0\.00 +5 +5 +5 +36 +3\.54  Jacobian 1\.00 -> 0\.9")
+        self.assertTrue(lines[3].startswith("2 of 2 ends of welds stand over a new element; 72 nodes moved; "), lines[3])
+        self.assertEqual(lines[4:], ["adapted.k", "adapted_sheets.k"])
+        self.assertIn("$ Nodes moved by nugget weld --adapt:\n$ " + lines[0], self.read("adapted.k"))
+        old, new = (self.read(name).splitlines() for name in ("car/sheets.k", "adapted_sheets.k"))
+        changed = [pair for pair in zip(old, new, strict=True) if pair[0] != pair[1]]
+        self.assertEqual(len(changed), 72)
+        for before, after in changed:
+            self.assertEqual((before[:8], before[56:]), (after[:8], after[56:]))
+        for name, place in (("joined.k", 1.0), ("adapted.k", 0.0)):
+            self.nugget("check", name, "-o", "audit")
+            with open(self.folder / "audit/welds.csv", encoding="utf-8") as file:
+                (weld,) = csv.DictReader(file)
+            for end in ("1", "2"):
+                self.assertAlmostEqual(abs(float(weld["xi" + end])), place, 6)
+                self.assertAlmostEqual(abs(float(weld["eta" + end])), place, 6)
+
+    def test_adapt_leaves_what_must_stay(self):
+        self.adaptable(before="*DATABASE_HISTORY_NODE\n" + "".join(f"{n:10d}" for n in range(1001, 1009)) + "\n")
+        run = self.nugget("weld", "--adapt", "car/sheets.k", "-o", "adapted.k", expect=1)
+        self.assertIn("car/sheets.k: error: the deck has no weld [place welds first: ", run.stderr)
+        self.assertNotIn("adapted.k", self.files())
+        self.nugget("weld", "--adapt", "joined.k", "-o", "joined.k", expect=2)
+        self.nugget("weld", "--adapt", "points.csv", "joined.k", "-o", "adapted.k", expect=2)
+
+    def test_adapt_refuses_what_would_change_a_set(self):
+        """The box ends at x = 20: the middle node leaves it."""
+        self.adaptable(before="*DEFINE_BOX\n         1      -1.0      20.5      -1.0      41.0      -1.0       0.1\n"
+                              "*SET_SHELL_GENERAL\n         7\nBOX                1\n")
+        run = self.nugget("weld", "--adapt", "joined.k", "-o", "adapted.k", expect=1)
+        self.assertIn("the new deck does not say the same as the old one: shell set 7 has other members", run.stderr)
+        self.assertNotIn("adapted.k", self.files())
+        self.assertNotIn("adapted_sheets.k", self.files())
 
     def test_wrong_command_lines(self):
         for option, text in (("strength=1", "'strength' is no field of *MAT_SPOTWELD"), ("sigy=much", "expected sigy=NUMBER")):

@@ -14,6 +14,7 @@
 #include "deck/deck.hpp"
 #include "impact/contact/initial_penetrations.hpp"
 #include "reading/build.hpp"
+#include "weld/placement/coarsening.hpp"
 
 namespace nugget::verify {
 namespace {
@@ -69,9 +70,17 @@ void stop_on_errors(const Findings& findings) {
   throw std::runtime_error(all);
 }
 
+model::Model read_model(const std::string& text, Findings& findings) {
+  const deck::Deck deck = deck::read_text(text, findings);
+  model::Model model = reading::build(deck, findings);
+  if (!model.coarsen.on || findings.errors() > 0) return model;
+  Findings again;
+  const model::Coarsening merged = weld::coarsening_of(model, weld::tie(model, again));
+  return reading::build(deck, again, false, nullptr, &merged);
+}
+
 Experiment::Experiment(const std::string& text) : text_(text) {
-  const deck::Deck deck = deck::read_text(text, findings_);
-  model_ = std::make_unique<model::Model>(reading::build(deck, findings_));
+  model_ = std::make_unique<model::Model>(read_model(text, findings_));
   stop_on_errors(findings_);
   ties_ = std::make_unique<weld::Ties>(
       weld::tie(*model_, impact::resolve_initial_penetrations(*model_, findings_), findings_));

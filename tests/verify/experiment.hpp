@@ -18,6 +18,9 @@ using Watch = std::function<void(const impact::Snapshot&)>;
 /// Throws std::runtime_error with all findings if one is an error.
 void stop_on_errors(const Findings& findings);
 
+/// The deck's model as the command makes it: with *CONTROL_COARSEN obeyed.
+model::Model read_model(const std::string& deck, Findings& findings);
+
 class Experiment {
  public:
   /// Reads, checks, ties. A refused deck throws std::runtime_error with all its findings.

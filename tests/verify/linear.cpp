@@ -4,17 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "base/index.hpp"
-#include "deck/deck.hpp"
 #include "experiment.hpp"
 #include "impact/contact/initial_penetrations.hpp"
 #include "nvh/matrices/linear_model.hpp"
-#include "reading/build.hpp"
 
 namespace nugget::verify {
 
 LinearExperiment::LinearExperiment(const std::string& text) {
-  const deck::Deck deck = deck::read_text(text, findings_);
-  model_ = std::make_unique<model::Model>(reading::build(deck, findings_));
+  model_ = std::make_unique<model::Model>(read_model(text, findings_));
   stop_on_errors(findings_);
   ties_ = std::make_unique<weld::Ties>(
       weld::tie(*model_, impact::resolve_initial_penetrations(*model_, findings_), findings_));

@@ -153,7 +153,9 @@ void Builder::mark_ignored(const deck::Block& block) {
 }
 
 Index Builder::node(const deck::Entry& field) {
-  return find(nodes, "node", field);
+  const Index found = find(nodes, "node", field);
+  if (found != none) model.named_nodes.push_back(found);
+  return found;
 }
 Index Builder::part(const deck::Entry& field) {
   return find(parts, "part", field);
@@ -162,7 +164,9 @@ Index Builder::curve(const deck::Entry& field) {
   return find(curves, "curve", field);
 }
 Index Builder::shell(const deck::Entry& field) {
-  return find(shells, "shell", field);
+  const Index found = find(shells, "shell", field);
+  if (found != none) model.named_shells.push_back(found);
+  return found;
 }
 Index Builder::solid(const deck::Entry& field) {
   return find(solids, "solid", field);

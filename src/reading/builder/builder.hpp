@@ -184,7 +184,8 @@ class Builder {
   std::unordered_map<int, int> curved_systems;  ///< TYPE by id: 1 cylindrical, 2 spherical; others are Cartesian
   std::map<const void*, std::unordered_set<Index>> in_history;  ///< by list of Requests: what is in it
 
-  bool skip_unsupported = false;  ///< refused keywords are left out with a warning
+  bool skip_unsupported = false;           ///< refused keywords are left out with a warning
+  const Coarsening* coarsening = nullptr;  ///< shells that are merged; null: none
 
  private:
   std::array<std::vector<std::function<void(Builder&)>>, 8> work_;

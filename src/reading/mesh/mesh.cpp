@@ -47,7 +47,10 @@ std::vector<std::size_t> rows_by_id(Builder& b, const Table& table, std::string_
 
 void make_nodes(Builder& b) {
   const auto& table = b.node_table;
-  const auto rows = rows_by_id(b, table, "node", "*NODE");
+  auto rows = rows_by_id(b, table, "node", "*NODE");
+  if (b.coarsening != nullptr)
+    std::erase_if(rows,
+                  [&](std::size_t r) { return std::ranges::binary_search(b.coarsening->removed_nodes, table.id[r]); });
   Nodes& nodes = b.model.nodes;
   nodes.id.reserve(rows.size());
   nodes.x.reserve(rows.size());
@@ -170,6 +173,31 @@ class Elements {
   MissingPart* missing_ = nullptr;  ///< of `last_id_`; null where the part is defined
 };
 
+/// Shells that are merged while the mesh is made.
+class MergedShells {
+ public:
+  explicit MergedShells(const Builder& b) : b_(b) {
+    if (b.coarsening == nullptr) return;
+    for (const Coarsening::Merged& m : b.coarsening->merged) {
+      corners_[m.shells[0]] = &m.nodes;
+      for (std::size_t k = 1; k < 4; ++k) gone_.insert(m.shells[k]);
+    }
+  }
+  bool gone(int id) const { return gone_.contains(id); }
+  /// The corners of a shell that stands for four; false for another one.
+  bool nodes(int id, std::array<Index, 4>& out) const {
+    const auto found = corners_.find(id);
+    if (found == corners_.end()) return false;
+    for (std::size_t k = 0; k < 4; ++k) out[k] = b_.nodes.find((*found->second)[k]);
+    return true;
+  }
+
+ private:
+  const Builder& b_;
+  std::unordered_map<int, const std::array<int, 4>*> corners_;
+  std::unordered_set<int> gone_;
+};
+
 /// Rows of the table that became elements, in order.
 std::vector<std::size_t> make_shells(Builder& b) {
   const auto& table = b.shell_table;
@@ -183,10 +211,13 @@ std::vector<std::size_t> make_shells(Builder& b) {
   Elements elements(b, table, ElementKind::shell, "shell", "*ELEMENT_SHELL");
   std::vector<std::size_t> made;
   made.reserve(rows.size());
+  const MergedShells merged(b);
   for (const std::size_t r : rows) {
+    if (merged.gone(table.id[r])) continue;
     const Index part = elements.part(r);
     std::array<Index, 4> n;
-    if (!elements.nodes(r, n) || part == none) continue;
+    if (!merged.nodes(table.id[r], n) && !elements.nodes(r, n)) continue;
+    if (part == none) continue;
     if (elements.has_more_nodes_than(4, r)) {
       elements.refuse(r, "shells of eight nodes are not supported", "mesh with four-node shells");
       continue;
@@ -522,6 +553,10 @@ void make_mesh(Builder& b) {
     part.hourglass = b.find(b.hourglass, "hourglass control", hourglass);
   }
   fold_tetrahedra(b.model);
+  if (b.coarsening != nullptr)
+    for (const Coarsening::Hanging& h : b.coarsening->hanging)
+      b.model.hanging_nodes.push_back(
+          {b.nodes.find(h.node), {b.nodes.find(h.ends[0]), b.nodes.find(h.ends[1])}, b.model.coarsen.place});
   set_thickness(b, shell_rows);
   b.defer(Phase::bodies, [beam_rows](Builder& late) { check_single_sections(late, beam_rows); });
 }

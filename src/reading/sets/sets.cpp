@@ -159,6 +159,8 @@ class Resolver {
       else
         out.push_back(i);
     }
+    if (kind == SetKind::node) append(m_.listed_nodes, out);
+    if (kind == SetKind::shell) append(m_.listed_shells, out);
     return out;
   }
 

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "deck/text.hpp"
 #include "weld/placement/deck_text.hpp"
 
 namespace nugget::weld {
@@ -241,7 +242,7 @@ class CouponDeck {
         "{:.4g} mm (part 2, pulled), weld of {:.4g} mm\n$ (part 3). The angle is that between the load and the "
         "sheets.\n*INCLUDE\n{}",
         test_.title(), card_.units.name, mm(card_.sheets[0].thickness), mm(card_.sheets[1].thickness),
-        mm(card_.diameter), name_lines(card_.included));
+        mm(card_.diameter), deck::name_lines(card_.included));
   }
 
   std::string controls(int node) const {

@@ -12,14 +12,4 @@ std::string real_field(double value) {
   return fmt::format("{:>10}", text);
 }
 
-std::string name_lines(std::string name) {
-  constexpr std::size_t width = 78;
-  std::string lines;
-  while (name.size() > 80) {
-    lines += name.substr(0, width) + " +\n";
-    name.erase(0, width);
-  }
-  return lines + name + '\n';
-}
-
 }  // namespace nugget::weld

@@ -9,7 +9,4 @@ namespace nugget::weld {
 /// A number in a field of ten columns, with as many digits as they hold beside a blank.
 std::string real_field(double value);
 
-/// A file name behind *INCLUDE in lines of 80 columns, continued by ` +`.
-std::string name_lines(std::string name);
-
 }  // namespace nugget::weld

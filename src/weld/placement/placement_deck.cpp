@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "deck/text.hpp"
 #include "model/history_files.hpp"
 #include "model/units.hpp"
 #include "model/weld_section.hpp"
@@ -163,7 +164,7 @@ class PlacementWriter {
     return fmt::format(
         "*KEYWORD\n$ {} spots between {} sheets as {} elements, placed by nugget weld.\n$ Units: {}.\n"
         "*INCLUDE\n{}",
-        spots, sheet_parts_.size(), count_, units_ ? units_->name : "those of the model", name_lines(included));
+        spots, sheet_parts_.size(), count_, units_ ? units_->name : "those of the model", deck::name_lines(included));
   }
 
   std::string parts() {

@@ -100,6 +100,7 @@ std::vector<char> held_otherwise(const model::Model& model) {
     if (motion.target == model::PrescribedMotion::Target::nodes)
       for (const Index n : motion.nodes) held[n] = 1;
   for (const model::Interpolation& interpolation : model.interpolations) held[interpolation.node] = 1;
+  for (const model::HangingNode& hanging : model.hanging_nodes) held[hanging.node] = 1;
   for (const model::RigidWeld& weld : model.rigid_welds)
     for (const Index n : weld.nodes) held[n] = 1;
   return held;
