@@ -34,14 +34,16 @@ std::string percent_of(double part, double whole) {
 }  // namespace
 
 std::string weld_kinds(const weld::Ties& ties) {
-  static const std::map<weld::Weld::Kind, std::pair<const char*, const char*>> names{
-      {weld::Weld::Kind::beam, {"beam", "beams"}},
-      {weld::Weld::Kind::solid, {"brick", "bricks"}},
-      {weld::Weld::Kind::assembly, {"assembly of bricks", "assemblies of bricks"}},
-      {weld::Weld::Kind::rigid, {"rigid weld", "rigid welds"}},
-      {weld::Weld::Kind::connector, {"discrete beam", "discrete beams"}}};
-  std::map<weld::Weld::Kind, int> count;
-  for (const weld::Weld& w : ties.welds) ++count[w.kind];
+  using Kind = std::pair<weld::Weld::Kind, bool>;  // and whether it is an interpolation
+  static const std::map<Kind, std::pair<const char*, const char*>> names{
+      {{weld::Weld::Kind::beam, false}, {"beam", "beams"}},
+      {{weld::Weld::Kind::solid, false}, {"brick", "bricks"}},
+      {{weld::Weld::Kind::assembly, false}, {"assembly of bricks", "assemblies of bricks"}},
+      {{weld::Weld::Kind::rigid, false}, {"rigid weld", "rigid welds"}},
+      {{weld::Weld::Kind::connector, false}, {"discrete beam", "discrete beams"}},
+      {{weld::Weld::Kind::connector, true}, {"interpolation spot weld", "interpolation spot welds"}}};
+  std::map<Kind, int> count;
+  for (const weld::Weld& w : ties.welds) ++count[{w.kind, w.interpolated}];
   std::string text;
   for (const auto& [kind, n] : count) {
     const auto& [one, many] = names.at(kind);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -42,7 +43,8 @@ std::string add_holds(PreparedDeck& p) {
     }
   }
   if (std::isnan(least[0])) return {};
-  const bool by_area = p.model.control.weld_tie == model::WeldTie::area;
+  const bool by_area = p.model.control.weld_tie == model::WeldTie::area ||
+                       std::ranges::all_of(p.ties.welds, [](const weld::Weld& w) { return w.interpolated; });
   return fmt::format(
       "Reach of the welds' forces into the sheets over the nugget's radius: {:.2f} to {:.2f} by the element under the "
       "weld{}, {:.2f} to {:.2f} by area{}\n\n",

@@ -61,7 +61,8 @@ output::WeldReport weld_report(const model::Model& model, const std::vector<Vec3
   if (w.deleted) r.remarks.emplace_back("deleted, as it is not tied (SPOTSTP = 2)");
   if (weld::is_inferred(model, w)) r.remarks.emplace_back("its part has no material: taken for a weld");
   if (w.kind == weld::Weld::Kind::connector)
-    r.remarks.push_back(fmt::format("discrete beam of *{}", model.materials[model.parts[w.part].material].keyword));
+    r.remarks.push_back(fmt::format("{} of *{}", w.interpolated ? "weld" : "discrete beam",
+                                    model.materials[model.parts[w.part].material].keyword));
   for (const weld::Remark& remark : audit.remarks)
     r.remarks.push_back(fmt::format("{}: {}", remark.check->name, remark.text));
   return r;

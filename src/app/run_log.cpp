@@ -138,9 +138,13 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
   }
   std::string s = fmt::format("Welds: {}, tied at all their nodes: {}; tied nodes: {}\n\n", ties.welds.size(), tied,
                               ties.ties.size());
-  const auto connectors = std::count_if(ties.welds.begin(), ties.welds.end(),
-                                        [](const weld::Weld& w) { return w.kind == weld::Weld::Kind::connector; });
+  const auto connectors = std::count_if(ties.welds.begin(), ties.welds.end(), [](const weld::Weld& w) {
+    return w.kind == weld::Weld::Kind::connector && !w.interpolated;
+  });
   if (connectors > 0) s += fmt::format(" discrete beams (ELFORM 6) among them: {}\n\n", connectors);
+  const auto joints =
+      std::count_if(ties.welds.begin(), ties.welds.end(), [](const weld::Weld& w) { return w.interpolated; });
+  if (joints > 0) s += fmt::format(" of *CONSTRAINED_INTERPOLATION_SPOTWELD among them: {}\n\n", joints);
   for (const auto& [projection_case, n] : by_case)
     s += fmt::format(" case {}  {:>8} nodes  {}\n", projection_case, n, case_name(projection_case));
   if (open > 0) s += "\nNot tied:\n" + reasons;

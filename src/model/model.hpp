@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -24,6 +25,7 @@
 #include "model/implicit.hpp"
 #include "model/initial_state.hpp"
 #include "model/interpolation.hpp"
+#include "model/interpolation_spotweld.hpp"
 #include "model/joint.hpp"
 #include "model/loads.hpp"
 #include "model/parts.hpp"
@@ -45,6 +47,12 @@ class Places {
   void push_back(int file, int line) { entries_.push_back({file, line}); }
   void reserve(std::size_t count) { entries_.reserve(count); }
   std::size_t size() const { return entries_.size(); }
+  /// One more, its file new or not.
+  void push_back(const Place& place) {
+    const auto file = std::find(files_.begin(), files_.end(), place.file);
+    entries_.push_back({static_cast<int>(file - files_.begin()), place.line});
+    if (file == files_.end()) files_.push_back(place.file);
+  }
   /// One more, as place i of `from`, whose files are the same.
   void append(const Places& from, std::size_t i) { entries_.push_back(from.entries_[i]); }
   /// No place, in the same files.
@@ -218,6 +226,7 @@ struct Model : LoadLists {
   std::vector<RigidWeld> rigid_welds;
   std::vector<Interpolation> interpolations;
   std::vector<HangingNode> hanging_nodes;
+  std::vector<InterpolationSpotweld> interpolation_spotwelds;
   std::vector<Joint> joints;
   std::vector<Accelerometer> accelerometers;
   std::vector<SinglePointConstraint> spcs;

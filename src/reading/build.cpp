@@ -10,6 +10,7 @@
 #include "reading/builder/passes.hpp"
 #include "reading/describe.hpp"
 #include "reading/mesh/brick_clusters.hpp"
+#include "reading/mesh/interpolation_spotwelds.hpp"
 
 namespace nugget::reading {
 
@@ -118,7 +119,7 @@ model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsuppo
                             Phase::conditions, Phase::checks})
     b.run(phase);
   if (findings.errors() > 0) return std::move(b.model);
-  return with_brick_clusters(std::move(b.model), findings);
+  return with_interpolation_spotwelds(with_brick_clusters(std::move(b.model), findings), findings);
 }
 
 }  // namespace nugget::reading

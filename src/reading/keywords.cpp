@@ -39,6 +39,7 @@ std::vector<Keyword> all_families() {
            heat_zone_keywords,
            weld_brick_keywords,
            weld_tie_keywords,
+           interpolation_spotweld_keywords,
            discrete_beam_keywords,
            spring_keywords,
            curve_keywords,

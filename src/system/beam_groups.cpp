@@ -133,7 +133,7 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
   const auto* law = std::get_if<kernel::DiscreteBeam>(&material.law);
   if (law == nullptr) return;  // refused by the model
   const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor,
-                                            law->between_points};
+                                            law->between_points, law->joint.has_value()};
   std::optional<Frame3d> axes;
   if (section.system != model::none) axes = model.systems[section.system].axes;
   for (const model::Index e : chosen) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "base/index.hpp"
@@ -61,7 +62,9 @@ struct DiscreteBeamElement {
   }
   template <class Field>
   std::array<double, 8> resultants(const Field& field) const {
-    return beam_resultants<Layout>(field);
+    std::array<double, 8> r = beam_resultants<Layout>(field);
+    if (law.joint) r[6] = field(Layout::joint_plastic), r[7] = field(Layout::joint_damage);
+    return r;
   }
 
  private:
@@ -71,13 +74,16 @@ struct DiscreteBeamElement {
     const Vec3d s{field(Layout::axis_s), field(Layout::axis_s + 1), field(Layout::axis_s + 2)};
     return {r, s, cross(r, s)};
   }
+  /// A global axis that is not along r: the law of a joint is the same in all directions of the sheets.
+  static Vec3d any_other(const Vec3d& r) { return std::abs(r.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}; }
   /// Axes of CID; else r from node 1 to node 2 with s towards the third node; else the global ones.
   Frame3d triad(model::Index element, const Places& place) const {
     const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (axes) return *axes;
-    const Vec3d line = place[1] - place[0], towards = beams.side(at(element), x);
+    const Vec3d line = place[1] - place[0];
     if (!(norm(line) > 0.0)) return global;
     const Vec3d r = unit(line);
+    const Vec3d towards = beam.joins_sheets ? any_other(r) : beams.side(at(element), x);
     const Vec3d s = towards - dot(towards, r) * r;
     if (!(norm(s) > 1e-9 * norm(towards))) return global;
     return {r, unit(s), cross(r, unit(s))};

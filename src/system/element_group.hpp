@@ -127,7 +127,8 @@ class ElementGroup {
   virtual std::optional<Frame3d> material_axes(std::size_t, int, const State&) const { return {}; }
   /// Current thickness of a shell, length of a beam.
   virtual double thickness(std::size_t) const { return 0.0; }
-  /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_rr M_ss M_tt.
+  /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_rr M_ss M_tt; of a joint
+  /// between sheets its plastic displacement and its damage besides.
   virtual std::array<double, 8> resultants(std::size_t) const { return {}; }
   /// Effective strain rate of a weld element in the last cycle, sqrt(2/3 e:e) of the deviator [1/time]; 0 of others.
   virtual double strain_rate(std::size_t) const { return 0.0; }

@@ -30,13 +30,43 @@ void Connectors::update(const system::State& state) {
       record.failed = true;
       record.failure_time = state.time;
       ++failed_;
-      events_.push_back(fmt::format("discrete beam failed  id={:8d} time={:12.5E} cycle={}", system_.ties.welds[i].id,
-                                    state.time, state.cycle));
+      if (system_.ties.welds[i].interpolated) {
+        record.damage = record.failure = record.peak_failure = 1.0;
+        record.peak_time = state.time;
+      }
+      events_.push_back(event(i, state));
       continue;
     }
     const std::array<double, 8> r = group.resultants(at(location.element));
     record.peaks.add(r[0], std::hypot(r[1], r[2]), std::hypot(r[4], r[5]), r[3]);
+    const model::Law& law = system_.model.materials[system_.model.parts[system_.ties.welds[i].part].material].law;
+    if (const auto& joint = std::get<kernel::DiscreteBeam>(law).joint) follow_joint(*joint, r, state.time, record);
   }
+}
+
+void Connectors::follow_joint(const kernel::Spr3& joint, const std::array<double, 8>& r, double time, Record& record) {
+  const kernel::Spr3::Freedoms force{r[0], r[1], r[2], r[3], r[4], r[5]};
+  record.last = {r[0], r[1], r[2], r[3], r[4], r[5]};
+  record.plastic = r[6];
+  record.damage = r[7];
+  record.mode_mixity = kernel::Spr3::mode_mixity(force);
+  record.failure = joint.failure_value(force, record.plastic);
+  if (record.failure > record.peak_failure) {
+    record.peak_failure = record.failure;
+    record.peak_time = time;
+  }
+}
+
+std::string Connectors::event(std::size_t i, const system::State& state) const {
+  const weld::Weld& weld = system_.ties.welds[i];
+  const std::string when = fmt::format("failed  id={:8d} time={:12.5E} cycle={}", weld.id, state.time, state.cycle);
+  if (!weld.interpolated) return "discrete beam " + when;
+  return fmt::format("interpolation spot weld {} at a mode mixity of {:.3f}", when, records_[i].record.mode_mixity);
+}
+
+double Connectors::length(std::size_t i) const {
+  const system::System::ElementLocation location = records_[i].location;
+  return system_.groups[location.group]->thickness(at(location.element));
 }
 
 void Connectors::reset_work() {

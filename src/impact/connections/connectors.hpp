@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,11 @@ class Connectors {
     weld::Peaks peaks;
     bool failed = false;
     double failure_time = 0.0;
+    // Of a joint between sheets (*CONSTRAINED_INTERPOLATION_SPOTWELD) only; of one that failed, just before.
+    weld::Resultants last;
+    double plastic = 0.0, damage = 0.0;                         ///< [length], [1]
+    double failure = 0.0, peak_failure = 0.0, peak_time = 0.0;  ///< kernel::Spr3::failure_value
+    double mode_mixity = 0.0;
   };
 
   /// The system must outlive it.
@@ -27,6 +33,8 @@ class Connectors {
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
 
+  /// Distance of the ends of weld i now, which is a connector [length].
+  double length(std::size_t i) const;
   /// Null where weld i is no connector, or was deleted before the run.
   const Record* record(std::size_t i) const { return records_[i].location.group < 0 ? nullptr : &records_[i].record; }
   /// The work of its forces on its sheets; nothing where weld i is no connector.
@@ -42,6 +50,9 @@ class Connectors {
     system::System::ElementLocation location;
     Record record;
   };
+  static void follow_joint(const kernel::Spr3& joint, const std::array<double, 8>& resultants, double time,
+                           Record& record);
+  std::string event(std::size_t i, const system::State& state) const;
   const system::System& system_;
   std::vector<Entry> records_;
   std::vector<WeldWork> works_;

@@ -123,6 +123,26 @@ void add_rivet(const Rivets& rivets, std::size_t i, output::WeldReport& report) 
   report.peak_failure = report.peak_failure_time = report.energy = not_available;
 }
 
+/// A weld of *CONSTRAINED_INTERPOLATION_SPOTWELD.
+void add_joint(const Connectors::Record& record, double length, output::WeldReport& report) {
+  const weld::Resultants& r = record.last;
+  const auto at_end = [&](double half) {
+    return std::hypot(r.moment_s + half * r.shear_t, r.moment_t - half * r.shear_s);
+  };
+  report.last = {r.axial,
+                 r.shear(),
+                 r.moment(),
+                 r.torsion,
+                 not_available,
+                 record.failure,
+                 fmt::format("plastic displacement {:.3g}, mode mixity {:.3g}", record.plastic, record.mode_mixity),
+                 {at_end(-0.5 * length), at_end(0.5 * length)}};
+  report.peak_failure = record.peak_failure;
+  report.peak_failure_time = record.peak_time;
+  report.damage = record.damage;
+  if (record.failed) report.failure_mode = fmt::format("rupture at mode mixity {:.3g}", record.mode_mixity);
+}
+
 void add_connector(const system::System& system, const weld::Weld& weld, const Connectors::Record& record,
                    const WeldWork& work, output::WeldReport& report) {
   report.failed = record.failed;
@@ -133,6 +153,7 @@ void add_connector(const system::System& system, const weld::Weld& weld, const C
   report.peak_failure = report.peak_failure_time = not_available;
   const system::System::ElementLocation location = system.beam_location[weld.element];
   report.energy = system.groups[location.group]->internal_energy(at(location.element));
+  if (weld.interpolated) add_joint(record, weld.length, report);
   add_work(work, report);
 }
 
@@ -175,6 +196,12 @@ void add_weld_results(const system::System& system, const Components& components
   }
 }
 
+static output::SwforcRow row_of_joint(const weld::Weld& weld, const Connectors::Record& record, double length) {
+  const weld::Resultants now = record.failed ? weld::Resultants{} : record.last;
+  return {weld.id,     output::WeldKind::nonnodal,           now.axial,           now.shear(), length, now.moment(),
+          now.torsion, record.failed ? 1.0 : record.failure, record.failure_time, {}};
+}
+
 output::SwforcState swforc_state(const Snapshot& now) {
   const model::Model& model = now.system.model;
   output::SwforcState s;
@@ -182,6 +209,11 @@ output::SwforcState swforc_state(const Snapshot& now) {
   s.resultant_force = model.requests["swforc"].resultant_force;
   const std::vector<weld::Weld>& welds = now.system.ties.welds;
   for (std::size_t i = 0; i < welds.size(); ++i) {
+    if (welds[i].interpolated) {
+      if (const Connectors::Record* record = now.components.connectors.record(i))
+        s.rows.push_back(row_of_joint(welds[i], *record, now.components.connectors.length(i)));
+      continue;
+    }
     const weld::History* history = now.components.welds.history(i);
     if (history == nullptr) continue;
     const model::Part& part = model.parts[welds[i].part];

@@ -124,6 +124,23 @@ bool discrete_beam_viscosity(const DiscreteBeamProperties& beam, const DiscreteB
   return true;
 }
 
+/// Advances the joint whose fields stand `width` apart from `state` on; the forces that act.
+template <int width>
+static Spr3::Freedoms advance_joint(const Spr3& joint, const Spr3::Freedoms& increment, double* state) {
+  using L = DiscreteBeamLayout;
+  const auto field = [state](int i) -> double& { return state[i * width]; };
+  Spr3::State now{{}, field(L::joint_plastic), field(L::joint_damage)};
+  for (int i = 0; i < 6; ++i) now.force[i] = field(L::spring + i);
+  const Spr3::Freedoms acting = joint.advance(now, increment);
+  for (int i = 0; i < 6; ++i) {
+    field(L::displacement + i) += increment[i];
+    field(L::spring + i) = now.force[i];
+  }
+  field(L::joint_plastic) = now.plastic;
+  field(L::joint_damage) = now.damage;
+  return acting;
+}
+
 template <class R>
 NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const DiscreteBeam& law,
                                       const NodalMotion<R, 2>& nodes, double dt, double* state) {
@@ -165,6 +182,18 @@ NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const 
       continue;
     }
     std::array<double, 6> f{}, u{}, sprung{};
+    if (law.joint) {
+      std::array<double, 6> increment;
+      for (std::size_t i = 0; i < 6; ++i) increment[i] = dt * lane(velocity[i], l);
+      double* const own = state + l;
+      f = advance_joint<lanes<R>>(*law.joint, increment, own);
+      for (std::size_t i = 0; i < 6; ++i) set_lane(force[i], l, f[i]);
+      if (own[L::joint_damage * lanes<R>] >= 1.0)
+        set_lane(survives, l, 0.0);
+      else
+        set_lane(out.stable_step, l, discrete_beam_stable_step(beam, law, lane(length, l), lane(scale, l), sprung));
+      continue;
+    }
     for (int i = 0; i < 6; ++i) {
       const auto k = at(i);
       const DiscreteSpring& spring = law.dof[k];

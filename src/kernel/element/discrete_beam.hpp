@@ -18,24 +18,27 @@ struct DiscreteBeamProperties {
   /// at 2 the r axis moreover follows the line of the nodes.
   int scoor = 0;
   bool between_points = false;  ///< DiscreteBeam::between_points of its law
+  bool joins_sheets = false;    ///< of finite length whatever SCOOR, its forces at the middle; its law is a joint
 
-  bool long_beam() const { return scoor <= -2 || scoor >= 2; }
+  bool long_beam() const { return scoor <= -2 || scoor >= 2 || joins_sheets; }
   bool follows_line() const { return scoor == -2 || scoor == 2; }
 };
 
 /// Fields of the state of a discrete beam. Field i of lane l stands at state[i * lanes + l].
 struct DiscreteBeamLayout {
-  static constexpr int alive = 0;          ///< 1, or 0 once the element is deleted
-  static constexpr int density_scale = 1;  ///< factor on mass and inertia by mass scaling [1]
-  static constexpr int axis_r = 2;         ///< global components of the unit vector r
-  static constexpr int axis_s = 5;         ///< and s; t = r x s
-  static constexpr int displacement = 8;   ///< along r s t [length], about r s t [rad]
-  static constexpr int spring = 14;        ///< force of each spring without dampers and preload
-  static constexpr int plastic = 20;       ///< plastic displacement of each
-  static constexpr int resultant = 26;     ///< N_r N_s N_t [force], M_r M_s M_t [moment]
-  static constexpr int length = 32;        ///< distance of the nodes [length]
-  static constexpr int on_line = 33;       ///< 1 where the r axis lies on the line of the nodes, whatever SCOOR says
-  static constexpr int count = 34;
+  static constexpr int alive = 0;           ///< 1, or 0 once the element is deleted
+  static constexpr int density_scale = 1;   ///< factor on mass and inertia by mass scaling [1]
+  static constexpr int axis_r = 2;          ///< global components of the unit vector r
+  static constexpr int axis_s = 5;          ///< and s; t = r x s
+  static constexpr int displacement = 8;    ///< along r s t [length], about r s t [rad]
+  static constexpr int spring = 14;         ///< force of each spring without dampers and preload
+  static constexpr int plastic = 20;        ///< plastic displacement of each
+  static constexpr int resultant = 26;      ///< N_r N_s N_t [force], M_r M_s M_t [moment]
+  static constexpr int length = 32;         ///< distance of the nodes [length]
+  static constexpr int on_line = 33;        ///< 1 where the r axis lies on the line of the nodes, whatever SCOOR says
+  static constexpr int joint_plastic = 34;  ///< of a joint: plastic displacement
+  static constexpr int joint_damage = 35;   ///< and damage
+  static constexpr int count = 36;
 };
 
 /// State at time 0 in lane `lane` of `width`. `axes`: the triad; where the r axis follows the nodes (SCOOR, or a spring

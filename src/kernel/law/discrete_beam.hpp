@@ -2,19 +2,23 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "kernel/law/discrete_spring.hpp"
+#include "kernel/law/spr3.hpp"
 
 namespace nugget::kernel {
 
 /// Law of a discrete beam (ELFORM 6): six uncoupled degrees of freedom, displacements along r, s,
-/// t, then rotations about them; and when the beam fails. Source: LS-DYNA Keyword Manual.
+/// t, then rotations about them; and when the beam fails. Source: LS-DYNA Keyword Manual. With `joint` the six flow and
+/// fail together; `dof` then holds the stiffnesses alone.
 struct DiscreteBeam {
   static constexpr double E = 0.0, nu = 0.0;  ///< it has none; asked of every law
   std::array<DiscreteSpring, 6> dof;
   /// A spring between two points (MAT_074, 121), whose displacement is the change of their distance. Where they are at
   /// one place it acts along the r axis.
   bool between_points = false;
+  std::optional<Spr3> joint;  ///< of *CONSTRAINED_INTERPOLATION_SPOTWELD
 
   /// How the limits of displacement act together. A limit of 0 is none.
   enum class Rule {

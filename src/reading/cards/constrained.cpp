@@ -523,10 +523,6 @@ std::vector<Keyword> constrained_keywords() {
        .layout = {{"with _ID", &weld_id_card}, {{}, &rivet_card}},
        .read = read_rivet},
 
-      refused(
-          "CONSTRAINED_INTERPOLATION_SPOTWELD",
-          "welds without elements between sheets (SPR4, the nonnodal rows of swforc) are not built: their law is not "
-          "documented to this project; use *MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
       refused("CONSTRAINED_INTERPOLATION_LOCAL",
               "weights in local axes are not built; give weights that are the same in all directions"),
       refused("CONSTRAINED_TIE_BREAK", "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
@@ -542,8 +538,8 @@ std::vector<Keyword> constrained_keywords() {
       refused("CONSTRAINED_LAGRANGE_IN_SOLID", "coupling to fluids is not built"),
       refused("CONSTRAINED_RIGID_BODY_STOPPERS", "stops of rigid bodies are not built"),
       refused("CONSTRAINED_SPR*",
-              "self-piercing rivets without elements (the nonnodal rows of swforc) are not built; use *MAT_SPOTWELD "
-              "elements with *CONTACT_SPOTWELD"),
+              "*CONSTRAINED_SPR2 and others of that name are not built; use *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3), or "
+              "*MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
       refused("CONSTRAINED_*",
               "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies, spotwelds and "
               "generalized weld spots are"),

@@ -9,38 +9,39 @@
 // A new keyword is a row in its family's list; a new family is one line here and one in keywords.cpp.
 namespace nugget::reading {
 
-std::vector<Keyword> text_keywords();                  ///< what the reader of the text takes: includes, parameters
-std::vector<Keyword> mesh_keywords();                  ///< nodes, elements, point masses
-std::vector<Keyword> move_keywords();                  ///< nodes moved before anything is computed
-std::vector<Keyword> part_keywords();                  ///< *PART
-std::vector<Keyword> section_keywords();               ///< *SECTION_..., *HOURGLASS
-std::vector<Keyword> material_keywords();              ///< *MAT_...
-std::vector<Keyword> orthotropic_material_keywords();  ///< *MAT_ORTHOTROPIC_ELASTIC
-std::vector<Keyword> plain_law_keywords();             ///< *MAT_... whose cards stand with their laws
-std::vector<Keyword> rubber_material_keywords();       ///< *MAT_... of rubber
-std::vector<Keyword> honeycomb_material_keywords();    ///< *MAT_..._HONEYCOMB
-std::vector<Keyword> foam_material_keywords();         ///< *MAT_... of foam
-std::vector<Keyword> cohesive_material_keywords();     ///< *MAT_COHESIVE_...
-std::vector<Keyword> erosion_keywords();               ///< *MAT_ADD_EROSION
-std::vector<Keyword> element_death_keywords();         ///< *DEFINE_ELEMENT_DEATH_...
-std::vector<Keyword> gissmo_keywords();                ///< *MAT_ADD_DAMAGE_GISSMO
-std::vector<Keyword> friction_keywords();              ///< *DEFINE_FRICTION
-std::vector<Keyword> plastic_material_keywords();      ///< *MAT_... of metals beside 003 and 024
-std::vector<Keyword> johnson_cook_keywords();          ///< *MAT_... of Johnson and Cook
-std::vector<Keyword> weld_material_keywords();         ///< *MAT_SPOTWELD
-std::vector<Keyword> weld_table_keywords();            ///< the *DEFINE_ cards that belong to it
-std::vector<Keyword> heat_zone_keywords();             ///< sheets softened around welds
-std::vector<Keyword> weld_brick_keywords();            ///< welds of bricks, weld beams replaced by bricks
-std::vector<Keyword> weld_tie_keywords();              ///< *NUGGET_WELD_TIE
-std::vector<Keyword> discrete_beam_keywords();         ///< *MAT_... of discrete beams
-std::vector<Keyword> spring_keywords();                ///< springs and dampers, their sections, lines and laws
-std::vector<Keyword> curve_keywords();                 ///< curves and tables
-std::vector<Keyword> frame_keywords();                 ///< coordinate systems, vectors, boxes
-std::vector<Keyword> set_keywords();                   ///< *SET_...
-std::vector<Keyword> control_keywords();               ///< *CONTROL_..., *TITLE
-std::vector<Keyword> implicit_keywords();              ///< *CONTROL_IMPLICIT_...
-std::vector<Keyword> frequency_keywords();             ///< *FREQUENCY_DOMAIN_FRF, *DAMPING_STRUCTURAL
-std::vector<Keyword> steady_state_keywords();          ///< *FREQUENCY_DOMAIN_SSD
+std::vector<Keyword> text_keywords();                    ///< what the reader of the text takes: includes, parameters
+std::vector<Keyword> mesh_keywords();                    ///< nodes, elements, point masses
+std::vector<Keyword> move_keywords();                    ///< nodes moved before anything is computed
+std::vector<Keyword> part_keywords();                    ///< *PART
+std::vector<Keyword> section_keywords();                 ///< *SECTION_..., *HOURGLASS
+std::vector<Keyword> material_keywords();                ///< *MAT_...
+std::vector<Keyword> orthotropic_material_keywords();    ///< *MAT_ORTHOTROPIC_ELASTIC
+std::vector<Keyword> plain_law_keywords();               ///< *MAT_... whose cards stand with their laws
+std::vector<Keyword> rubber_material_keywords();         ///< *MAT_... of rubber
+std::vector<Keyword> honeycomb_material_keywords();      ///< *MAT_..._HONEYCOMB
+std::vector<Keyword> foam_material_keywords();           ///< *MAT_... of foam
+std::vector<Keyword> cohesive_material_keywords();       ///< *MAT_COHESIVE_...
+std::vector<Keyword> erosion_keywords();                 ///< *MAT_ADD_EROSION
+std::vector<Keyword> element_death_keywords();           ///< *DEFINE_ELEMENT_DEATH_...
+std::vector<Keyword> gissmo_keywords();                  ///< *MAT_ADD_DAMAGE_GISSMO
+std::vector<Keyword> friction_keywords();                ///< *DEFINE_FRICTION
+std::vector<Keyword> plastic_material_keywords();        ///< *MAT_... of metals beside 003 and 024
+std::vector<Keyword> johnson_cook_keywords();            ///< *MAT_... of Johnson and Cook
+std::vector<Keyword> weld_material_keywords();           ///< *MAT_SPOTWELD
+std::vector<Keyword> weld_table_keywords();              ///< the *DEFINE_ cards that belong to it
+std::vector<Keyword> heat_zone_keywords();               ///< sheets softened around welds
+std::vector<Keyword> weld_brick_keywords();              ///< welds of bricks, weld beams replaced by bricks
+std::vector<Keyword> weld_tie_keywords();                ///< *NUGGET_WELD_TIE
+std::vector<Keyword> discrete_beam_keywords();           ///< *MAT_... of discrete beams
+std::vector<Keyword> spring_keywords();                  ///< springs and dampers, their sections, lines and laws
+std::vector<Keyword> curve_keywords();                   ///< curves and tables
+std::vector<Keyword> frame_keywords();                   ///< coordinate systems, vectors, boxes
+std::vector<Keyword> set_keywords();                     ///< *SET_...
+std::vector<Keyword> control_keywords();                 ///< *CONTROL_..., *TITLE
+std::vector<Keyword> implicit_keywords();                ///< *CONTROL_IMPLICIT_...
+std::vector<Keyword> frequency_keywords();               ///< *FREQUENCY_DOMAIN_FRF, *DAMPING_STRUCTURAL
+std::vector<Keyword> steady_state_keywords();            ///< *FREQUENCY_DOMAIN_SSD
+std::vector<Keyword> interpolation_spotweld_keywords();  ///< *CONSTRAINED_INTERPOLATION_SPOTWELD
 
 std::vector<Keyword> database_keywords();               ///< *DATABASE_...
 std::vector<Keyword> cross_section_keywords();          ///< *DATABASE_CROSS_SECTION_..., *DATABASE_NODAL_FORCE_GROUP

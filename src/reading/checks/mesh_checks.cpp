@@ -230,6 +230,7 @@ void count_free_nodes(Builder& b) {
   for (const auto& p : m.masses) use(p.node);
   for (const auto& p : m.inertias) use(p.node);
   for (const auto& body : m.rigid_bodies) std::for_each(body.nodes.begin(), body.nodes.end(), use);
+  for (const auto& weld : m.interpolation_spotwelds) std::for_each(weld.nodes.begin(), weld.nodes.end(), use);
   const auto free = std::count(used.begin(), used.end(), 0);
   if (free == 0) return;
   const auto first = static_cast<std::size_t>(std::find(used.begin(), used.end(), 0) - used.begin());

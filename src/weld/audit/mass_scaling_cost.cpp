@@ -51,9 +51,11 @@ MassScalingCost connector_cost(const model::Model& model, const Weld& weld) {
   const model::Part& part = model.parts[weld.part];
   const model::SectionBeam& section = model.beam_sections[part.section];
   const model::Material& material = model.materials[part.material];
-  const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor};
+  const auto& law = std::get<kernel::DiscreteBeam>(material.law);
+  const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor,
+                                            law.between_points, law.joint.has_value()};
   MassScalingCost cost;
-  cost.time_step = kernel::discrete_beam_stable_step(beam, std::get<kernel::DiscreteBeam>(material.law), weld.length);
+  cost.time_step = kernel::discrete_beam_stable_step(beam, law, weld.length);
   cost.mass = beam.mass;
   return cost;
 }

@@ -15,6 +15,11 @@ bool discrete(const model::Model& model, Index part) {
 
 }  // namespace
 
+bool joins_sheets(const model::Model& model, Index part) {
+  return discrete(model, part) &&
+         std::get<kernel::DiscreteBeam>(model.materials[model.parts[part].material].law).joint.has_value();
+}
+
 std::vector<Index> find_connectors(const model::Model& model) {
   std::vector<Index> candidates;
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)

@@ -11,4 +11,7 @@ namespace nugget::weld {
 /// one of their nodes, and not both nodes belong to rigid bodies. So they are tied, as spot-weld beams are.
 std::vector<Index> find_connectors(const model::Model& model);
 
+/// Whether the beams of `part` are the welds of a *CONSTRAINED_INTERPOLATION_SPOTWELD.
+bool joins_sheets(const model::Model& model, Index part);
+
 }  // namespace nugget::weld

@@ -345,12 +345,18 @@ std::string obstacle(const HangingEnd& end, const std::vector<Tie>& ties) {
   return {};
 }
 
-/// All ends of welds of beams and bricks with nodes that are tied; a node that two welds share goes with the first.
-std::vector<HangingEnd> hanging_ends(const std::vector<Weld>& welds, const std::vector<Tie>& ties) {
+bool is_a_nugget(const Weld& weld) {
+  return weld.kind == Weld::Kind::beam || weld.of_bricks() || weld.interpolated;
+}
+
+/// All ends of the wanted welds with nodes that are tied; a node that two welds share goes with the first.
+template <class Wanted>
+std::vector<HangingEnd> hanging_ends(const std::vector<Weld>& welds, const std::vector<Tie>& ties,
+                                     const Wanted& wanted) {
   std::vector<HangingEnd> ends;
   std::vector<char> taken(ties.size(), 0);
   for (const Weld& weld : welds) {
-    if (weld.kind != Weld::Kind::beam && !weld.of_bricks()) continue;
+    if (!wanted(weld)) continue;
     for (const std::vector<Index>& face : weld.face) {
       HangingEnd end{&weld, {}, {}, {}};
       for (const Index node : face) {
@@ -366,9 +372,10 @@ std::vector<HangingEnd> hanging_ends(const std::vector<Weld>& welds, const std::
   return ends;
 }
 
+template <class Wanted>
 std::vector<HangingEnd> find_discs(const model::Model& model, const std::vector<Weld>& welds,
-                                   const std::vector<Vec3d>& x, const std::vector<Tie>& ties) {
-  std::vector<HangingEnd> ends = hanging_ends(welds, ties);
+                                   const std::vector<Vec3d>& x, const std::vector<Tie>& ties, const Wanted& wanted) {
+  std::vector<HangingEnd> ends = hanging_ends(welds, ties, wanted);
   const SheetMesh mesh(model, x);
   parallel_for(ends.size(), 16, [&](std::size_t begin, std::size_t last) {
     for (std::size_t e = begin; e < last; ++e) {
@@ -414,7 +421,8 @@ struct Account {
 void report_account(const model::Model& model, Account account, Findings& findings) {
   if (account.ends == 0) return;
   findings.note(
-      {model.deck, 0, 0}, "*NUGGET_WELD_TIE",
+      {model.deck, 0, 0},
+      model.control.weld_tie == model::WeldTie::area ? "*NUGGET_WELD_TIE" : "*CONSTRAINED_INTERPOLATION_SPOTWELD",
       fmt::format("{} weld ends hang on discs of their sheets, {} of them cut off by an edge, a fold or a "
                   "seam; their forces reach {:.2f} to {:.2f} nugget radii far, by the segments {:.2f} to {:.2f}",
                   account.ends, account.cut_off, account.least, account.most, account.least_before,
@@ -490,7 +498,9 @@ void hang_on_discs(const model::Model& model, const std::vector<Weld>& welds, co
                    std::vector<Tie>& ties, Findings& findings) {
   std::map<std::string, std::vector<const Weld*>> left;
   Account account;
-  for (const HangingEnd& end : find_discs(model, welds, x, ties)) {
+  const bool all = model.control.weld_tie == model::WeldTie::area;
+  const auto wanted = [all](const Weld& weld) { return weld.interpolated || (all && is_a_nugget(weld)); };
+  for (const HangingEnd& end : find_discs(model, welds, x, ties, wanted)) {
     if (end.disc.empty()) {
       left[end.why_not].push_back(end.weld);
       continue;
@@ -509,7 +519,7 @@ void hang_on_discs(const model::Model& model, const std::vector<Weld>& welds, co
 std::vector<Hold> holds(const model::Model& model, const Ties& ties) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   std::vector<Hold> all(ties.welds.size(), {nothing, nothing});
-  for (const HangingEnd& end : find_discs(model, ties.welds, ties.x, ties.ties)) {
+  for (const HangingEnd& end : find_discs(model, ties.welds, ties.x, ties.ties, is_a_nugget)) {
     if (end.disc.empty()) continue;
     Hold& hold = all[static_cast<std::size_t>(end.weld - ties.welds.data())];
     hold.by_segment = std::fmax(hold.by_segment, hold_by_segments(end, ties.x, ties.ties));

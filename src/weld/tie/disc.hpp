@@ -41,8 +41,9 @@ Disc disc_on_sheet(const model::Model& model, const std::vector<Vec3d>& x, const
 double effective_radius(std::span<const Index> nodes, std::span<const double> weights, const std::vector<Vec3d>& x,
                         const Vec3d& point);
 
-/// Hangs the ends of all welds of beams and bricks that are tied to sheets on discs there; all nodes of an end face of
-/// bricks on one. A warning names each reason why ends stay with their segments, a note what it comes to.
+/// Hangs the ends of all welds that are to hang so and are tied to sheets on discs there: beams and bricks where
+/// Control::weld_tie says it, those of *CONSTRAINED_INTERPOLATION_SPOTWELD always; all nodes of an end face of bricks
+/// on one. A warning names each reason why ends stay with their segments, a note what it comes to.
 void hang_on_discs(const model::Model& model, const std::vector<Weld>& welds, const std::vector<Vec3d>& x,
                    std::vector<Tie>& ties, Findings& findings);
 

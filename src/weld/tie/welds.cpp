@@ -161,10 +161,12 @@ const model::WeldLaw& law_of(const model::Model& model, const Weld& weld) {
 
 std::string name_weld(const Weld& weld) {
   if (weld.kind == Weld::Kind::rigid && weld.rigid == Weld::Rigid::rivet) return fmt::format("rivet {}", weld.id);
+  if (weld.interpolated) return fmt::format("interpolation spot weld {}", weld.id);
   return fmt::format("{} weld {}", to_string(weld.kind), weld.id);
 }
 
 std::string keyword_of(const Weld& weld) {
+  if (weld.interpolated) return "*CONSTRAINED_INTERPOLATION_SPOTWELD";
   switch (weld.kind) {
     case Weld::Kind::beam:
     case Weld::Kind::connector: return "*ELEMENT_BEAM";
@@ -183,6 +185,7 @@ std::vector<Weld> find_welds(const model::Model& model) {
   for (const Index e : find_connectors(model)) {
     welds.push_back(beam_weld(model, e));
     welds.back().kind = Weld::Kind::connector;
+    welds.back().interpolated = joins_sheets(model, welds.back().part);
   }
   find_brick_welds(model, welds);
   for (const model::RigidWeld& rigid : model.rigid_welds) welds.push_back(rigid_weld(rigid));

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reading/builder/common_cards.hpp"
+#include "reading/cards/families.hpp"
+
+// *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3). Layout: public keyword tables (PyDYNA).
+namespace nugget::reading {
+
+namespace {
+
+using deck::Block;
+using deck::Cursor;
+using deck::RowOf;
+
+constexpr Dimension per_length{0, -1, 0};
+
+constexpr IntegerField sheet_field(std::string_view name, std::string_view meaning) {
+  return or_negative(id(name, IdSpace::part, required, meaning), IdSpace::set);
+}
+/// A field of what is not built, which must be blank.
+constexpr RealField left_blank(std::string_view name, std::string_view meaning) {
+  return real(name, dimension::number, 0, only(0), meaning);
+}
+
+struct SpotweldJoinCard {
+  int pid1 = 0, pid2 = 0, nsid = 0;
+  double thick = 0, r = 0, stiff = 0, alpha1 = 0;
+  int model = 1;
+};
+const CardOf<SpotweldJoinCard> spotweld_join_card{
+    {&SpotweldJoinCard::pid1,
+     sheet_field("pid1", "part of the first sheet; below 0: set of the parts that make it up")},
+    {&SpotweldJoinCard::pid2,
+     sheet_field("pid2", "part of the second sheet; below 0: set of parts. One part as both: not built")},
+    {&SpotweldJoinCard::nsid, id("nsid", IdSpace::set, required, "nodes where the welds are, between the sheets")},
+    {&SpotweldJoinCard::thick,
+     real("thick", dimension::length, required, above_zero(),
+          "thickness of both sheets together; a location node reaches so far for each sheet")},
+    {&SpotweldJoinCard::r, real("r", dimension::length, required, above_zero(), "radius of the weld")},
+    {&SpotweldJoinCard::stiff, real("stiff", dimension::force_per_length, required, above_zero(),
+                                    "elastic stiffness, and what STIFF2 to STIFF4 are where they are blank")},
+    {&SpotweldJoinCard::alpha1,
+     real("alpha1", per_length, 0, at_least(0), "share of the bending moment in the normal force of yield, alpha 1")},
+    {&SpotweldJoinCard::model,
+     integer("model", 1, any_value,
+             "1 (SPR3) and 3, the same law; 2, 12, 22 (SPR4) and functions (above 10) are not built")},
+};
+struct SpotweldYieldCard {
+  double rn = 0, rs = 0, beta = 0;
+  int lcf = 0, lcupf = 0, lcupr = 0;
+  double dens = 0;
+};
+const CardOf<SpotweldYieldCard> spotweld_yield_card{
+    {&SpotweldYieldCard::rn,
+     or_negative(real("rn", dimension::number, required, any_value,
+                      "factor on LCF in tension; below 0, a curve over the peel ratio: not built"),
+                 IdSpace::function)},
+    {&SpotweldYieldCard::rs, real("rs", dimension::number, required, above_zero(), "factor on LCF in shear")},
+    {&SpotweldYieldCard::beta,
+     real("beta", dimension::number, required, at_least(1), "exponent of the yield surface, beta 1")},
+    {&SpotweldYieldCard::lcf, id("lcf", IdSpace::function, required, "curve: force over plastic displacement")},
+    {&SpotweldYieldCard::lcupf,
+     id("lcupf", IdSpace::function, 0,
+        "curve: plastic displacement at which damage begins, over the mode mixity from 0 (shear) to 1 (tension)")},
+    {&SpotweldYieldCard::lcupr,
+     id("lcupr", IdSpace::function, 0, "curve: that at which the weld breaks, over the same")},
+    {&SpotweldYieldCard::dens,
+     real("dens", dimension::density, required, above_zero(), "density: the weld has the mass DENS pi R^2 THICK")},
+    integer("intp", 0, only(0), "weights of the sheets' nodes: 0, here by the area of the weld; others are not built"),
+};
+struct SpotweldStiffnessCard {
+  double stiff2 = 0, stiff3 = 0, stiff4 = 0;
+  int lcdexp = 0;
+  double gamma = 0;
+  int pidvb = 0;
+};
+const CardOf<SpotweldStiffnessCard> spotweld_stiffness_card{
+    {&SpotweldStiffnessCard::stiff2,
+     or_negative(real("stiff2", dimension::force_per_length, 0, any_value,
+                      "stiffness in shear; blank: STIFF; below 0, a curve over the angle of the load: not built"),
+                 IdSpace::function)},
+    {&SpotweldStiffnessCard::stiff3, real("stiff3", dimension::moment, 0, at_least(0),
+                                          "stiffness in bending, moment per radian; blank: the number STIFF")},
+    {&SpotweldStiffnessCard::stiff4,
+     real("stiff4", dimension::moment, 0, at_least(0), "stiffness in torsion; blank: the number STIFF")},
+    {&SpotweldStiffnessCard::lcdexp, id("lcdexp", IdSpace::function, 0, "exponent of damage: not built")},
+    {&SpotweldStiffnessCard::gamma,
+     real("gamma", per_length, 0, at_least(0), "share of the torsion in the shear force of yield, gamma 1")},
+    integer("sropt", 0, only(0), "1: pure shear makes a normal component; not built"),
+    {&SpotweldStiffnessCard::pidvb,
+     integer("pidvb", 0, any_value,
+             "id of the part of the beams that show the welds; 0: the next free one. Below 0, its "
+             "size counts: broken ones always go")},
+};
+const Card spotweld_scale_card{{
+    real("scarn", dimension::number, 1, only(1), "factor on RN and displacements: not built"),
+    real("scars", dimension::number, 1, only(1), "factor on RS and displacements: not built"),
+    left_blank("damp", "viscous coefficient: its formula is not documented"),
+    left_blank("sproff", "place of the weld between the sheets: amid them"),
+    unused(),
+    left_blank("failbm", "erosion of shells where the weld breaks: not built"),
+}};
+const Card spotweld_force_failure{{
+    left_blank("ffn", "normal force at failure: not built"),
+    left_blank("ffb", "bending force at failure: not built"),
+    left_blank("ffs", "shear force at failure: not built"),
+    left_blank("exfc", "exponent of these: not built"),
+    left_blank("stifp", "linear hardening in place of LCF: not built"),
+    left_blank("mfsfc", "not built"),
+    left_blank("defc", "not built"),
+    left_blank("npfc", "not built"),
+}};
+
+struct SpotweldRows {
+  std::string title;
+  RowOf<SpotweldJoinCard> join;
+  RowOf<SpotweldYieldCard> yield;
+  RowOf<SpotweldStiffnessCard> stiffness;
+};
+
+/// What a weld of a model that is not built would be; empty: it is built.
+std::string_view why_no_model(int model) {
+  switch (model) {
+    case 1:
+    case 3: return {};
+    case 2:
+    case 12:
+    case 22: return "SPR4 is not built";
+    default: return "parameters as functions are not built";
+  }
+}
+
+/// Ends the reading of a card whose form is another one.
+bool refuse_model(Builder& b, const RowOf<SpotweldJoinCard>& join) {
+  const std::string_view why = why_no_model(join->model);
+  if (why.empty()) return false;
+  refuse(b, join[&SpotweldJoinCard::model], fmt::format("{}; expected 1 or 3 (SPR3)", why),
+         "fit SPR3: RN, RS, BETA, ALPHA1 with LCF, LCUPF and LCUPR, numbers and not function ids");
+  return true;
+}
+
+std::vector<Index> parts_of_sheet(Builder& b, deck::Entry field) {
+  std::vector<Index> parts;
+  if (field.value < 0.0) {
+    field.value = -field.value;
+    if (const Set<Index>* set = b.part_set(field)) parts = set->members;
+  } else if (const Index part = b.part(field); part != none) {
+    parts = {part};
+  }
+  for (const Index part : parts)
+    if (b.model.parts[part].kind != ElementKind::shell) {
+      refuse(b, field, fmt::format("part {} has no shells, and a weld joins sheets", b.model.parts[part].id),
+             "name parts of shells");
+      return {};
+    }
+  return parts;
+}
+
+void take_yield_curve(Builder& b, const RowOf<SpotweldYieldCard>& row, kernel::Spr3& law) {
+  const Index c = b.curve(row[&SpotweldYieldCard::lcf]);
+  if (c == none) return;
+  law.yield = kernel::ForceCurve(b.model.curves[c]);
+  const auto refuse_curve = [&](std::string_view text, std::string_view remedy) {
+    refuse(b, row[&SpotweldYieldCard::lcf], text, remedy);
+  };
+  if (b.model.curves[c].x.front() < 0.0)
+    return refuse_curve("a plastic displacement is never below 0",
+                        "begin the curve at 0, with the force of first yield");
+  if (law.yield.lowest() < 0.0 || !(law.yield.yield(0.0) > 0.0))
+    return refuse_curve("expected a force above 0 at first yield and none below 0 later", "give such a curve");
+  const double fall = 2.0 * law.yield.steepest_fall();  // half of what one mode alone bears: both fall together
+  if (fall * law.normal_strength >= law.normal || fall * law.shear_strength >= law.shear)
+    refuse_curve("the force falls more than half as fast as the elastic force, so it cannot be followed",
+                 "let damage soften the weld (LCUPF, LCUPR), or give a curve that falls less steeply");
+}
+
+void take_damage_curves(Builder& b, const RowOf<SpotweldYieldCard>& row, kernel::Spr3& law) {
+  if ((row->lcupf == 0) != (row->lcupr == 0))
+    return refuse(b, row[row->lcupf == 0 ? &SpotweldYieldCard::lcupf : &SpotweldYieldCard::lcupr],
+                  "damage needs both LCUPF and LCUPR", "give both, or neither for a weld that never breaks");
+  const Index begins = b.curve(row[&SpotweldYieldCard::lcupf]), ends = b.curve(row[&SpotweldYieldCard::lcupr]);
+  if (begins == none || ends == none) return;
+  law.initiation = b.model.curves[begins];
+  law.rupture = b.model.curves[ends];
+  constexpr double beyond_round_off = 1.0 + 1e-6;
+  for (const auto& [curve, field] :
+       {std::pair{&law.initiation, &SpotweldYieldCard::lcupf}, {&law.rupture, &SpotweldYieldCard::lcupr}})
+    if (curve->x.front() < 0.0 || curve->x.back() > beyond_round_off)
+      return refuse(b, row[field],
+                    fmt::format("its abscissae run from {:.4g} to {:.4g}, a mode mixity from 0 to 1", curve->x.front(),
+                                curve->x.back()),
+                    "0 is shear, 1 tension: kappa = 2/pi atan(f_n / f_s)");
+  for (const Curve* curve : {&law.initiation, &law.rupture})
+    for (const double kappa : curve->x)
+      if (!(law.rupture.clamped(kappa) > law.initiation.clamped(kappa)) || law.initiation.clamped(kappa) < 0.0)
+        return refuse(b, row[&SpotweldYieldCard::lcupr],
+                      fmt::format("at a mode mixity of {:.4g} it breaks at {:.4g} and damage begins at {:.4g}", kappa,
+                                  law.rupture.clamped(kappa), law.initiation.clamped(kappa)),
+                      "let LCUPR lie above LCUPF everywhere, and LCUPF not below 0");
+}
+
+kernel::Spr3 spr3_law(Builder& b, const SpotweldRows& rows) {
+  kernel::Spr3 law;
+  const auto or_stiff = [&](double own) { return own > 0.0 ? own : rows.join->stiff; };
+  law.normal = rows.join->stiff;
+  law.shear = or_stiff(rows.stiffness->stiff2);
+  law.bending = or_stiff(rows.stiffness->stiff3);
+  law.torsion = or_stiff(rows.stiffness->stiff4);
+  law.normal_strength = rows.yield->rn;
+  law.shear_strength = rows.yield->rs;
+  law.exponent = rows.yield->beta;
+  law.bending_share = rows.join->alpha1;
+  law.torsion_share = rows.stiffness->gamma;
+  take_yield_curve(b, rows.yield, law);
+  take_damage_curves(b, rows.yield, law);
+  return law;
+}
+
+/// The number STIFF stands for a moment per radian where STIFF3, STIFF4 are blank: of one unit of length squared.
+void note_units_of_bending(Builder& b, const SpotweldRows& rows) {
+  if (rows.stiffness->stiff3 > 0.0 && rows.stiffness->stiff4 > 0.0) return;
+  rows.join[&SpotweldJoinCard::stiff].report(
+      b.findings, Severity::note,
+      fmt::format(
+          "STIFF3 or STIFF4 is blank: a moment of {:.4g} a radian, the number STIFF, which is another stiffness "
+          "in other units of length",
+          rows.join->stiff),
+      "give STIFF3 and STIFF4");
+}
+
+void make_spotwelds(Builder& b, const SpotweldRows& rows) {
+  const int errors = b.findings.errors();
+  InterpolationSpotweld weld;
+  weld.title = rows.title;
+  weld.sheet = {parts_of_sheet(b, rows.join[&SpotweldJoinCard::pid1]),
+                parts_of_sheet(b, rows.join[&SpotweldJoinCard::pid2])};
+  for (const Index part : weld.sheet[0])
+    if (std::find(weld.sheet[1].begin(), weld.sheet[1].end(), part) != weld.sheet[1].end())
+      return refuse(
+          b, rows.join[&SpotweldJoinCard::pid2],
+          fmt::format("part {} stands on both sides; a sheet joined with itself is not built", b.model.parts[part].id),
+          "give the two sheets parts of their own");
+  if (const Set<Index>* nodes = b.node_set(rows.join[&SpotweldJoinCard::nsid])) weld.nodes = nodes->members;
+  weld.thickness = rows.join->thick;
+  weld.radius = rows.join->r;
+  weld.density = rows.yield->dens;
+  weld.part = std::abs(rows.stiffness->pidvb);
+  if (weld.part != 0 && b.model.part_index(weld.part) != none)
+    refuse(b, rows.stiffness[&SpotweldStiffnessCard::pidvb], fmt::format("part {} is in the deck", weld.part),
+           "leave it blank, or give an id that is free");
+  weld.law = spr3_law(b, rows);
+  weld.place = rows.join.place();
+  if (b.findings.errors() > errors) return;
+  note_units_of_bending(b, rows);
+  b.model.interpolation_spotwelds.push_back(std::move(weld));
+}
+
+void read_interpolation_spotweld(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  std::string title = read_title(cursor, options);
+  const auto join = cursor.read(spotweld_join_card);
+  if (refuse_model(builder, join)) return;
+  const auto yield = cursor.read(spotweld_yield_card);
+  if (yield->rn <= 0.0)
+    refuse(builder, yield[&SpotweldYieldCard::rn],
+           yield->rn < 0.0 ? "a curve over the peel ratio is not built" : "expected a factor above 0", "give a number");
+  // The cards for MODEL 1 that may follow are read, blank or not.
+  const auto stiffness = cursor.read(spotweld_stiffness_card);
+  if (stiffness->stiff2 < 0.0)
+    refuse(builder, stiffness[&SpotweldStiffnessCard::stiff2], "a curve over the angle of the load is not built",
+           "give a number, or leave it blank");
+  refuse_nonzero(builder, stiffness[&SpotweldStiffnessCard::lcdexp],
+                 "an exponent of damage is not built: damage is linear", "leave it blank");
+  if (!at_end(cursor)) cursor.read(spotweld_scale_card);
+  if (!at_end(cursor)) cursor.read(spotweld_force_failure);
+  expect_end(builder, cursor);
+  builder.defer(Phase::conditions, [rows = SpotweldRows{std::move(title), join, yield, stiffness}](Builder& later) {
+    make_spotwelds(later, rows);
+  });
+}
+
+}  // namespace
+
+std::vector<Keyword> interpolation_spotweld_keywords() {
+  return {{.name = "CONSTRAINED_INTERPOLATION_SPOTWELD",
+           .options = {"TITLE"},
+           .layout = {{"with _TITLE", &title_card},
+                      {{}, &spotweld_join_card},
+                      {{}, &spotweld_yield_card},
+                      {"if given", &spotweld_stiffness_card},
+                      {"if given", &spotweld_scale_card},
+                      {"if given", &spotweld_force_failure}},
+           .read = read_interpolation_spotweld}};
+}
+
+}  // namespace nugget::reading

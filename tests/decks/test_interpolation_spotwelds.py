@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""*CONSTRAINED_INTERPOLATION_SPOTWELD: what a user gets of check, run and modes, on any number of threads and after a restart."""
+import csv
+import io
+import unittest
+
+import lsda
+from lap_joint import edited
+from nugget_command import CommandTest
+from test_restart import Restart
+from test_same_bits import SameBits
+from test_swforc import joined_by
+
+MODES = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         8\n"
+
+
+def fields(*values):
+    return "".join(f"{v:>10}" for v in values) + "\n"
+
+
+def curve(number, *points):
+    return "*DEFINE_CURVE\n" + fields(number) + "".join(f"{x:20}{y:20}\n" for x, y in points)
+
+
+def spr3(strength=6000.0, last=(1,), head=None, begins=0.001):
+    """The lap joint with one weld at (9, 9) in place of its beam."""
+    cards = (f"*NODE\n{401:8d}{9.0:16.4f}{9.0:16.4f}{0.6:16.4f}\n*SET_NODE_LIST\n" + fields(77) + fields(401)
+             + "*CONSTRAINED_INTERPOLATION_SPOTWELD\n" + (head or fields(1, 2, 77, 2.4, 3.0, 1e5, 0.2, *last))
+             + fields(1.2, 1.0, 2.0, 71, 72, 73, 7.85e-9) + fields(0, 5e5, 5e5)
+             + curve(71, (0.0, strength), (1.0, strength)) + curve(72, (0.0, begins), (1.0, begins))
+             + curve(73, (0.0, 2 * begins), (1.0, 2 * begins)))
+    return joined_by(cards)
+
+
+class InterpolationSpotwelds(CommandTest):
+    def row(self, folder):
+        return next(csv.DictReader(io.StringIO(self.read(f"{folder}/welds.csv"))))
+
+    def test_holds_and_is_reported(self):
+        self.write(edited(spr3(), ("*DATABASE_SWFORC\n  1.00e-06\n", "*DATABASE_SWFORC\n  1.00e-06         3\n")))
+        check = self.nugget("check", "model.k", "-o", "check")
+        self.assertIn("1 interpolation spot weld", check.stdout)
+        self.assertIn("1 weld, with the ids of the location nodes: beam 401 of part 3, with nodes 402 to 403, made for it", check.stderr)
+        self.assertNotIn("belongs to no element", check.stderr)
+        self.assertGreater(float(self.row("check")["hold_by_area"]), 0.5)
+        self.nugget("run", "model.k", "-o", "out")
+        row = self.row("out")
+        self.assertEqual((row["id"], row["sheet1"], row["sheet2"], row["tied"]), ("401", "1", "2", "yes"))
+        self.assertEqual(float(row["diameter"]), 6.0)
+        self.assertGreater(float(row["peak_shear"]), 100.0)
+        lines = [line for line in self.read("out/swforc").splitlines() if "nonnodal cnst  ID        401" in line]
+        self.assertGreater(len(lines), 10)
+        self.assertAlmostEqual(max(float(line.split()[2]) for line in lines) / float(row["peak_shear"]), 1.0, delta=0.2)
+        states = lsda.read(self.folder / "out/binout0000")
+        self.assertEqual(list(states["swforc/metadata/types"]), [4])
+        self.assertIn("of *CONSTRAINED_INTERPOLATION_SPOTWELD among them: 1", self.read("out/run.log"))
+
+    def test_breaks(self):
+        self.write(spr3(strength=200.0, begins=1e-4))
+        self.nugget("run", "model.k", "-o", "out")
+        row = self.row("out")
+        self.assertTrue(row["failure_mode"].startswith("rupture at mode mixity"), row)
+        self.assertEqual(float(row["damage"]), 1.0)
+        self.assertGreater(float(row["failure_time"]), 0.0)
+        self.assertIn("interpolation spot weld failed  id=     401", self.read("out/run.log"))
+        self.assertLess(float(row["peak_shear"]), 200.1)
+
+    def test_modes_know_its_stiffness(self):
+        first = []
+        for name, stiff in (("stiff", 1e5), ("soft", 1e2)):
+            head = fields(1, 2, 77, 2.4, 3.0, stiff, 0.2, 1)
+            self.write(edited(spr3(head=head), ("*TITLE\n", MODES + "*TITLE\n")), f"{name}.k")
+            self.nugget("modes", f"{name}.k", "-o", name, "-n", "4")
+            first.append(self.json(f"{name}/summary.json")["modes"][0]["frequency_hz"])
+        self.assertGreater(first[0], 1.05 * first[1])
+
+    def test_what_is_refused(self):
+        self.write(spr3(last=(2,)))
+        run = self.nugget("run", "model.k", "-o", "out", expect=1)
+        self.assertIn("CONSTRAINED_INTERPOLATION_SPOTWELD model = 2: SPR4 is not built; expected 1 or 3", run.stderr)
+
+    def test_sheet_out_of_reach(self):
+        self.write(spr3(head=fields(1, 2, 77, 0.5, 3.0, 1e5, 0.2)))
+        """The deck's SPOTSTP is 1."""
+        run = self.nugget("check", "model.k", "-o", "out", expect=1)
+        self.assertIn("*CONSTRAINED_INTERPOLATION_SPOTWELD: interpolation spot weld 401: node 402", run.stderr)
+        self.assertIn("is 0.6 away, tolerance 0.5", run.stderr)
+
+
+class SameBitsOfJoints(SameBits):
+    """Any number of threads; only this deck."""
+
+    def test_lap_joint_by_spr3(self):
+        self.compare(self.write(spr3(strength=300.0)))
+
+
+class RestartOfJoints(Restart):
+    def test_resumed_while_damaged(self):
+        self.write(spr3(strength=300.0))
+        self.nugget("run", "model.k", "-o", "whole")
+        cycles = self.json("whole/summary.json")["cycles"]
+        self.nugget("run", "model.k", "-o", "part", "--checkpoint", f"{cycles // 2}cycles", "--max-cycles", cycles // 2 + 1)
+        self.nugget("run", "--resume", "part", "--max-cycles", 10**9)
+        self.same("part", "whole")
+
+
+def load_tests(loader, _, __):
+    """Not those that the classes have of their bases: they run in their own scripts."""
+    tests = unittest.TestSuite(loader.loadTestsFromTestCase(InterpolationSpotwelds))
+    tests.addTest(SameBitsOfJoints("test_lap_joint_by_spr3"))
+    tests.addTest(RestartOfJoints("test_resumed_while_damaged"))
+    return tests
+
+
+if __name__ == "__main__":
+    unittest.main()
