@@ -467,8 +467,7 @@ void make_interpolation(Builder& b, const RowOf<InterpolationCard1>& head,
   if (std::find(out.independent.begin(), out.independent.end(), out.node) != out.independent.end())
     return refuse(b, head[&InterpolationCard1::dnid], "is among its own independent nodes", "take it out of them");
   if (out.weight.size() < 3 || on_a_line(b.model, out))
-    return refuse(b, head[&InterpolationCard1::icid],
-                  "the independent nodes lie on a line, so they define no rotation",
+    return refuse(b, head[&InterpolationCard1::icid], "the independent nodes lie on a line, so they define no rotation",
                   "give three or more that do not");
   b.model.interpolations.push_back(std::move(out));
 }
@@ -537,9 +536,10 @@ std::vector<Keyword> constrained_keywords() {
       refused("CONSTRAINED_BEAM_IN_SOLID", "beams inside solids are not built"),
       refused("CONSTRAINED_LAGRANGE_IN_SOLID", "coupling to fluids is not built"),
       refused("CONSTRAINED_RIGID_BODY_STOPPERS", "stops of rigid bodies are not built"),
-      refused("CONSTRAINED_SPR*",
-              "*CONSTRAINED_SPR2 and others of that name are not built; use *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3), or "
-              "*MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
+      refused(
+          "CONSTRAINED_SPR*",
+          "*CONSTRAINED_SPR2 and others of that name are not built; use *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3), or "
+          "*MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
       refused("CONSTRAINED_*",
               "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies, spotwelds and "
               "generalized weld spots are"),

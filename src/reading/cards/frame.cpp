@@ -160,8 +160,7 @@ void add_system_of_nodes(Builder& b, const RowOf<NodesCard>& row) {
   const auto at = [&](Index n) { return b.model.nodes.x[n]; };
   CoordinateSystem s{row->cid, at(nodes.origin), {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   if (!frame_of_points(s.origin, at(nodes.on_axis), at(nodes.in_plane), nodes.axis, s.axes))
-    refuse(b, row[&NodesCard::n1], "the three nodes lie on a line, so they define no axes",
-           "choose three that do not");
+    refuse(b, row[&NodesCard::n1], "the three nodes lie on a line, so they define no axes", "choose three that do not");
   s.nodes = nodes;
   s.turning = row->flag == 1;
   if (const int type = row->type; type != 0) b.curved_systems[s.id] = type;
