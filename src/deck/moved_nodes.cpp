@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// With as many digits as `width` columns hold; 0: without a limit.
-std::string coordinate(double value, std::size_t width) {
+std::string written_coordinate(double value, std::size_t width) {
   std::string text = fmt::format("{}", value);
   for (int digits = 17; width > 0 && text.size() > width && digits > 1; --digits)
     text = fmt::format("{:.{}g}", value, digits);
@@ -25,7 +25,7 @@ std::string coordinate(double value, std::size_t width) {
 }
 
 /// Where the n-th comma stands, from 1; at the end where there are fewer.
-std::size_t comma(std::string_view line, int n) {
+std::size_t nth_comma(std::string_view line, int n) {
   std::size_t at = line.find(',');
   while (--n > 0 && at != std::string_view::npos) at = line.find(',', at + 1);
   return std::min(at, line.size());
@@ -39,7 +39,7 @@ bool is_separated(std::string_view line) {
 int id_of_node(std::string_view line, const Block& block, const IdOffset& offset) {
   int id = 0;
   const std::string_view cell =
-      is_separated(line) ? line.substr(0, comma(line, 1)) : columns(line, 0, id_width(block.format));
+      is_separated(line) ? line.substr(0, nth_comma(line, 1)) : columns(line, 0, id_width(block.format));
   const bool good = line.find_first_of("&<") == std::string_view::npos &&
                     parse_integer(trimmed(cell), id) == WholeNumber::good && offset.apply(id);
   return good ? id : 0;
@@ -47,12 +47,12 @@ int id_of_node(std::string_view line, const Block& block, const IdOffset& offset
 
 std::string with_coordinates(std::string_view line, Format format, const Vec3d& x) {
   if (is_separated(line))
-    return fmt::format("{},{},{},{}{}", line.substr(0, comma(line, 1)), coordinate(x.x, 0), coordinate(x.y, 0),
-                       coordinate(x.z, 0), line.substr(comma(line, 4)));
+    return fmt::format("{},{},{},{}{}", line.substr(0, nth_comma(line, 1)), written_coordinate(x.x, 0),
+                       written_coordinate(x.y, 0), written_coordinate(x.z, 0), line.substr(nth_comma(line, 4)));
   const std::size_t narrow = id_width(format), wide = real_width(format);
   std::string text(columns(line, 0, narrow));
   text.resize(narrow, ' ');
-  for (const double c : {x.x, x.y, x.z}) text += fmt::format("{:>{}}", coordinate(c, wide - 1), wide);
+  for (const double c : {x.x, x.y, x.z}) text += fmt::format("{:>{}}", written_coordinate(c, wide - 1), wide);
   return text + std::string(columns(line, narrow + 3 * wide, line.size()));
 }
 

@@ -62,20 +62,21 @@ void read_coarsen(Builder& builder, const Block& block, const Options&) {
   });
 }
 
-struct BoxCard {
+struct CoarsenBoxCard {
   int boxid = 0;
   double xmn = 0, xmx = 0, ymn = 0, ymx = 0, zmn = 0, zmx = 0;
   int iflag = 0;
 };
-const CardOf<BoxCard> coarsen_box_card{
-    {&BoxCard::boxid, id("boxid", IdSpace::define, required, "id of the box")},
-    {&BoxCard::xmn, real("xmn", dimension::length, 0, any_value, "least x")},
-    {&BoxCard::xmx, real("xmx", dimension::length, 0, any_value, "largest x")},
-    {&BoxCard::ymn, real("ymn", dimension::length, 0, any_value, "least y")},
-    {&BoxCard::ymx, real("ymx", dimension::length, 0, any_value, "largest y")},
-    {&BoxCard::zmn, real("zmn", dimension::length, 0, any_value, "least z")},
-    {&BoxCard::zmx, real("zmx", dimension::length, 0, any_value, "largest z")},
-    {&BoxCard::iflag, integer("iflag", 0, between(0, 1), "shells that are left alone: 0 inside, 1 outside of the box")},
+const CardOf<CoarsenBoxCard> coarsen_box_card{
+    {&CoarsenBoxCard::boxid, id("boxid", IdSpace::define, required, "id of the box")},
+    {&CoarsenBoxCard::xmn, real("xmn", dimension::length, 0, any_value, "least x")},
+    {&CoarsenBoxCard::xmx, real("xmx", dimension::length, 0, any_value, "largest x")},
+    {&CoarsenBoxCard::ymn, real("ymn", dimension::length, 0, any_value, "least y")},
+    {&CoarsenBoxCard::ymx, real("ymx", dimension::length, 0, any_value, "largest y")},
+    {&CoarsenBoxCard::zmn, real("zmn", dimension::length, 0, any_value, "least z")},
+    {&CoarsenBoxCard::zmx, real("zmx", dimension::length, 0, any_value, "largest z")},
+    {&CoarsenBoxCard::iflag,
+     integer("iflag", 0, between(0, 1), "shells that are left alone: 0 inside, 1 outside of the box")},
 };
 
 void read_coarsen_box(Builder& builder, const Block& block, const Options& options) {
