@@ -166,8 +166,8 @@ TEST(Spr3, FlowIsNormalToTheSurface) {
                    by_bending = (u[bending] - f[bending] / law.bending) / law.bending_share;
       const double opening = std::max(by_tension, by_bending);  // a part that has ended tells less
       ended += f[normal] == 0.0 || f[bending] == 0.0;
-      if (f[normal] > 0.0) EXPECT_NEAR(by_tension / opening, 1.0, 1e-9);
-      if (f[bending] > 0.0) EXPECT_NEAR(by_bending / opening, 1.0, 1e-9);
+      EXPECT_NEAR((f[normal] > 0.0 ? by_tension : opening) / opening, 1.0, 1e-9);
+      EXPECT_NEAR((f[bending] > 0.0 ? by_bending : opening) / opening, 1.0, 1e-9);
       const double x = (f[normal] + law.bending_share * f[bending]) / law.normal_strength,
                    y = f[shear] / law.shear_strength, p = exponent - 1.0;
       const double wanted = std::pow(x / y, p) * law.shear_strength / law.normal_strength;
