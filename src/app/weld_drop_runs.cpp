@@ -95,15 +95,15 @@ Result read_result(const ChildRun& run, const std::string& weld, const std::vect
   return r;
 }
 
-double percent_of(double now, double before) {
+double change_in_percent(double now, double before) {
   return before != 0.0 ? 100.0 * (now / before - 1.0) : unknown;
 }
 
 /// By how much the weld matters: the change of the first intrusion, or of the energy; a run that did not end, most.
 double worth(const Result& r, const Result& whole) {
   if (r.exit_code != 0) return std::numeric_limits<double>::infinity();
-  const double change = r.intrusions.empty() ? percent_of(r.internal, whole.internal)
-                                             : percent_of(r.intrusions.front(), whole.intrusions.front());
+  const double change = r.intrusions.empty() ? change_in_percent(r.internal, whole.internal)
+                                             : change_in_percent(r.intrusions.front(), whole.intrusions.front());
   return std::isnan(change) ? -1.0 : std::abs(change);
 }
 
@@ -123,7 +123,7 @@ void write_results(const fs::path& directory, const std::vector<NodePair>& pairs
 std::string column_of(double value, double before, bool whole) {
   if (std::isnan(value)) return fmt::format(" {:>14} {:>9}", "-", "");
   if (whole || before == 0.0) return fmt::format(" {:>14.6g} {:>9}", value, "");
-  return fmt::format(" {:>14.6g} {:>+8.2f}%", value, percent_of(value, before));
+  return fmt::format(" {:>14.6g} {:>+8.2f}%", value, change_in_percent(value, before));
 }
 
 std::string drop_table(const std::vector<NodePair>& pairs, const std::vector<Result>& results) {

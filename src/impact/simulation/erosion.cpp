@@ -118,6 +118,7 @@ void Erosion::delete_negative_volumes(system::ElementGroup& group, double time) 
     if (!group.alive(e) || group.stable_step(e) > 0.0) continue;
     remove(group, e, time, "its volume is negative");
     group.release_step(e);
+    ++deleted_.negative_volume;
   }
   group.inverted = -1;
 }
@@ -132,6 +133,7 @@ void Erosion::delete_small_steps(system::ElementGroup& group, double limit, doub
       remove(group, e, time,
              system_.model.control.smallest_step > 0.0 ? "its step fell below DTMIN" : "its step fell to nothing");
       group.release_step(e);
+      ++deleted_.small_step;
     }
   }
 }
@@ -150,11 +152,12 @@ void Erosion::check_distortion(system::ElementGroup& group, int rule, const syst
       return;
     }
     remove(group, e, state.time, "a corner of it has turned inside out");
+    ++deleted_.distorted;
   }
 }
 
 void Erosion::archive(Archive& a) {
-  a(events_, stop_, next_death_);
+  a(deleted_, events_, stop_, next_death_);
   a.built(system_, deaths_);
 }
 

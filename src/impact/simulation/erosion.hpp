@@ -24,6 +24,10 @@ class Erosion {
   /// last time.
   void update(const system::State& state, double first_step);
 
+  struct Count {
+    int small_step = 0, negative_volume = 0, distorted = 0;
+  };
+  const Count& deleted() const { return deleted_; }
   /// What was deleted, when and why, for run.log.
   const std::vector<std::string>& events() const { return events_; }
   /// NFAIL1 or NFAIL4 = 2, or as many failed shells as they say: why the run is to stop; else empty.
@@ -42,6 +46,7 @@ class Erosion {
   void check_distortion(system::ElementGroup& group, int rule, const system::State& state);
 
   system::System& system_;
+  Count deleted_;
   std::vector<model::ElementDeath> deaths_;  ///< by time
   std::size_t next_death_ = 0;
   std::vector<std::string> events_;
