@@ -370,7 +370,7 @@ bool slides_by_table(const Contact& contact, const RowOf<FrictionCard>& row) {
   return contact.slides() && !is_failing_tie(contact) && row->fs == -2.0;
 }
 
-void take_strengths(Builder& builder, const RowOf<FrictionCard>& row, Contact& contact) {
+void take_failing_tie(Builder& builder, const RowOf<FrictionCard>& row, Contact& contact) {
   if (row->fs == 0.0 && row->fd == 0.0)
     refuse(builder, row[&FrictionCard::fs], "the stress at which the tie fails must be given, here or in FD",
            "give it, or use *CONTACT_TIED_SURFACE_TO_SURFACE, which does not fail");
@@ -711,7 +711,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
             {sides[&SidesCard::sbboxid], 0, "a box around a side of a tie or a transducer is not built"}});
   const auto friction = cursor.read(is_failing_tie(contact) ? failure_card : friction_card);
   if (is_failing_tie(contact))
-    take_strengths(builder, friction, contact);
+    take_failing_tie(builder, friction, contact);
   else
     take_friction(builder, friction, contact);
   take_times(builder, friction, contact);
