@@ -185,6 +185,8 @@ class Runs(unittest.TestCase):
         self.assertAlmostEqual(max(force for _, force in points) / (20e-3 * 14.0 * 38.0), 1.0, delta=0.03)
         self.assertLess(max(force for pull, force in points if pull > 1.5), 1.0)
         self.nugget("check", self.folder / "modes" / "hat_both.k", "-o", self.folder / "hat")
+        for deck in (self.folder / "laws").glob("*.k"):
+            self.assertNotIn("warning", self.nugget("check", deck, "-o", self.folder / deck.stem), deck.stem)
 
     def test_the_weld_can_be_placed_by_the_program(self):
         make = HERE / "weld_placement" / "make.py"

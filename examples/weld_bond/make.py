@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a lap joint and a hat profile whose flanges are spot welded, bonded, or both: lap_welded.k, lap_bonded.k, lap_both.k to run, and
-modes/hat_*.k for their frequencies.
+modes/hat_*.k for their frequencies; laws/lap_*.k: the bonded lap joint by each law of adhesive, and by a tie that fails.
 
     python3 examples/weld_bond/make.py FOLDER
 
@@ -18,6 +18,9 @@ SHEET_SIZE, GLUE_SIZE = 5.0, 3.5  # of elements: adhesive need not match the she
 MARGIN = 1.0                  # between the edge of a flange and the adhesive
 LOWER, UPPER, ADHESIVE, WELDS = 1, 2, 3, 4  # parts
 JOINTS = ("welded", "bonded", "both")
+LAWS = ("240", "169", "138", "186", "185", "tie")
+# Strengths in tension and shear, energies, moduli over GLUE; the plateau in shear has 0.7 of the energy.
+STRENGTH, SHEAR, ENERGY, SHEAR_ENERGY, MODULUS, SHEAR_MODULUS, PLATEAU = 30.0, 20.0, 3.0, 12.0, 2000.0, 750.0, 0.7
 LAP = {"length": 100.0, "width": 40.0, "overlap": 16.0, "reach": 2.0, "end": 1.0e-2}
 HAT = {"length": 400.0, "top": 60.0, "web": 50.0, "flange": 20.0, "pitch": 50.0}
 
@@ -57,17 +60,59 @@ def spread(low, high, size):
     return [low + (high - low) * i / count for i in range(count + 1)]
 
 
-def lap(joint):
+def adhesive(d, law):
+    """The law's cards. 138 and the tie have no plateau; 185 has one energy, here that of the shear."""
+    share = PLATEAU / (2.0 - PLATEAU)  # of the separation at failure
+    last = 2.0 * SHEAR_ENERGY / ((1.0 + share) * SHEAR)
+    first = SHEAR / (SHEAR_MODULUS / GLUE) / last
+    common = {"mid": ADHESIVE, "ro": 1.2e-9, "roflg": 0, "intfail": 1}
+    if law == "240":
+        d.keyword("MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE")
+        d.card(**common, emod=MODULUS, gmod=SHEAR_MODULUS, thick=GLUE)
+        d.card(g1c_0=ENERGY, g1c_inf=None, edot_g1=None, t0=STRENGTH, t1=None, edot_t=None, fg1=0.5)
+        d.card(g2c_0=SHEAR_ENERGY, g2c_inf=None, edot_g2=None, s0=SHEAR, s1=None, edot_s=None, fg2=PLATEAU)
+    elif law == "169":
+        d.keyword("MAT_ARUP_ADHESIVE")
+        d.card(mid=ADHESIVE, ro=1.2e-9, e=MODULUS, pr=0.3333, tenmax=STRENGTH, gcten=ENERGY, shrmax=SHEAR, gcshr=SHEAR_ENERGY)
+        d.card(pwrt=2.0, pwrs=2.0, shrp=share, sht_sl=0.0, edot0=1.0, edot2=0.0, thkdir=1, extra=2)
+        d.card(bthk=GLUE)
+    elif law == "138":
+        d.keyword("MAT_COHESIVE_MIXED_MODE")
+        d.card(**common, en=MODULUS / GLUE, et=SHEAR_MODULUS / GLUE, gic=ENERGY, giic=SHEAR_ENERGY)
+        d.card(xmu=1.0, t=STRENGTH, s=SHEAR)
+    elif law == "186":
+        d.keyword("MAT_COHESIVE_GENERAL")
+        d.card(**common, tes=0, tslc=20, gic=ENERGY, giic=SHEAR_ENERGY)
+        d.card(xmu=1.0, t=STRENGTH, s=SHEAR, stfsf=0.0)
+        d.curve(20, [(0.0, 0.0), (first, 1.0), (first + share, 1.0), (1.0, 0.0)])
+    elif law == "185":
+        d.keyword("MAT_COHESIVE_TH")
+        d.card(**common, sigmax=STRENGTH, nls=SHEAR / STRENGTH * last, tls=last)
+        d.card(lamda1=first, lamda2=first + share, lamdaf=1.0, stfsf=1.0)
+
+
+def failing_tie(d):
+    """Between the sheets themselves, without adhesive: SAST and SBST below 0 are its tolerance."""
+    d.keyword("CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE_ID")
+    d.text(f"{1:10d}upper sheet to lower")
+    d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3)
+    d.card(fs=STRENGTH, fd=SHEAR)
+    d.card(sfsa=1.0, sfsb=1.0, sast=-APART, sbst=-APART)
+
+
+def lap(joint, law="240"):
     """Two strips; the lower one is held at its left end, the upper one pulled at its right end."""
     mesh, width, overlap = Mesh(), LAP["width"], LAP["overlap"]
     end = 2.0 * LAP["length"] - overlap
     lower = mesh.sheet(LOWER, spread(0.0, LAP["length"], SHEET_SIZE), spread(0.0, width, SHEET_SIZE), lambda x, y: (x, y, 0.0))
     upper = mesh.sheet(UPPER, spread(end - LAP["length"], end, SHEET_SIZE), spread(0.0, width, SHEET_SIZE), lambda x, y: (x, y, APART))
-    if joint != "welded":
+    if joint != "welded" and law != "tie":
         mesh.glue((end - LAP["length"] + MARGIN, LAP["length"] - MARGIN), (MARGIN, width - MARGIN))
     if joint != "bonded":
         mesh.weld(0.5 * end, 0.5 * width)
-    d = begin(f"Lap joint, {joint}", LAP["end"])
+    d = begin(f"Lap joint, {joint}" + (f", law {law}" if law != "240" else ""), LAP["end"])
+    if law == "tie":
+        failing_tie(d)
     d.comment("The grips hold all but the pull along x.")
     held, pulled = [row[0] for row in lower], [row[-1] for row in upper]
     d.keyword("BOUNDARY_SPC_SET")
@@ -82,7 +127,7 @@ def lap(joint):
     for name, interval in (("SPCFORC", 500), ("GLSTAT", 100), ("SWFORC", 100), ("BINARY_D3PLOT", 20)):
         d.keyword("DATABASE_" + name)
         d.card(dt=LAP["end"] / interval)
-    return finish(d, mesh)
+    return finish(d, mesh, law)
 
 
 def hat(joint):
@@ -124,7 +169,7 @@ def begin(title, end):
     return d
 
 
-def finish(d, mesh):
+def finish(d, mesh, law="240"):
     d.part("lower sheet", pid=LOWER, secid=1, mid=1)
     d.part("upper sheet", pid=UPPER, secid=1, mid=1)
     d.keyword("SECTION_SHELL")
@@ -145,10 +190,7 @@ Values like those of a toughened epoxy, of no product.""")
         d.part("adhesive", pid=ADHESIVE, secid=ADHESIVE, mid=ADHESIVE)
         d.keyword("SECTION_SOLID")
         d.card(secid=ADHESIVE, elform=20)
-        d.keyword("MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE")
-        d.card(mid=ADHESIVE, ro=1.2e-9, roflg=0, intfail=1, emod=2000.0, gmod=750.0, thick=GLUE)
-        d.card(g1c_0=3.0, g1c_inf=None, edot_g1=None, t0=30.0, t1=None, edot_t=None, fg1=0.5)
-        d.card(g2c_0=12.0, g2c_inf=None, edot_g2=None, s0=20.0, s1=None, edot_s=None, fg2=0.7)
+        adhesive(d, law)
         d.keyword("CONTACT_TIED_SHELL_EDGE_TO_SURFACE_ID")
         d.text(f"{1:10d}adhesive to sheets")
         d.card(surfa=ADHESIVE, surfb=1, surfatyp=3, surfbtyp=2)
@@ -181,7 +223,10 @@ if __name__ == "__main__":
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     folder = pathlib.Path(sys.argv[1])
-    (folder / "modes").mkdir(parents=True, exist_ok=True)
+    for name in ("modes", "laws"):
+        (folder / name).mkdir(parents=True, exist_ok=True)
     for joint in JOINTS:
         lap(joint).write(folder / f"lap_{joint}.k")
         hat(joint).write(folder / "modes" / f"hat_{joint}.k")
+    for law in LAWS:
+        lap("bonded", law).write(folder / "laws" / f"lap_{law}.k")

@@ -4,7 +4,7 @@
     python3 examples/weld_bond/study.py NUGGET FOLDER
 
 Writes and runs the decks in FOLDER. Of the lap joint: stiffness between 2 and 6 kN; until the weld breaks, or to the end where there is none, the
-highest force and the work; of the hat: its lowest frequencies.
+highest force and the work; of the hat: its lowest frequencies. Then the same of the bonded lap joint by each law of adhesive.
 """
 import json
 import pathlib
@@ -12,16 +12,19 @@ import re
 import subprocess
 import sys
 
-from make import JOINTS, LAP
+from make import JOINTS, LAP, LAWS
 
 HERE = pathlib.Path(__file__).resolve().parent
 LOW, HIGH = 2.0, 6.0  # kN
 
 
 def forces(folder):
-    """[(pull [mm], force [kN])] of spcforc while the weld holds; the pull is slow for a tenth of the time and even from then on."""
+    """[(pull [mm], force [kN])] of spcforc while weld and tie hold; the pull is slow for a tenth of the time and even from then on."""
     welds = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["weld"]
     until = min((w["failure_time"] for w in welds if w["failed"]), default=LAP["end"])
+    # Of a tie that has failed nothing is left but the vibration of the strips.
+    if parted := re.search(r"failed, node \d+ first at time=\S+, the last at time=(\S+)", (folder / "run.log").read_text(encoding="utf-8")):
+        until = min(until, float(parted[1]))
     points, time = [], None
     for line in (folder / "spcforc").read_text(encoding="ascii").splitlines():
         if found := re.search(r"output at time\s*=\s*(\S+)", line):
@@ -65,6 +68,13 @@ def main(nugget, folder):
         modes = json.loads((hat / "summary.json").read_text(encoding="utf-8"))["modes"]
         flexible = " ".join(f"{m['frequency_hz']:8.1f}" for m in modes[6:9])
         print(f"{joint:10s} {stiffness(points):18.1f} {highest:19.2f} {at:9.2f} {work(points):10.1f}   {flexible}")
+    print("law")
+    for law in LAWS:
+        lap = folder / "laws" / f"lap_{law}"
+        subprocess.run([nugget, "run", f"{lap}.k", "-o", str(lap), "--quiet"], check=True, capture_output=True)
+        points = forces(lap)
+        at, highest = max(points, key=lambda p: p[1])
+        print(f"{law:10s} {stiffness(points):18.1f} {highest:19.2f} {at:9.2f} {work(points):10.1f}")
 
 
 if __name__ == "__main__":

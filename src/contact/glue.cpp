@@ -55,18 +55,28 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
   for (const Segment& s : setup_.segments)
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
   set_kinds(setup_.nodes, around_, setup_.segments);
-  glue_together(x);
+  waits_ = setup_.birth > 0.0;
+  if (!waits_) glue_together(x, {});
+  at_start_ = static_cast<int>(bonds_.size());
 }
 
 /// How far from a segment a node may stand that is glued to it.
 double Glue::limit(const TrackedNode& node, const Segment& s, std::span<const Row> x) const {
+  if (card_.reach > 0.0) return card_.reach;
   if (card_.without_thickness)
     return std::max(0.6 * (node.thickness + s.thickness), tolerance * shortest_diagonal(s, x));
   const double contact_distance = 0.5 * (node.thickness + s.thickness);
   return contact_distance + tolerance * (s.volume > 0.0 ? std::sqrt(area(s, x)) : contact_distance);
 }
 
-void Glue::glue_together(std::span<const Row> x) {
+/// Whether all elements are deleted whose faces the node has.
+bool Glue::stands_free(int node, std::span<const unsigned char> element_alive) const {
+  const auto own = around_.at(node);
+  return !own.empty() &&
+         std::none_of(own.begin(), own.end(), [&](int s) { return is_exposed(setup_.segments[s], element_alive); });
+}
+
+void Glue::glue_together(std::span<const Row> x, std::span<const unsigned char> element_alive) {
   std::vector<Box> boxes;
   for (const Segment& s : setup_.segments) {
     Box box;
@@ -76,11 +86,11 @@ void Glue::glue_together(std::span<const Row> x) {
   const BoxTree tree(boxes);
   for (std::size_t t = 0; t < setup_.nodes.size(); ++t) {
     const TrackedNode& node = setup_.nodes[t];
-    if (!(node.against & reference)) continue;
+    if (!(node.against & reference) || (!element_alive.empty() && stands_free(node.node, element_alive))) continue;
     const Vec3d p = vec(x[node.node]);
     const auto distance = [&](int item) {
       const Segment& s = setup_.segments[item];
-      if (!(s.side & node.against) || s.has(node.node) || s.covered_by >= 0) return Box::infinity;
+      if (!(s.side & node.against) || s.has(node.node) || !is_exposed(s, element_alive)) return Box::infinity;
       const kernel::Foot foot = kernel::closest_point(corners_of(s, x), s.triangle(), p);
       if (foot.distance > limit(node, s, x)) return Box::infinity;
       // Above the edge of a fold all its segments are as close: the one that faces the node is meant.
@@ -93,7 +103,6 @@ void Glue::glue_together(std::span<const Row> x) {
     bonds_.push_back(
         bond(static_cast<int>(t), nearest.item, kernel::closest_point(corners_of(s, x), s.triangle(), p), x));
   }
-  at_start_ = static_cast<int>(bonds_.size());
 }
 
 /// The area of its own surface that a node stands for, as the segment sees it: along `normal`, from the side `outward`
@@ -238,6 +247,10 @@ void Glue::apply(const Step& step, std::span<Row> force) {
   forces_.next_cycle();
   frictions_.next_cycle();
   resultant_ = {};
+  if (waits_ && step.time >= setup_.birth) {
+    glue_together(step.x, step.element_alive);
+    waits_ = false;
+  }
   for (Bond& bond : bonds_) {
     bond.force = {};
     if (!bond.intact) continue;
@@ -300,7 +313,7 @@ Vec3d Glue::force_between(const TwoBodies& bodies) const {
 void Glue::archive(Archive& a) {
   a.section("glue");
   a(bonds_, bonded_, was_bonded_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_,
-    frictions_, friction_energy_);
+    frictions_, friction_energy_, waits_);
   a.built(setup_, card_, around_, around_listed_, segment_stiffness_, at_start_);
 }
 

@@ -14,7 +14,8 @@ namespace nugget::contact {
 
 /// The glue of *CONTACT_..._TIEBREAK: nodes of SURFA that touch a segment of SURFB at the start, or later where the
 /// card says so, are held there by a spring in all directions until the glue fails at the node; from then on the
-/// ordinary contact has it, but where there is none besides the glue.
+/// ordinary contact has it, but where there is none besides the glue. With a birth time the start is that time: what is
+/// glued is what touches then.
 ///
 /// Touching at the start: the node is no farther from the segment than half of both thicknesses and 5 % more (of a
 /// brick's face: 5 % of its side); where thicknesses are left out, no farther than a tie reaches,
@@ -44,7 +45,7 @@ class Glue {
 
   /// By tracked node of the setup: what the ordinary contact leaves alone.
   const std::vector<unsigned char>& bonded() const { return bonded_; }
-  int at_start() const { return at_start_; }                                 ///< nodes glued at the start
+  int at_start() const { return at_start_; }  ///< nodes glued at the start; with a birth time they come later
   int later() const { return static_cast<int>(bonds_.size()) - at_start_; }  ///< that stuck in the run
   int failed() const { return failed_; }                                     ///< nodes that were glued and are no more
   /// The first node that was released, by number in the arrays of `apply`, and when; -1: none was.
@@ -77,7 +78,8 @@ class Glue {
   };
 
   double limit(const TrackedNode& node, const Segment& s, std::span<const Row> x) const;
-  void glue_together(std::span<const Row> x);
+  void glue_together(std::span<const Row> x, std::span<const unsigned char> element_alive);
+  bool stands_free(int node, std::span<const unsigned char> element_alive) const;
   double joined_area(int node, const Vec3d& normal, double outward, std::span<const Row> x) const;
   Bond bond(int tracked, int segment, const kernel::Foot& foot, std::span<const Row> x) const;
   kernel::CohesiveStiffness stiffness(const Bond& bond, const Step& step) const;
@@ -99,6 +101,7 @@ class Glue {
   double friction_energy_ = 0.0;
   Vec3d resultant_;
   int at_start_ = 0, failed_ = 0;
+  bool waits_ = false;  // for the birth time
   int first_node_ = -1;
   double first_time_ = 0.0, last_time_ = 0.0;
 };

@@ -37,6 +37,7 @@ struct Glue {
   bool without_thickness = false;  ///< what touches is judged as for ties: the sheets may be meshed at any distance
   bool alone = false;              ///< _ONLY: no contact besides the glue
   bool moments = false;            ///< OPTION -1, -2, -3: the lever between node and segment counts
+  double reach = 0.0;              ///< how far from a segment a node may stand; 0: by the thicknesses [length]
 };
 
 /// *CONTACT_...: the cards, in words. Penalty contacts and ties alike; `kind` says what is done with it.

@@ -22,6 +22,20 @@ def layer(thick, emod=2000.0, gmod=800.0, tension=(2.0, "", "", 20.0, "", "", 0.
     return ("*MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE\n" + card(1, "1.e-9", 0, 1, emod, gmod, thick, "") + card(*tension) + card(*shear) + more)
 
 
+def scaled(ro="3.e-10", roflg=1, intfail=1, sigmax=T, nls=0.1, tls=0.15, lamda=(0.2, 1.0, 2.0), stfsf=1.0):
+    return "*MAT_COHESIVE_TH\n" + card(1, ro, roflg, intfail, sigmax, nls, tls, "") + card(*lamda, stfsf)
+
+
+def general(points=((0.0, 0.0), (0.1, 1.0), (0.4, 0.7), (1.0, 0.0)), tes=0, xmu=1.0, stfsf="", tslc2="", gic=GIC, t=T):
+    return ("*MAT_COHESIVE_GENERAL\n" + card(1, "3.e-10", 1, 1, tes, 80, gic, GIIC) + card(xmu, t, S, stfsf, tslc2)
+            + curve(80, *points))
+
+
+def arup(extra=2, thkdir=0, edot2="", shrmax=S, sht_sl="", bthk=0.3, more="", tenmax=T):
+    return ("*MAT_ARUP_ADHESIVE\n" + card(1, "1.e-9", 3000.0, 0.3, tenmax, GIC, shrmax, GIIC) + card(2.0, 2.0, "", sht_sl, "", edot2, thkdir, extra)
+            + more + (card(bthk) if extra >= 2 else ""))
+
+
 def row(*ids):
     return "".join(f"{n:8}" for n in ids) + "\n"
 
@@ -77,10 +91,32 @@ class Cards(CommandTest):
         self.assertIn("THICK", self.assert_refused("its strain rates follow", single(layer(""), 0.0))["remedy"])
         self.assertIn("rfiltf", [f["field"] for f in self.findings(single(layer(0.4, more=card(0.5)), 0.4))])
 
+    def test_shapes_of_the_traction(self):
+        self.assert_refused("lies before LAMDA1", single(scaled(lamda=(0.5, 0.2, 1.0))))
+        self.assert_refused("lies before LAMDA2", single(scaled(lamda=(0.1, 1.2, 1.0))))
+        self.assert_refused("must be given", single(scaled(stfsf="")))
+        self.assert_refused("is not documented", single(general(tes=2)))
+        self.assert_refused("expected three points or more", single(general(((0.0, 0.0), (0.1, 1.0), (0.9, 0.0)))))
+        self.assert_refused("highest ordinate is 40", single(general(((0.0, 0.0), (0.1, 40.0), (1.0, 0.0)))))
+        self.assert_refused("negative ordinates", single(general(((0.0, 0.0), (0.1, 1.0), (0.5, -0.1), (1.0, 0.0)))))
+        self.assert_refused("gets steeper", single(general(((0.0, 0.0), (0.1, 0.2), (0.3, 1.0), (1.0, 0.0)))))
+        self.assertEqual(self.findings(single(general(tslc2=80)))[0]["field"], "tslc2")
+
+    def test_arup_adhesive(self):
+        self.assert_refused("failure of the interfaces", single(arup(extra=1, more=card(1.0) + card(1.0)), 0.3))
+        self.assert_refused("leaves no shear strength", single(arup(sht_sl=0.8), 0.3))
+        self.assert_refused("is not above EDOT0", single(arup(edot2=0.5, more=card(1.5)), 0.3))
+        self.assert_refused("other faces that lie closer", single(arup(), 6.0))
+        self.assert_refused("which bricks of ELFORM 3 do not", single(arup(), 0.3, elform=3))
+        self.findings(single(arup(thkdir=1), 6.0), expect=0)
+        self.findings(single(arup(tenmax=""), 0.3), expect=0)
+        found = self.findings(single(arup(), 0.3, elform=1), expect=0)
+        self.assertTrue(any("computed as cohesive bricks (19)" in f["text"] for f in found), found)
+
     def test_laws_and_bricks_that_do_not_go_together(self):
         self.assert_refused("is no law of adhesive", single("*MAT_ELASTIC\n" + card(1, "7.8e-9", 2.1e5, 0.3), 0.3))
         self.assert_refused("which bricks of ELFORM 1 do not", single(mixed(), 0.3, elform=1))
-        self.assert_refused("this law of adhesive is not built", single(mixed(), extra="*MAT_COHESIVE_GENERAL\n" + card(7)))
+        self.assert_refused("this law of adhesive is not built", single(mixed(), extra="*MAT_COHESIVE_PAPER\n" + card(7)))
         self.assert_refused("elsewhere than midway", single(mixed(), 1.0, elform=20, cohoff=0.5))
         self.assert_refused("erosion cannot be added", single(mixed(), extra="*MAT_ADD_EROSION\n" + card(1) + card(1, "", 0.2) + "\n"))
         self.assert_refused("which bricks of ELFORM -19 do not", single(mixed(), 0.3, elform=-19))
@@ -162,6 +198,45 @@ class Pulled(CommandTest):
         self.assertAlmostEqual(max(s["sig_zz"][0] for s in states), strength, delta=1e-3 * strength)
         self.assertAlmostEqual(summary["energy"]["eroded"], energy * 25.0, delta=5e-3 * energy * 25.0)
 
+    def test_traction_along_a_curve(self):
+        """*MAT_185 and 186, in tension and in shear: highest traction, energy, deletion."""
+        for law, direction, strength, energy in ((scaled(), 3, T, 0.7 * 0.1 * T), (scaled(), 1, T * 0.1 / 0.15, 0.7 * 0.1 * T),
+                                                 (general(), 3, T, GIC), (general(), 1, S, GIIC)):
+            states, summary = self.run_single(single(law), pulled(reach=0.5, direction=direction))
+            sizes = [math.sqrt(s["sig_xx"][0] ** 2 + s["sig_yy"][0] ** 2 + s["sig_zz"][0] ** 2) for s in states]
+            self.assertAlmostEqual(max(sizes), strength, delta=0.03 * strength)
+            self.assertEqual(sizes[-1], 0.0)
+            self.assertAlmostEqual(summary["energy"]["eroded"], energy * 25.0, delta=3e-3 * energy * 25.0)
+            self.assertIn("adhesive of part 1: 1 of 1 bricks deleted", self.read("run.log"))
+
+    def test_arup_adhesive_in_plain_bricks(self):
+        """ELFORM 1 as 19, in tension and shear; a mode without strength given stays elastic. Sabotage: deleted at the first point."""
+        for elform in (1, 19):
+            for direction, strength, energy in ((3, T, GIC), (1, S, GIIC)):
+                states, summary = self.run_single(single(arup(), 0.3, elform=elform), pulled(reach=0.5, direction=direction))
+                sizes = [math.sqrt(s["sig_xx"][0] ** 2 + s["sig_yy"][0] ** 2 + s["sig_zz"][0] ** 2) for s in states]
+                self.assertAlmostEqual(max(sizes), strength, delta=0.01 * strength)
+                self.assertAlmostEqual(summary["energy"]["eroded"], energy * 25.0, delta=3e-3 * energy * 25.0)
+        _, summary = self.run_single(single(arup(tenmax=""), 0.3), pulled(reach=0.1))
+        stiffness = 3000.0 * 0.7 / (1.3 * 0.4) / 0.3
+        self.assertAlmostEqual(summary["energy"]["internal"] / (0.5 * stiffness * 0.1**2 * 25.0), 1.0, delta=1e-2)
+
+    def test_step_of_a_bond_that_is_stiffer_under_pressure(self):
+        """sqrt(2 m/(k A)) with the stiffest, 5 times that of the tension. Sabotage: the stiffness of the tension."""
+        first = []
+        for stfsf in (1.0, 5.0):
+            _, summary = self.run_single(single(scaled(stfsf=stfsf)), pulled())
+            first.append(summary["time_step"]["first"])
+        self.assertAlmostEqual(first[0] / first[1], math.sqrt(5.0), delta=1e-9)
+
+    def test_units_of_an_included_scaled_bond(self):
+        """In m, kg, s, included into mm, t, s. Sabotage: NLS as a number."""
+        self.write("*KEYWORD\n" + single(scaled(ro="3.e-1", sigmax="4.e7", nls="1.e-4", tls="1.5e-4"), side=0.005) + "*END\n", "bond.k")
+        include = "*INCLUDE_TRANSFORM\nbond.k\n" + card(0, 0, 0, 0, 0, 0, 0) + card(0) + card(1e-3, 1.0, 1e3) + card(0)
+        states, summary = self.run_single(include, pulled())
+        self.assertAlmostEqual(max(s["sig_zz"][0] for s in states), T, delta=0.02 * T)
+        self.assertAlmostEqual(summary["energy"]["eroded"], 0.07 * T * 25.0, delta=1e-3 * 0.07 * T * 25.0)
+
     def test_mass_scaling(self):
         states, plain = self.run_single(single(mixed()), pulled())
         states, scaled = self.run_single(single(mixed()), pulled(), "*CONTROL_TIMESTEP\n" + card("", 0.9, "", "", "-5.e-7"))
@@ -215,8 +290,8 @@ def sheets(contact, elform, direction, end=4e-4, reach=0.5, law=None, at=(0.0, 1
 
 
 class Tied(CommandTest):
-    def expect_energy(self, contact, elform, direction, energy):
-        self.write(sheets(contact, elform, direction))
+    def expect_energy(self, contact, elform, direction, energy, law=None):
+        self.write(sheets(contact, elform, direction, law=law))
         self.nugget("run", "model.k", "--quiet", "-j", 1)
         summary = self.json("summary.json")
         self.assertAlmostEqual(summary["energy"]["eroded"], energy, delta=3e-3 * energy)
@@ -226,6 +301,14 @@ class Tied(CommandTest):
     def test_bricks_of_20_tied_to_shells(self):
         self.expect_energy("TIED_SHELL_EDGE_TO_SURFACE", 20, 3, 400.0 * GIC)
         self.expect_energy("TIED_SHELL_EDGE_TO_SURFACE", 20, 1, 400.0 * GIIC)
+        self.expect_energy("TIED_SHELL_EDGE_TO_SURFACE", 20, 3, 400.0 * 0.07 * T, law=scaled())
+        self.expect_energy("TIED_SHELL_EDGE_TO_SURFACE", 20, 1, 400.0 * GIIC, law=general())
+
+    def test_ties_that_fail_or_begin_later_do_not_hold_it(self):
+        for contact, late in (("TIED_NODES_TO_SURFACE", 1e-5), ("TIED_SURFACE_TO_SURFACE_FAILURE", 0.0)):
+            tied = f"*CONTACT_{contact}\n" + card(1, 1, 3, 2)
+            self.write(sheets(contact, 19, 3).replace(tied + "\n", tied + card(1.0, 1.0, "", "", "", "", late)))
+            self.assertIn("part 1 is adhesive, which a tie", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_bricks_of_19_tied_to_shells(self):
         self.expect_energy("TIED_NODES_TO_SURFACE", 19, 1, 400.0 * GIIC)
@@ -287,13 +370,20 @@ class Linear(CommandTest):
 
     def test_two_masses_on_the_bond(self):
         """sqrt(k / (m / 2)) of the tension, and of both shears. Sabotage: ET for EN."""
+        self.expect_modes(elastic(), ET, EN)
+        # The first slopes, whatever the mode and under pressure. Sabotage: the bond as it is in a run.
+        slope = T / (0.1 * 0.1)
+        self.expect_modes(scaled(stfsf=3.0), slope * (0.1 / 0.15) ** 2, slope)
+        self.expect_modes(general(stfsf=3.0), 10.0 * S * 0.515 * S / GIIC, 10.0 * T * 0.515 * T / GIC)
+
+    def expect_modes(self, law, shear, tension):
         mass = 1.0e-6
-        self.write(deck(single(elastic(), side=4.0), "*ELEMENT_MASS\n" + "".join(f"{n:8}{n:8}{mass:16.6e}\n" for n in range(1, 9)),
+        self.write(deck(single(law, side=4.0), "*ELEMENT_MASS\n" + "".join(f"{n:8}{n:8}{mass:16.6e}\n" for n in range(1, 9)),
                         "*CONTROL_IMPLICIT_GENERAL\n" + card(1, 1.0), "*CONTROL_IMPLICIT_EIGENVALUE\n" + card(24), "*CONTROL_TERMINATION\n" + card(1.0)))
         self.nugget("modes", "model.k", "--quiet")
         found = [m["frequency_hz"] for m in self.json("summary.json")["modes"]]
         each = 4.0 * mass + 0.5 * 3.0e-10 * 16.0
-        for stiffness, times in ((ET, 2), (EN, 1)):
+        for stiffness, times in ((shear, 2), (tension, 1)):
             expected = math.sqrt(stiffness * 16.0 / (0.5 * each)) / (2.0 * math.pi)
             self.assertGreaterEqual(sum(abs(f - expected) < 1e-3 * expected for f in found), times, (expected, found))
 

@@ -168,6 +168,49 @@ class ContactForms(CommandTest):
         form = "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK_ID"
         self.assertAlmostEqual(self.glued_block("         3         2         4         3", form), 50.0, delta=0.5)
 
+    def late(self, name, birth, fs=0.0, **more):
+        def write(d):
+            d.keyword("CONTACT_" + name)
+            d.card(surfa=UPPER, surfb=LOWER, surfatyp=3, surfbtyp=3)
+            d.card(fs=fs, fd=fs, dc=0.0, vc=0.0, vdc=0.0, penchk=0, bt=birth, dt=0.0)
+            d.card(sfsa=1.0, sfsb=1.0)
+            if more:
+                d.card(**more)
+        return write
+
+    def test_ties_that_fail_or_begin_later(self):
+        """What is told, and refused. Sabotage: ties with BT of every kind as springs."""
+        said = self.run_deck(plates(self.late("TIED_NODES_TO_SURFACE", 1e-4), {3: 30.0}, 2.0e-4))
+        self.assertIn("touches SURFB at BT = 0.0001 is held there by springs", said.stdout + said.stderr + self.read("run.log"))
+        self.assertIn("glue of contact 1: 0 nodes at the start, 25 later; 0 failed", self.read("run.log"))
+        rows = self.rows()
+        self.assertEqual({row[3] for row in rows if row[0] < 0.99e-4}, {0.0})
+        self.assertGreater(abs(rows[-1][3]), 0.0)
+
+        def refused(contact, word):
+            self.write(plates(contact, {3: 10.0}, 2e-4))
+            self.assertIn(word, self.nugget("check", "model.k", expect=1).stderr)
+        refused(self.late("TIED_SURFACE_TO_SURFACE_FAILURE", 0.0), "fs = 0.0: the stress at which the tie fails must be given")
+        refused(self.late("TIED_NODES_TO_SURFACE_FAILURE", 0.0, 1.0), "*CONTACT_TIEBREAK_NODES_TO_SURFACE")
+        refused(self.late("TIED_SHELL_EDGE_TO_SURFACE", 1e-4), "a tie of rotations that begins later is not built")
+
+    def test_strengths_of_a_failing_tie_have_units(self):
+        """In Pa, of a file in m, kg, s. Sabotage: FS as a number."""
+        deck = Deck()
+        self.late("TIED_SURFACE_TO_SURFACE_FAILURE", 0.0, 1.0e7)(deck)
+        (self.folder / "tie.k").write_text("*KEYWORD\n" + "\n".join(deck.lines) + "\n*END\n")
+
+        def include(d):
+            d.text("*INCLUDE_TRANSFORM\ntie.k\n" + f"{0:>10}" * 7 + f"\n{0:>10}\n{1e-3:>10}{1.0:>10}{1e3:>10}\n{0:>10}")
+        self.run_deck(plates(include, {3: 30.0}, 2.0e-4))
+        self.assertAlmostEqual(max(abs(row[3]) for row in self.rows()) / (10.0 * SIDE * SIDE), 1.0, delta=0.05)
+
+    def test_glue_in_modes_is_warned_of(self):
+        text = plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", option=2, nfls=1.0, sfls=1.0), {3: 30.0}, 1.0)
+        self.write(text.replace("*KEYWORD\n", "*KEYWORD\n*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         1\n"))
+        self.nugget("modes", "model.k", "--quiet")
+        self.assertIn("glue takes no part in linear analyses", str(self.json("findings.json")))
+
     def test_cards_of_glue(self):
         """What is refused, by field. Sabotage: a curve that begins with anything is taken as a factor."""
         glued = "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"

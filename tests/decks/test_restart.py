@@ -108,6 +108,15 @@ class Restart(CommandTest):
         glue = plates.sliding("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", option=2, nfls=10.0, sfls=10.0)
         self.resumed(plates.plates(glue, {3: 30.0, 1: 10.0}, 2.0e-4))
 
+    def test_tie_that_begins_later(self):
+        """Cut before and after its birth. Sabotage: that it waits is not kept."""
+        def tie(d):
+            d.keyword("CONTACT_TIED_NODES_TO_SURFACE")
+            d.card(surfa=plates.UPPER, surfb=plates.LOWER, surfatyp=3, surfbtyp=3)
+            d.card(fs=0.0, fd=0.0, dc=0.0, vc=0.0, vdc=0.0, penchk=0, bt=1.0e-4, dt=0.0)
+            d.card(sfsa=1.0, sfsb=1.0)
+        self.resumed(plates.plates(tie, {3: 30.0, 1: 10.0}, 2.0e-4), shares=(0.3, 0.7))
+
     def test_mass_scaling_and_damping(self):
         cards = ("*DAMPING_FREQUENCY_RANGE\n      0.05    1000.0   50000.0\n"
                  "*DAMPING_PART_STIFFNESS\n         1      0.05\n"

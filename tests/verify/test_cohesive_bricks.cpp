@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -46,10 +47,10 @@ struct WeldState {
   Vec3d apart;                        ///< of node 5 from node 1
 };
 
-/// The lower face stands, the upper goes as the curves say, z and x; a brick of 5 x 5 without thickness.
+/// The lower face stands, the upper goes as the curves say, z and x; a brick of 5 x 5.
 std::vector<WeldState> driven(const std::string& material, const std::string& along_z, const std::string& along_x,
-                              double end) {
-  std::string deck = single(material, 19, 5.0, 0.0) + along_z + along_x + "*BOUNDARY_SPC_NODE\n";
+                              double end, double height = 0.0) {
+  std::string deck = single(material, 19, 5.0, height) + along_z + along_x + "*BOUNDARY_SPC_NODE\n";
   for (int n = 1; n <= 4; ++n) deck += fields({1.0 * n, 0, 1, 1, 1});
   for (int n = 5; n <= 8; ++n) deck += fields({1.0 * n, 0, 0, 1, 0});
   deck += "*BOUNDARY_PRESCRIBED_MOTION_NODE\n";
@@ -133,6 +134,126 @@ TEST(CohesiveBricks, UnloadToTheOriginBearPressureAndDoNotHeal) {
   const double up = 0.5 * T * onset + 0.5 * (T + (1.0 - damage) * EN * wide) * (wide - onset);
   expect_reference("adhesive: unloading", "energy that is lost [mJ]", end.work,
                    25.0 * (up - 0.5 * (1.0 - damage) * EN * wide * wide), 2e-3);
+}
+
+/// *MAT_185: a trapezoid of 40, 0.1 to failure in tension and 0.15 in shear, peak at 0.1 and fall from 0.5 of that.
+std::string scaled_bond() {
+  return "*MAT_COHESIVE_TH\n" + fields({1, 3e-10, 1, 1, T, 0.1, 0.15}) + fields({0.2, 1.0, 2.0, 1.5});
+}
+/// *MAT_186 with a curve of area 0.515.
+std::string general_bond(double tes, double xmu) {
+  return "*MAT_COHESIVE_GENERAL\n" + fields({1, 3e-10, 1, 1, tes, 80, GIC, GIIC}) + fields({xmu, T, S}) +
+         curve(80, {{0.0, 0.0}, {0.1, 1.0}, {0.4, 0.7}, {1.0, 0.0}});
+}
+
+struct Expected {
+  double highest, failure, energy;  ///< traction, separation, energy per area
+};
+
+/// A straight way to failure at an angle from the normal.
+void expect_parting(const std::string& name, const std::string& material, double degrees, const Expected& expected,
+                    double height = 0.0) {
+  const double c = std::cos(degrees * std::numbers::pi / 180.0), s = std::sin(degrees * std::numbers::pi / 180.0);
+  const double end = 1e-3, reach = 1.05 * expected.failure;
+  const auto seen = driven(material, curve(93, {{0.0, 0.0}, {end, reach * c}}),
+                           curve(91, {{0.0, 0.0}, {end, reach * s}}), end, height);
+  double highest = 0.0, last = 0.0;
+  for (const WeldState& at : seen) {
+    highest = std::max(highest, std::hypot(at.tension, at.shear));
+    if (std::hypot(at.tension, at.shear) > 0.0) last = norm(at.apart);
+  }
+  const auto what = [&](const char* text) { return fmt::format("{}, {}, {:g} degrees", name, text, degrees); };
+  expect_reference("adhesive: one curve", what("highest traction [MPa]"), highest, expected.highest, 5e-3);
+  expect_reference("adhesive: one curve", what("separation at failure [mm]"), last, expected.failure, 1e-3);
+  expect_reference("adhesive: one curve", what("energy [mJ]"), seen.back().work, 25.0 * expected.energy, 1e-3);
+}
+
+// Sabotage: LAMDA1 and LAMDA2 not divided by LAMDAF; shear of *MAT_185 by TLS alone; one stiffness in *MAT_186.
+TEST(CohesiveBricks, PartAlongACurve) {
+  for (const double degrees : {0.0, 50.0, 90.0}) {
+    const double c = std::cos(degrees * std::numbers::pi / 180.0), s = std::sin(degrees * std::numbers::pi / 180.0);
+    const double failure = 1.0 / std::hypot(c / 0.1, s / 0.15);
+    expect_parting(
+        "MAT_185", scaled_bond(), degrees,
+        {T * failure * std::hypot(c / 0.1, 0.1 * s / (0.15 * 0.15)), failure, T * 0.1 * 0.5 * (1.0 - 0.1 + 0.5)});
+    const double kt = 10.0 * T * 0.515 * T / GIC, ks = 10.0 * S * 0.515 * S / GIIC;  // from 0 to T and S in a tenth
+    const double k = kt * c * c + ks * s * s, share = ks * s * s / k;
+    const auto general = [&](const std::string& name, const std::string& material, double energy) {
+      const double last = std::sqrt(energy / (0.515 * k / 10.0));
+      expect_parting(name, material, degrees, {0.1 * last * std::hypot(kt * c, ks * s), last, energy});
+    };
+    for (const double xmu : {1.0, 1.7})
+      general(fmt::format("MAT_186, power law {:g}", xmu), general_bond(0, xmu),
+              std::pow(std::pow((1.0 - share) / GIC, xmu) + std::pow(share / GIIC, xmu), -1.0 / xmu));
+    general("MAT_186, Benzeggagh and Kenane 1.5", general_bond(1, 1.5), GIC + (GIIC - GIC) * std::pow(share, 1.5));
+  }
+}
+
+/// *MAT_169 of 0.3 mm; with rates from 1 to 1000 per second.
+std::string arup(double shrp, double slope, double pwrt, double pwrs, bool rates = false) {
+  return "*MAT_ARUP_ADHESIVE\n" + fields({1, 1e-9, 3000, 0.3, T, GIC, S, GIIC}) +
+         fields({pwrt, pwrs, shrp, slope, 1.0, rates ? 1000.0 : 0.0, 1, 2}) + (rates ? fields({1.5, 2.0}) : "") +
+         fields({0.3});
+}
+
+// Sabotage: E for the wave modulus; SHRP as a share of the energy; the slope left out.
+TEST(CohesiveBricks, ArupAdhesive) {
+  const double kt = 3000.0 * 0.7 / (1.3 * 0.4) / 0.3, ks = 3000.0 / 2.6 / 0.3;
+  for (const auto& [shrp, slope, pwrt, pwrs] : {std::array{0.0, 0.0, 2.0, 2.0}, {0.4, 0.2, 1.5, 3.0}})
+    for (const double degrees : {0.0, 50.0, 90.0}) {
+      const double c = std::cos(degrees * std::numbers::pi / 180.0), s = std::sin(degrees * std::numbers::pi / 180.0);
+      // Onset on the surface, by small steps; then the trapezoid with the energy of the mode.
+      double onset = 0.0;
+      while (std::pow(kt * c * onset / T, pwrt) + std::pow(ks * s * onset / (S - slope * kt * c * onset), pwrs) < 1.0)
+        onset += 1e-8;
+      const double k = kt * c * c + ks * s * s, share = ks * s * s / k;
+      const double energy = 1.0 / ((1.0 - share) / GIC + share / GIIC);
+      const double soften_t = T / kt, soften_s = S / ks + shrp * 2.0 * GIIC / ((1.0 + shrp) * S);
+      const double soften = std::max(onset, 1.0 / std::hypot(c / soften_t, s / soften_s));
+      const double failure = 2.0 * energy / (k * onset) + onset - soften;
+      expect_parting(fmt::format("MAT_169, SHRP {:g}, SHT_SL {:g}", shrp, slope), arup(shrp, slope, pwrt, pwrs),
+                     degrees, {onset * std::hypot(kt * c, ks * s), failure, energy}, 0.3);
+    }
+  // At 100 per second two thirds of the way, by logarithms, to the factors 1.5 and 2.
+  const auto fast = driven(arup(0.0, 0.0, 2.0, 2.0, true), curve(93, {{0.0, 0.0}, {1e-2, 0.3}}),
+                           curve(91, {{0.0, 0.0}, {1.0, 0.0}}), 1e-2, 0.3);
+  double highest = 0.0;
+  for (const WeldState& at : fast) highest = std::max(highest, at.tension);
+  expect_reference("adhesive: one curve", "MAT_169 at 100 per second, highest traction [MPa]", highest,
+                   T * (1.0 + 0.5 * 2.0 / 3.0), 5e-3);
+  expect_reference("adhesive: one curve", "MAT_169 at 100 per second, energy [mJ]", fast.back().work,
+                   25.0 * GIC * (1.0 + 2.0 / 3.0), 2e-3);
+}
+
+// *MAT_185 comes back on its curve, *MAT_186 in a straight line to the origin; both bear pressure.
+TEST(CohesiveBricks, ComeBackOnTheCurveOrToTheOrigin) {
+  const std::string way = curve(93, {{0.0, 0.0}, {1e-3, 0.06}, {2e-3, 0.0}, {3e-3, -0.001}});
+  const std::string still = curve(91, {{0.0, 0.0}, {1.0, 0.0}});
+  const auto at = [](const std::vector<WeldState>& seen, double time) {
+    return *std::find_if(seen.begin(), seen.end(), [time](const WeldState& s) { return s.time >= time; });
+  };
+  const auto scaled = driven(scaled_bond(), way, still, 3e-3);
+  const auto expect = [](const char* what, double value, double reference, double gate) {
+    expect_reference("adhesive: way back", what, value, reference, gate);
+  };
+  const WeldState high = at(scaled, 0.95e-3), back = at(scaled, 1.05e-3);  // at 0.057, 0.05 and on is the fall
+  expect("MAT_185, traction on the fall [MPa]", high.tension, T * (1.0 - high.apart.z / 0.1) / 0.5, 1e-6);
+  expect("MAT_185, on the way back [MPa]", back.tension, T * (1.0 - back.apart.z / 0.1) / 0.5, 1e-6);
+  expect("MAT_185, pressure [MPa]", at(scaled, 2.5e-3).tension, 1.5 * T / 0.01 * at(scaled, 2.5e-3).apart.z, 1e-6);
+  const double stored = 25.0 * 0.1 * T * 0.5;  // of the order of what was stored
+  expect_reference("adhesive: way back", "MAT_185, work on the way there and back [mJ]", at(scaled, 2e-3).work, 0.0,
+                   2e-3, stored);
+
+  const auto general = driven(general_bond(0, 1.0), way, still, 3e-3);
+  const double failure = GIC / (0.515 * T);
+  const double wide = std::max_element(general.begin(), general.end(), [](const WeldState& a, const WeldState& b) {
+                        return a.apart.z < b.apart.z;
+                      })->apart.z;
+  const double traction = T * 0.7 * (1.0 - wide / failure) / 0.6;
+  const WeldState half = at(general, 1.5e-3), pressed = at(general, 2.5e-3);
+  EXPECT_GT(wide, 0.4 * failure);
+  expect("MAT_186, halfway back [MPa]", half.tension, traction * half.apart.z / wide, 1e-6);
+  expect("MAT_186, pressure [MPa]", pressed.tension, 10.0 * T / failure * pressed.apart.z, 1e-6);
 }
 
 TEST(CohesiveBricks, FreeOnesKeepMomentaAndEnergy) {

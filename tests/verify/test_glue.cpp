@@ -327,5 +327,73 @@ TEST(Glue, OlderFormOfSurfaces) {
                    yielding_work(stiffness, 2.0, 0.0, 0.4) * area, 0.01);
 }
 
+/// A tie of the upper plate to the lower one: strengths, from when until when it acts, SAST.
+std::string tie(const std::string& keyword, double normal, double shear, double birth = 0.0, double death = 0.0,
+                double sast = 0.0) {
+  return "*CONTACT_" + keyword + "\n" + fields({2, 1, 3, 3}) + fields({normal, shear, 0, 0, 0, 0, birth, death}) +
+         fields({1.0, soft, sast});
+}
+
+// *CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE. Sabotage: FD for FS; strengths that count forces of nodes.
+TEST(Glue, TiesFailAtTheirStress) {
+  const std::string card = tie("TIED_SURFACE_TO_SURFACE_FAILURE", strength, shear_strength);
+  for (const double gap : {-1.0, 0.1})
+    expect_reference("glue", fmt::format("failing tie, {:g} mm apart, tension, largest force [N]", 1.0 + gap),
+                     part_straight(card, 0.0, 50.0, {gap}).tension, strength * area, 0.01);
+  expect_reference("glue", "failing tie, shear, largest force [N]", part_straight(card, 50.0, 0.0).shear,
+                   shear_strength * area, 0.01);
+  expect_reference("glue", "failing tie, 45 degrees, largest tension [N]", part_straight(card, 40.0, 40.0).tension,
+                   area / std::hypot(1.0 / strength, 1.0 / shear_strength), 0.01);
+  // A strength of 0 does not count.
+  EXPECT_EQ(part(tie("TIED_SURFACE_TO_SURFACE_FAILURE", strength, 0.0), {{1e-3, 1000.0, 0.0}}).failed, 0);
+  // What has failed is an ordinary contact without friction.
+  const Parting back = part(card, {{1e-3, 0.0, 200.0}, {3e-3, 0.0, -200.0}, {4e-3, 300.0, 0.0}});
+  EXPECT_EQ(back.failed, 9);
+  EXPECT_GT(back.last, 100.0);
+  EXPECT_LT(std::abs(back.last_shear), 1e-9);
+}
+
+TEST(Glue, TheToleranceOfAFailingTieIsThatOfTies) {
+  const std::vector<Leg> up{{1e-5, 0.0, 1.0}};
+  const Plates plates{0.5, 8};  // a twentieth of the diagonals is nothing
+  EXPECT_EQ(part(tie("TIED_SURFACE_TO_SURFACE_FAILURE", strength, strength), up, plates).start, 0);
+  EXPECT_EQ(part(tie("TIED_SURFACE_TO_SURFACE_FAILURE", strength, strength, 0.0, 0.0, -3.0), up, plates).start, 9);
+}
+
+// BT: the plate comes down without a force, is held from 1.02 ms on where it then is, and with DT let go. Sabotage: the
+// place of the start; what was in reach at the start.
+TEST(Glue, TiesThatBeginLater) {
+  const std::vector<Leg> way{{1e-3, 0.0, -400.0}, {2e-3, 60.0, 40.0}};
+  for (const std::string form : {"", "_OFFSET", "_CONSTRAINED_OFFSET"}) {
+    const Parting p = part(tie("TIED_NODES_TO_SURFACE" + form, 0.0, 0.0, 1.02e-3), way, {0.5});
+    EXPECT_EQ(p.start, 0);
+    EXPECT_EQ(p.later, 9);
+    EXPECT_EQ(p.failed, 0);
+    const std::string name = "tie" + form + " from 1.02 ms on, ";
+    expect_reference("glue", name + "tension at 2 ms [N]", p.tension, stiffness * 40.0 * 0.98e-3 * area, 0.01);
+    expect_reference("glue", name + "shear at 2 ms [N]", p.shear, stiffness * 60.0 * 0.98e-3 * area, 0.01);
+    expect_reference("glue", name + "work [N mm]", p.work,
+                     0.5 * stiffness * area * (40.0 * 40.0 + 60.0 * 60.0) * 0.98e-3 * 0.98e-3, 0.01);
+  }
+  const Parting ends = part(tie("TIED_SURFACE_TO_SURFACE", 0.0, 0.0, 1.02e-3, 1.5e-3), way, {0.5});
+  EXPECT_EQ(ends.failed, 9);
+  EXPECT_EQ(ends.last, 0.0);
+  expect_reference("glue", "tie from 1.02 to 1.5 ms, largest tension [N]", ends.tension,
+                   stiffness * 40.0 * 0.48e-3 * area, 0.02);
+  // Out of reach when it begins.
+  EXPECT_EQ(part(tie("TIED_NODES_TO_SURFACE", 0.0, 0.0, 0.2e-3), way, {0.5, 8}).later, 0);
+}
+
+// BT counts for the older forms and for _TIEBREAK too.
+TEST(Glue, GluesWhatTouchesAtItsBirth) {
+  const std::string card = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n" + fields({2, 1, 3, 3}) +
+                           fields({0, 0, 0, 0, 0, 0, 1.02e-3}) + fields({1.0, soft}) + fields({2, strength, strength});
+  const Parting p = part(card, {{1e-3, 0.0, -198.8}, {3e-3, 0.0, 50.0}}, {0.2});
+  EXPECT_EQ(p.start, 0);
+  EXPECT_EQ(p.later, 9);
+  EXPECT_EQ(p.failed, 9);
+  expect_reference("glue", "TIEBREAK from 1.02 ms on, largest tension [N]", p.tension, strength * area, 0.01);
+}
+
 }  // namespace
 }  // namespace nugget::verify

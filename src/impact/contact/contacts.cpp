@@ -10,7 +10,13 @@ namespace nugget::impact {
 namespace {
 
 void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Findings& findings) {
-  if (glue.at_start() > 0)
+  if (card.birth > 0.0)
+    findings.note(
+        card.place, '*' + card.keyword,
+        fmt::format("what of SURFA touches SURFB at BT = {:g} is held there by springs from then on; how many "
+                    "nodes that are stands in run.log",
+                    card.birth));
+  else if (glue.at_start() > 0)
     findings.note(card.place, '*' + card.keyword,
                   fmt::format("{} nodes of SURFA are glued to SURFB at the start", glue.at_start()));
   else if (!card.glue->bonds_later)
@@ -52,7 +58,7 @@ std::vector<std::string> Contacts::glue_summary(const system::System& system) co
     const contact::Glue* glue = contacts_[next++].glue();
     if (glue == nullptr) continue;
     std::string line = fmt::format("glue of contact {}: {} nodes at the start", card.id, glue->at_start());
-    if (card.glue->bonds_later) line += fmt::format(", {} later", glue->later());
+    if (card.glue->bonds_later || card.birth > 0.0) line += fmt::format(", {} later", glue->later());
     line += fmt::format("; {} failed", glue->failed());
     if (glue->failed() > 0)
       line += fmt::format(", node {} first at time={:.5E}, the last at time={:.5E}", system.node_id(glue->first_node()),

@@ -254,12 +254,7 @@ NodalForces<R, 8> cohesive_brick_cycle(const CohesiveBrickProperties& brick, con
     }
     reach += (R(0.5) * (dot(end.g1, end.g1) + dot(end.g2, end.g2)) / dot(normal, normal)) * spread;
   }
-  const R stiffest = map(
-      [&bond](double t) {
-        const CohesiveStiffness k = bond.stiffness_in(t);
-        return std::max(k.tension, k.shear);
-      },
-      thickness);
+  const R stiffest = map([&bond](double t) { return bond.stiffest_in(t); }, thickness);
   out.stable_step = select(alive, R(2.0) * sqrt(mass / (stiffest * reach)), R(std::numeric_limits<double>::infinity()));
   return out;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/curve.hpp"
 #include "base/vec3.hpp"
@@ -13,20 +14,24 @@ namespace nugget::kernel {
 /// What the elastoplastic glue of OPTION 13 and 14 says of one mode: a trapezoid whose height and area depend on the
 /// strain rate at which it begins to yield.
 struct ElastoplasticMode {
-  double yield = 0.0;         ///< |T0|, |S0| [stress]
-  double yield_growth = 0.0;  ///< T1, S1; > 0: with the square of the logarithm, < 0: with the logarithm; 0: no rate
-  double yield_rate = 0.0;    ///< EDOT_T, EDOT_S: from here on it grows [1/time]
-  double energy = 0.0;        ///< |G1C_0|, |G2C_0|: to part the surfaces [energy/area]
-  double fast_energy = 0.0;   ///< G1C_INF, G2C_INF: at high rates
-  double energy_rate = 0.0;   ///< EDOT_G1, EDOT_G2; 0: the energy does not depend on the rate [1/time]
-  double plateau = 0.0;       ///< FG1, FG2: its share in the energy; negative: in the opening beyond the yield point
+  double yield = 0.0;          ///< |T0|, |S0| [stress]
+  double yield_growth = 0.0;   ///< T1, S1; > 0: with the square of the logarithm, < 0: with the logarithm; 0: no rate
+  double yield_rate = 0.0;     ///< EDOT_T, EDOT_S: from here on it grows [1/time]
+  double energy = 0.0;         ///< |G1C_0|, |G2C_0|: to part the surfaces [energy/area]
+  double fast_energy = 0.0;    ///< G1C_INF, G2C_INF: at high rates
+  double energy_rate = 0.0;    ///< EDOT_G1, EDOT_G2; 0: the energy does not depend on the rate [1/time]
+  double plateau = 0.0;        ///< FG1, FG2: its share in the energy; negative: in the opening beyond the yield point
+  double energy_growth = 0.0;  ///< *MAT_ARUP_ADHESIVE: of the energy with the logarithm, as yield_growth below 0
+  double top_rate = std::numeric_limits<double>::infinity();  ///< from here on neither grows by a logarithm [1/time]
 
   double yield_at(double rate) const {
     if (yield_growth == 0.0 || !(rate > yield_rate)) return yield;
-    const double logarithm = std::log(rate / yield_rate);
+    const double logarithm = std::log(std::min(rate, top_rate) / yield_rate);
     return yield + std::abs(yield_growth) * (yield_growth > 0.0 ? logarithm * logarithm : logarithm);
   }
   double energy_at(double rate) const {
+    if (energy_growth != 0.0)
+      return rate > yield_rate ? energy + energy_growth * std::log(std::min(rate, top_rate) / yield_rate) : energy;
     if (energy_rate == 0.0 || !(rate > 0.0)) return energy;
     return energy + (fast_energy - energy) * std::exp(-energy_rate / rate);
   }
@@ -39,7 +44,8 @@ struct ElastoplasticMode {
 struct Cohesion {
   enum class Softening { none, to_distance, by_energy, by_curve, elastoplastic };
   double normal_strength = 0.0, shear_strength = 0.0;  ///< NFLS, SFLS; 0: does not count [stress]
-  double normal_exponent = 2.0, shear_exponent = 2.0;  ///< NEN, MES: of the onset, where it has no softening
+  double normal_exponent = 2.0, shear_exponent = 2.0;  ///< NEN, MES: of the onset, where it has no softening or yields
+  double shear_slope = 0.0;     ///< elastoplastic: tension takes so much of itself off the shear strength
   double pressure_share = 0.0;  ///< sine of the friction angle: so much of the pressure adds to the shear strength
   Softening softening = Softening::none;
   double distance = 0.0;                           ///< CCRIT: opening at which nothing holds any more [length]
@@ -50,6 +56,8 @@ struct Cohesion {
   Curve resistance;                  ///< by_curve: factor on the stress over the widest opening [length]
   ElastoplasticMode tension, shear;  ///< elastoplastic
   double thickness = 0.0;            ///< of the layer, that makes a strain rate of a velocity [length]
+
+  bool yields_on_an_ellipse() const { return normal_exponent == 2.0 && shear_exponent == 2.0 && shear_slope == 0.0; }
 };
 
 /// What a point of glue remembers.
@@ -133,15 +141,69 @@ inline double bilinear_damage(const Cohesion& glue, const CohesiveStiffness& k, 
   return std::max(damage, last * (size - first) / (size * (last - first)));
 }
 
+/// The surface (tension/normal)^NEN + (shear/(along - slope tension))^MES = 1 along one way of the stress: its value at
+/// a share of that stress. Pressure is not shared out: it adds the slope times itself to `along`.
+class YieldSurface {
+ public:
+  YieldSurface(const Cohesion& glue, double normal, double along, double stress, double shear) : glue_(glue) {
+    const double strength = along + glue.shear_slope * std::max(0.0, -stress), tension = std::max(0.0, stress);
+    tension_ = tension / normal;
+    shear_ = shear / strength;
+    fall_ = glue.shear_slope * tension / strength;
+  }
+  double at(double share) const {
+    return std::pow(share * tension_, glue_.normal_exponent) + std::pow(along(share), glue_.shear_exponent);
+  }
+  /// The share, above or below 1, at which it is 1; infinite without tension and shear. By Newton's method, halving
+  /// where it leaves the bracket, to the last bits.
+  double share() const {
+    if (!(tension_ + shear_ > 0.0)) return std::numeric_limits<double>::infinity();
+    double low = 0.0, high = 1.0 / std::max(tension_, shear_ + fall_), m = high;
+    while (true) {
+      const double excess = at(m) - 1.0;
+      (excess > 0.0 ? high : low) = m;
+      double next = m - excess / slope(m);
+      if (!(next > low && next < high)) next = 0.5 * (low + high);
+      if (!(std::abs(next - m) > 1e-15 * m)) return next;
+      m = next;
+    }
+  }
+
+ private:
+  double along(double share) const {
+    const double left = 1.0 - share * fall_;
+    if (!(shear_ > 0.0)) return 0.0;
+    return left > 0.0 ? share * shear_ / left : std::numeric_limits<double>::infinity();
+  }
+  double slope(double share) const {
+    const double n = glue_.normal_exponent, s = glue_.shear_exponent, left = 1.0 - share * fall_;
+    double sum = 0.0;
+    if (tension_ > 0.0) sum += n * tension_ * std::pow(share * tension_, n - 1.0);
+    if (shear_ > 0.0) sum += s * shear_ / (left * left) * std::pow(along(share), s - 1.0);
+    return sum;
+  }
+
+  const Cohesion& glue_;
+  double tension_ = 0.0, shear_ = 0.0, fall_ = 0.0;
+};
+
+/// By how much a stress lies beyond yield, as a factor; 1 or less: it does not.
+inline double beyond_yield(const Cohesion& glue, double normal, double along, double stress, double shear) {
+  if (glue.yields_on_an_ellipse()) return std::hypot(std::max(0.0, stress) / normal, shear / along);
+  const YieldSurface surface(glue, normal, along, stress, shear);
+  return surface.at(1.0) > 1.0 ? 1.0 / surface.share() : 0.0;
+}
+
 /// Stress of glue that yields where (tension/normal)^2 + (shear/along)^2 is 1, before damage; it is brought back along
 /// the way to no stress, and what is left of the opening is `plastic`. Opened for good it does not resist closing
 /// until the surfaces meet. Whether it yielded is the answer.
-inline bool yields(const CohesiveStiffness& k, const Vec3d& opening, double normal, double along, Vec3d& plastic,
-                   Vec3d& stress) {
+/// With other exponents or a slope it is that of YieldSurface.
+inline bool yields(const Cohesion& glue, const CohesiveStiffness& k, const Vec3d& opening, double normal, double along,
+                   Vec3d& plastic, Vec3d& stress) {
   stress = {k.shear * (opening.x - plastic.x), k.shear * (opening.y - plastic.y),
             k.tension * (opening.z > 0.0 ? std::max(0.0, opening.z - plastic.z) : opening.z)};
-  const double tension = std::max(0.0, stress.z) / normal, shear = std::hypot(stress.x, stress.y) / along;
-  const double beyond = std::hypot(tension, shear);
+  const double shear = std::hypot(stress.x, stress.y);
+  const double beyond = beyond_yield(glue, normal, along, stress.z, shear);
   if (!(beyond > 1.0)) return false;
   stress.x /= beyond;
   stress.y /= beyond;
@@ -161,7 +223,7 @@ inline Vec3d weakened(const Vec3d& stress, double damage) {
 inline Vec3d stress_by_curve(const Cohesion& glue, const CohesiveStiffness& k, const Vec3d& opening,
                              CohesiveState& state) {
   Vec3d stress;
-  yields(k, opening, glue.normal_strength, glue.normal_strength / std::sqrt(3.0), state.plastic, stress);
+  yields(glue, k, opening, glue.normal_strength, glue.normal_strength / std::sqrt(3.0), state.plastic, stress);
   state.widest = std::max(state.widest, opening.z);
   state.damage = 1.0 - std::clamp(glue.resistance.clamped(state.widest), 0.0, 1.0);
   return weakened(stress, state.damage);
@@ -180,15 +242,16 @@ struct Trapezoid {
   }
 };
 
-/// The law of *MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE (Marzi, Hesebeck, Brede, Kleiner 2009): in each mode a
-/// trapezoid; yield after an ellipse of the stresses, softening after one of the openings, and an end such that
-/// G_t/G1C + G_s/G2C = 1.
+/// The law of *MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE (Marzi, Hesebeck, Brede, Kleiner 2009), and of
+/// *MAT_ARUP_ADHESIVE: in each mode a trapezoid; yield after an ellipse of the stresses, or the latter's surface,
+/// softening after one of the openings, and an end such that G_t/G1C + G_s/G2C = 1.
 inline Vec3d elastoplastic_stress(const Cohesion& glue, const CohesiveStiffness& k, const Vec3d& opening,
                                   double strain_rate, CohesiveState& state) {
   const double rate = state.rate_at_yield >= 0.0 ? state.rate_at_yield : strain_rate;
   const double normal = glue.tension.yield_at(rate), along = glue.shear.yield_at(rate);
   Vec3d stress;
-  if (yields(k, opening, normal, along, state.plastic, stress) && state.rate_at_yield < 0.0) state.rate_at_yield = rate;
+  if (yields(glue, k, opening, normal, along, state.plastic, stress) && state.rate_at_yield < 0.0)
+    state.rate_at_yield = rate;
   const Opening open{std::max(0.0, opening.z), std::hypot(opening.x, opening.y)};
   const double size = open.size();
   if (size > 0.0 && state.rate_at_yield >= 0.0) {
@@ -196,8 +259,13 @@ inline Vec3d elastoplastic_stress(const Cohesion& glue, const CohesiveStiffness&
     const Trapezoid tension(glue.tension, k.tension, normal, normal_energy);
     const Trapezoid shear(glue.shear, k.shear, along, shear_energy);
     const double t = open.tension(), s = 1.0 - t;
-    const double yield = 1.0 / std::sqrt(t / (tension.yield * tension.yield) + s / (shear.yield * shear.yield));
-    const double soften = 1.0 / std::sqrt(t / (tension.soften * tension.soften) + s / (shear.soften * shear.soften));
+    const double yield =
+        glue.yields_on_an_ellipse()
+            ? 1.0 / std::sqrt(t / (tension.yield * tension.yield) + s / (shear.yield * shear.yield))
+            : size * YieldSurface(glue, normal, along, k.tension * open.normal, k.shear * open.shear).share();
+    const double soften =
+        std::max(glue.yields_on_an_ellipse() ? 0.0 : yield,
+                 1.0 / std::sqrt(t / (tension.soften * tension.soften) + s / (shear.soften * shear.soften)));
     const double area = 2.0 / (yield * (t * k.tension / normal_energy + s * k.shear / shear_energy));
     const double end = std::max(soften, area + yield - soften);
     if (size >= end)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernel/law/cohesive.hpp"
+#include "kernel/law/shaped_cohesion.hpp"
 
 namespace nugget::kernel {
 
@@ -12,12 +13,16 @@ namespace nugget::kernel {
 struct CohesiveBond {
   /// *MAT_COHESIVE_ELASTIC has `glue.softening` none: a point fails at once where its tension exceeds the normal or its
   /// shear the shear strength, each by itself; 0: it does not. *MAT_COHESIVE_MIXED_MODE has by_energy, _MIXED_MODE_
-  /// ELASTOPLASTIC_RATE elastoplastic, and `glue.thickness` of the layer; 0: that of each brick.
+  /// ELASTOPLASTIC_RATE and *MAT_ARUP_ADHESIVE elastoplastic, and `glue.thickness` of the layer; 0: that of each brick.
   Cohesion glue;
-  CohesiveStiffness stiffness;      ///< EN, ET [stress/length]; of a layer that yields EMOD, GMOD [stress]
-  double stiffness_exponent = 1.0;  ///< GAMMA, of the mean of EN and ET in the law of Benzeggagh and Kenane
-  int points_to_delete = 1;         ///< INTFAIL; 0: the brick is never deleted, and its points lie at its corners
-  bool density_by_area = false;     ///< ROFLG = 1
+  ShapedCohesion shaped{};             ///< *MAT_COHESIVE_TH, _GENERAL; where it is given `glue` has no meaning
+  CohesiveStiffness stiffness;         ///< EN, ET [stress/length]; of a layer that yields EMOD, GMOD [stress]
+  double stiffest = 0.0;               ///< of any mode and of pressure; 0: that of both [stress/length]
+  double stiffness_exponent = 1.0;     ///< GAMMA, of the mean of EN and ET in the law of Benzeggagh and Kenane
+  int points_to_delete = 1;            ///< INTFAIL; 0: the brick is never deleted, and its points lie at its corners
+  bool density_by_area = false;        ///< ROFLG = 1
+  bool in_plain_bricks = false;        ///< also bricks of ELFORM 1 may have it; they are computed as those of 19
+  bool between_closest_faces = false;  ///< THKDIR = 0: N1-N4 and N5-N8 must be the closest faces of a brick
 
   bool yields() const { return glue.softening == Cohesion::Softening::elastoplastic; }
   /// Of the layer in a brick of this thickness.
@@ -27,7 +32,21 @@ struct CohesiveBond {
     const double over = 1.0 / thickness_in(brick);
     return {over * stiffness.tension, over * stiffness.shear};
   }
+  double stiffest_in(double brick) const {
+    if (stiffest > 0.0) return stiffest;
+    const CohesiveStiffness k = stiffness_in(brick);
+    return std::max(k.tension, k.shear);
+  }
 };
+
+/// The same bond as linear analyses have it: its first stiffness, whatever the mode, and no failure.
+inline CohesiveBond unbroken(const CohesiveBond& bond) {
+  if (!bond.shaped.given()) return bond;
+  CohesiveBond linear = bond;
+  linear.shaped = {};
+  linear.stiffest = 0.0;
+  return linear;
+}
 
 namespace detail {
 
@@ -71,6 +90,7 @@ inline double damage_of_bond(const CohesiveBond& bond, const Opening& opening, d
 /// the rate of the separation, over the thickness, shear counted half. `brick`: thickness at the start.
 inline Vec3d bond_traction(const CohesiveBond& bond, double brick, const Vec3d& opening, const Vec3d& speed,
                            CohesiveState& state) {
+  if (bond.shaped.given()) return bond.shaped.traction(opening, state.damage);
   if (bond.yields()) {
     const double rate = std::sqrt(speed.z * speed.z + 0.25 * (speed.x * speed.x + speed.y * speed.y));
     return detail::elastoplastic_stress(bond.glue, bond.stiffness_in(brick), opening, rate / bond.thickness_in(brick),

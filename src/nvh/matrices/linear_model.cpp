@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "kernel/law/cohesive_bond.hpp"
 #include "kernel/law/law_components.hpp"
 
 namespace nugget::nvh {
@@ -143,6 +144,27 @@ void take_viscosity_out(model::Model& m) {
   }
 }
 
+/// Adhesive whose stiffness depends on the mode, or is another one under pressure, has its first one in linear
+/// analyses.
+void take_bonds_unbroken(model::Model& m) {
+  for (model::Material& material : m.materials) {
+    auto* law = std::get_if<kernel::ComposedLaw>(&material.law);
+    if (law == nullptr || !law->components->bond) continue;
+    kernel::LawComponents made = *law->components;
+    made.bond = std::make_shared<const kernel::CohesiveBond>(kernel::unbroken(*made.bond));
+    *law = kernel::composed_law(std::move(made));
+  }
+}
+
+/// Glue, and ties that fail or begin later, are springs of a contact, which linear analyses do not have.
+void warn_of_glue(const model::Model& m, Findings& findings) {
+  for (const model::Contact& contact : m.contacts)
+    if (contact.glue)
+      findings.warning(contact.place, '*' + contact.keyword,
+                       "glue takes no part in linear analyses: what it holds together moves apart there",
+                       "tie it for these (*CONTACT_TIED_..., without _FAILURE and BT)");
+}
+
 /// Nothing resists their change of shape, so they would have motions without stiffness.
 void refuse_fluids(const model::Model& m, Findings& findings) {
   for (const model::Part& part : m.parts)
@@ -175,6 +197,8 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
   model::Model m = model;
   m.control.mass_step = 0.0;
   take_viscosity_out(m);
+  take_bonds_unbroken(m);
+  warn_of_glue(m, findings);
   m.control.bulk_viscosity_type = 1;  // none in shells
   for (const model::RigidWeld& weld : m.rigid_welds)
     if (weld.kind == model::RigidWeld::Kind::rivet)

@@ -2,6 +2,7 @@
 // *CONTACT_...: the penalty contact and the ties that are built, and by name those that are not.
 #include <fmt/format.h>
 
+#include "model/bond.hpp"
 #include "model/contact_form.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/contact_glue.hpp"
@@ -72,18 +73,26 @@ const CardOf<SidesCard> sides_of_parts = sides_card(IdSpace::part, IdSpace::part
 struct FrictionCard {
   double fs = 0, fd = 0, dc = 0, vc = 0, vdc = 0, bt = 0, dt = 0;
 };
-const CardOf<FrictionCard> friction_card{
-    {&FrictionCard::fs, real("fs", dimension::number, 0, any_value,
-                             "static friction; -1: of *PART_CONTACT; -2: of *DEFINE_FRICTION; ties have none")},
-    {&FrictionCard::fd,
-     real("fd", dimension::number, 0, any_value, "dynamic friction; with FS -2: id of *DEFINE_FRICTION, 0: the first")},
-    {&FrictionCard::dc, real("dc", {0, -1, 1}, 0, any_value, "decay from the static to the dynamic coefficient")},
-    {&FrictionCard::vc, real("vc", dimension::stress, 0, any_value, "viscous friction")},
-    {&FrictionCard::vdc, real("vdc", dimension::number, 0, at_least(0), "damping, percent of critical")},
-    integer("penchk", 0, any_value, "check of small penetrations; none in automatic contacts"),
-    {&FrictionCard::bt, real("bt", dimension::time, 0, at_least(0), "the contact acts from this time on")},
-    {&FrictionCard::dt, real("dt", dimension::time, forever, at_least(0), "until this time; 0: for ever")},
-};
+CardOf<FrictionCard> friction_card_of(const RealField& fs, const RealField& fd) {
+  return {
+      {&FrictionCard::fs, fs},
+      {&FrictionCard::fd, fd},
+      {&FrictionCard::dc, real("dc", {0, -1, 1}, 0, any_value, "decay from the static to the dynamic coefficient")},
+      {&FrictionCard::vc, real("vc", dimension::stress, 0, any_value, "viscous friction")},
+      {&FrictionCard::vdc, real("vdc", dimension::number, 0, at_least(0), "damping, percent of critical")},
+      integer("penchk", 0, any_value, "check of small penetrations; none in automatic contacts"),
+      {&FrictionCard::bt, real("bt", dimension::time, 0, at_least(0), "the contact acts from this time on")},
+      {&FrictionCard::dt, real("dt", dimension::time, forever, at_least(0), "until this time; 0: for ever")},
+  };
+}
+const CardOf<FrictionCard> friction_card = friction_card_of(
+    real("fs", dimension::number, 0, any_value,
+         "static friction; -1: of *PART_CONTACT; -2: of *DEFINE_FRICTION; ties have none"),
+    real("fd", dimension::number, 0, any_value, "dynamic friction; with FS -2: id of *DEFINE_FRICTION, 0: the first"));
+/// Of a tie that fails.
+const CardOf<FrictionCard> failure_card = friction_card_of(
+    real("fs", dimension::stress, 0, at_least(0), "normal stress at which it fails; 0: does not count"),
+    real("fd", dimension::stress, 0, at_least(0), "shear stress at which it fails; 0: does not count"));
 struct ScaleCard {
   double sfsa = 0, sfsb = 0, sast = 0, sbst = 0, sfsat = 0, sfsbt = 0, fsf = 0, vsf = 0;
 };
@@ -352,8 +361,23 @@ void take_tie(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
 
 // ---- the cards that always stand
 
+/// *CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE: what holds it until it fails is glue.
+bool is_failing_tie(const Contact& contact) {
+  return contact.keyword.starts_with("CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE");
+}
+
 bool slides_by_table(const Contact& contact, const RowOf<FrictionCard>& row) {
-  return contact.slides() && row->fs == -2.0;
+  return contact.slides() && !is_failing_tie(contact) && row->fs == -2.0;
+}
+
+void take_failing_tie(Builder& builder, const RowOf<FrictionCard>& row, Contact& contact) {
+  if (row->fs == 0.0 && row->fd == 0.0)
+    refuse(builder, row[&FrictionCard::fs], "the stress at which the tie fails must be given, here or in FD",
+           "give it, or use *CONTACT_TIED_SURFACE_TO_SURFACE, which does not fail");
+  Glue& glue = contact.glue.emplace();
+  glue.law.normal_strength = row->fs;
+  glue.law.shear_strength = row->fd;
+  glue.without_thickness = glue.moments = true;
 }
 
 void take_friction(Builder& builder, const RowOf<FrictionCard>& row, Contact& contact) {
@@ -370,6 +394,9 @@ void take_friction(Builder& builder, const RowOf<FrictionCard>& row, Contact& co
            "give the coefficients, 1.99 or 2.01 where 2 is one");
   contact.friction = {row->fs, row->fd, row->dc, row->vc};
   if (contact.friction_by_part || by_table) contact.friction = {1.0, 1.0, 0.0, 1.0};
+}
+
+void take_times(Builder& builder, const RowOf<FrictionCard>& row, Contact& contact) {
   contact.damping = row->vdc;
   contact.birth = row->bt;
   contact.death = death_time(row->dt);
@@ -381,8 +408,14 @@ void take_friction(Builder& builder, const RowOf<FrictionCard>& row, Contact& co
     expect(builder, Severity::warning, {{row[&FrictionCard::vdc], 0, "the springs of a tie have no damping here"}});
 }
 
+/// The tolerance of a tie, where it is given; 0: it is not.
+double reach_of_tie(const Contact& contact) {
+  if (contact.thickness_a >= 0.0 && contact.thickness_b >= 0.0) return 0.0;
+  return 0.6 * (std::abs(contact.thickness_a) + std::abs(contact.thickness_b));
+}
+
 void take_contact_scales(Builder& builder, const RowOf<ScaleCard>& row, Contact& contact) {
-  if (contact.slides())
+  if (contact.slides() && !is_failing_tie(contact))
     for (const deck::Entry& field : {row[&ScaleCard::sast], row[&ScaleCard::sbst]})
       if (field.value < 0.0)
         refuse(builder, field, "a negative thickness has a meaning for ties alone; expected 0 or more",
@@ -396,6 +429,19 @@ void take_contact_scales(Builder& builder, const RowOf<ScaleCard>& row, Contact&
   contact.friction.static_coefficient *= row->fsf;
   contact.friction.dynamic_coefficient *= row->fsf;
   contact.friction.shear_strength *= row->vsf;
+  if (is_failing_tie(contact)) contact.glue->reach = reach_of_tie(contact);
+}
+
+/// A tie of translations that begins later: springs hold what is in reach when it begins, at the place that it has
+/// then, and never fail.
+void tie_later(Contact& contact) {
+  Glue& glue = contact.glue.emplace();
+  glue.alone = glue.without_thickness = true;
+  glue.moments = contact.offset != Contact::Offset::penalty;
+  glue.reach = reach_of_tie(contact);
+  contact.kind = ContactKind::one_way;
+  contact.friction = {};
+  contact.soft = 0;
 }
 
 constexpr std::string_view left = "not built: runs as with the default";
@@ -574,6 +620,7 @@ void check_mortar(Builder& builder, const Block& block, const Options& options) 
 void check_oriented(Builder& builder, const Block& block, const Contact& contact) {
   if (!contact.slides() || block.keyword.starts_with("CONTACT_AUTOMATIC") || erodes(contact)) return;
   if (block.keyword.find("_ONLY") != std::string::npos) return;  // glue alone: nothing slides
+  if (is_failing_tie(contact)) return;                           // what follows its failure is ours
   const bool single = contact.kind == ContactKind::single_surface;
   builder.findings.warning(
       block.place, '*' + block.keyword,
@@ -628,6 +675,21 @@ void report_late_birth(Builder& builder, const Contact& contact) {
       "give BT 0 if it is to act from the start");
 }
 
+/// Adhesive bricks give contacts no segments, so a tie by glue would not see their nodes.
+void refuse_adhesive(Builder& builder, const RowOf<SidesCard>& row, const Contact& contact) {
+  if (!contact.glue || !contact.keyword.starts_with("CONTACT_TIED")) return;
+  const auto check = [&](const Surface& side, const deck::Entry& field) {
+    for (const Index p : side.parts)
+      if (bond_of(builder.model, builder.model.parts[p]) != nullptr)
+        return refuse(builder, field,
+                      fmt::format("part {} is adhesive, which a tie that fails or begins later does not see",
+                                  builder.model.parts[p].id),
+                      "tie adhesive without _FAILURE and BT: it fails by its own law");
+  };
+  check(contact.a, row[&SidesCard::surfa]);
+  check(contact.b, row[&SidesCard::surfb]);
+}
+
 template <ContactKind kind>
 void read_contact(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -647,8 +709,12 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     expect(builder, Severity::error,
            {{sides[&SidesCard::saboxid], 0, "a box around a side of a tie or a transducer is not built"},
             {sides[&SidesCard::sbboxid], 0, "a box around a side of a tie or a transducer is not built"}});
-  const auto friction = cursor.read(friction_card);
-  take_friction(builder, friction, contact);
+  const auto friction = cursor.read(is_failing_tie(contact) ? failure_card : friction_card);
+  if (is_failing_tie(contact))
+    take_failing_tie(builder, friction, contact);
+  else
+    take_friction(builder, friction, contact);
+  take_times(builder, friction, contact);
   take_contact_scales(builder, cursor.read(contact_scale_card), contact);
   if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
   const auto glue = read_glue(builder, cursor, options, contact);
@@ -666,6 +732,8 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     else
       take_tie(b, sides, contact);
     if (contact.slides()) take_boxes(b, sides, contact);
+    if (contact.birth > 0.0 && contact.tie() && !contact.ties_rotations()) tie_later(contact);
+    refuse_adhesive(b, sides, contact);
     if (glue) finish_glue(b, *glue, contact);
     if (contact.ignore == 0) contact.ignore = b.model.control.ignore_penetration;
     // Where thicknesses are left out sheets may be meshed at any distance: their nodes stay where they are.
@@ -686,7 +754,7 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
                                  {"with _MPP; IGNORE and CPARM8 count", &mpp_card1},
                                  {"with _MPP, if it begins with &; read past", &mpp_card2},
                                  {{}, &sides_of_sets},
-                                 {{}, &friction_card},
+                                 {{}, name.ends_with("_FAILURE") ? &failure_card : &friction_card},
                                  {{}, &contact_scale_card}};
   if (name.starts_with("CONTACT_ERODING")) layout.push_back({{}, &eroding_card});
   const std::vector<LayoutCard> glue = glue_layout(name, glued);
@@ -707,7 +775,8 @@ Keyword refused_contact(std::string_view name, std::string_view why) {
 
 constexpr const char* other_tie_of_translations =
     "this form is not built; ties of translations only have _OFFSET and _CONSTRAINED_OFFSET (_BEAM_OFFSET is for shell "
-    "edges and spot welds; ties that fail are not built)";
+    "edges and spot welds; ties that fail are *CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE, "
+    "*CONTACT_TIEBREAK_NODES_TO_SURFACE and glue by _TIEBREAK)";
 
 }  // namespace
 
@@ -734,6 +803,7 @@ std::vector<Keyword> contact_keywords() {
                                                                   "OFFSET", "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
       contact_keyword<ContactKind::tied_nodes>("CONTACT_TIED_NODES_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
       contact_keyword<ContactKind::tied_surface>("CONTACT_TIED_SURFACE_TO_SURFACE", {"OFFSET", "CONSTRAINED_OFFSET"}),
+      contact_keyword<ContactKind::two_surfaces>("CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE"),
       contact_keyword<ContactKind::tied_shell_edge>("CONTACT_TIED_SHELL_EDGE_TO_SURFACE",
                                                     {"OFFSET", "BEAM_OFFSET", "CONSTRAINED_OFFSET"}),
       contact_keyword<ContactKind::tied_shell_edge_to_solid>("CONTACT_TIED_SHELL_EDGE_TO_SOLID"),
@@ -743,8 +813,8 @@ std::vector<Keyword> contact_keywords() {
       refused_contact("CONTACT_TIED_SURFACE_TO_SURFACE_*", other_tie_of_translations),
       refused_contact(
           "CONTACT_TIED_SHELL_EDGE_TO_SURFACE_*",
-          "this form is not built; _OFFSET, _BEAM_OFFSET, _CONSTRAINED_OFFSET and the plain one are (ties that fail "
-          "are not)"),
+          "this form is not built; _OFFSET, _BEAM_OFFSET, _CONSTRAINED_OFFSET and the plain one are (ties of "
+          "rotations that fail are not)"),
       refused_contact("CONTACT_TIED_*",
                       "this tie is not built; *CONTACT_SPOTWELD, *CONTACT_TIED_NODES_TO_SURFACE, "
                       "*CONTACT_TIED_SURFACE_TO_SURFACE, *CONTACT_TIED_SHELL_EDGE_TO_SURFACE and ..._TO_SOLID are"),

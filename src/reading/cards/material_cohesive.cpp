@@ -30,13 +30,15 @@ constexpr RealField intfail =
 constexpr RealField density_per_area =
     real("ro", dimension::mass_per_area, required, above_zero(), "density, per area with ROFLG = 1");
 
-/// All cards of the three laws but those of the modes of MAT_240.
+/// All cards of these laws but those of the modes of MAT_240.
 struct CohesiveCards : MaterialCard {
   int roflg = 0;
   double intfail = 0;
   double en = 0, et = 0;  ///< also EMOD, GMOD
   double gic = 0, giic = 0, xmu = 0, t = 0, s = 0, und = 0, utd = 0, gamma = 0, cts = 0;
   double fn_fail = 0, ft_fail = 0, thick = 0;
+  double nls = 0, tls = 0, lamda1 = 0, lamda2 = 0, lamdaf = 0, stfsf = 0;
+  int tes = 0, tslc = 0;
 };
 
 CardOf<CohesiveCards> mixed_card_of(const RealField& ro) {
@@ -117,6 +119,123 @@ const Card layer_options_card{{
     integer("usrfail", 0, only(0), "failure by the user's subroutine"),
 }};
 
+CardOf<CohesiveCards> scaled_card_of(const RealField& ro) {
+  return {
+      {&MaterialCard::mid, material_id},
+      {&MaterialCard::ro, ro},
+      {&CohesiveCards::roflg, roflg},
+      {&CohesiveCards::intfail, intfail},
+      {&CohesiveCards::t, real("sigmax", dimension::stress, required, above_zero(), "highest traction")},
+      {&CohesiveCards::nls,
+       real("nls", dimension::length, required, above_zero(), "separation at failure normal to the surface")},
+      {&CohesiveCards::tls,
+       real("tls", dimension::length, required, above_zero(), "separation at failure along the surface")},
+      real("tls2", dimension::length, 0, any_value, "of cracks through shells, no effect on bricks"),
+  };
+}
+const CardOf<CohesiveCards> scaled_card = scaled_card_of(density);
+const CardOf<CohesiveCards> scaled_card_by_area = scaled_card_of(density_per_area);
+const CardOf<CohesiveCards> scaled_shape_card{
+    {&CohesiveCards::lamda1, real("lamda1", dimension::number, required, above_zero(),
+                                  "where the traction is highest, on the scale on which LAMDAF is failure")},
+    {&CohesiveCards::lamda2,
+     real("lamda2", dimension::number, required, above_zero(), "where it begins to fall, on that scale")},
+    {&CohesiveCards::lamdaf, real("lamdaf", dimension::number, required, above_zero(), "failure, on that scale")},
+    {&CohesiveCards::stfsf,
+     real("stfsf", dimension::number, required, above_zero(), "stiffness under pressure over the first in tension")},
+    integer("isw", -1, any_value, "of cracks through shells, no effect on bricks"),
+    real("alpha1", dimension::number, 0, any_value, "of cracks through shells, no effect on bricks"),
+    real("alpha2", dimension::number, 0, any_value, "of cracks through shells, no effect on bricks"),
+};
+const Card crack_card{{
+    real("dr", dimension::number, 0, any_value, "of cracks through shells, no effect on bricks"),
+    real("alpha3", dimension::number, 0, any_value, "of cracks through shells, no effect on bricks"),
+}};
+
+CardOf<CohesiveCards> general_card_of(const RealField& ro) {
+  return {
+      {&MaterialCard::mid, material_id},
+      {&MaterialCard::ro, ro},
+      {&CohesiveCards::roflg, roflg},
+      {&CohesiveCards::intfail, intfail},
+      {&CohesiveCards::tes,
+       integer("tes", 0, between(0, 2), "mixed modes: 0 power law, 1 law of Benzeggagh and Kenane; 2 is not built")},
+      {&CohesiveCards::tslc, id("tslc", IdSpace::function, required,
+                                "curve: traction over its peak by the separation over that at failure, 0 to 1")},
+      {&CohesiveCards::gic,
+       real("gic", energy_per_area, required, above_zero(), "energy per area that parts the faces by tension")},
+      {&CohesiveCards::giic, real("giic", energy_per_area, required, above_zero(), "the same by shear")},
+  };
+}
+const CardOf<CohesiveCards> general_card = general_card_of(density);
+const CardOf<CohesiveCards> general_card_by_area = general_card_of(density_per_area);
+const CardOf<CohesiveCards> general_modes_card{
+    {&CohesiveCards::xmu, real("xmu", dimension::number, required, above_zero(), "exponent of mixed modes")},
+    {&CohesiveCards::t, real("t", dimension::stress, required, above_zero(), "highest normal traction")},
+    {&CohesiveCards::s, real("s", dimension::stress, required, above_zero(), "highest tangential traction")},
+    {&CohesiveCards::stfsf, real("stfsf", dimension::number, 0, at_least(0),
+                                 "what pressure adds to the stiffness, over the first in tension")},
+    integer("tslc2", 0, only(0), "curve of its own for shear"),
+};
+
+/// All cards of *MAT_ARUP_ADHESIVE.
+struct ArupCards : MaterialCard {
+  double e = 0, pr = 0, tenmax = 0, gcten = 0, shrmax = 0, gcshr = 0;
+  double pwrt = 0, pwrs = 0, shrp = 0, sht_sl = 0, edot0 = 0, edot2 = 0;
+  int thkdir = 0, extra = 0;
+  double sdfac = 1, sgfac = 1, bthk = 0;
+};
+const CardOf<ArupCards> arup_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&ArupCards::e, real("e", dimension::stress, required, above_zero(), "Young's modulus")},
+    {&ArupCards::pr, real("pr", dimension::number, 0, between(0, 0.499), "Poisson's ratio")},
+    {&ArupCards::tenmax,
+     real("tenmax", dimension::stress, 1e20, above_zero(), "normal stress at which it yields; 1e20: it does not")},
+    {&ArupCards::gcten,
+     real("gcten", energy_per_area, 1e20, above_zero(), "energy per area that parts the faces by tension")},
+    {&ArupCards::shrmax,
+     real("shrmax", dimension::stress, 1e20, above_zero(), "shear stress at which it yields; 1e20: it does not")},
+    {&ArupCards::gcshr, real("gcshr", energy_per_area, 1e20, above_zero(), "the same energy by shear")},
+};
+const CardOf<ArupCards> arup_surface_card{
+    {&ArupCards::pwrt, real("pwrt", dimension::number, 2, above_zero(), "exponent of the normal stress")},
+    {&ArupCards::pwrs, real("pwrs", dimension::number, 2, above_zero(), "exponent of the shear stress")},
+    {&ArupCards::shrp,
+     real("shrp", dimension::number, 0, between(0, 0.99), "plateau in shear, of the separation at failure")},
+    {&ArupCards::sht_sl,
+     real("sht_sl", dimension::number, 0, at_least(0), "what tension takes off the shear strength, and pressure adds")},
+    {&ArupCards::edot0, real("edot0", dimension::rate, 1, above_zero(), "strain rate from which on it gets stronger")},
+    {&ArupCards::edot2, real("edot2", dimension::rate, 0, at_least(0),
+                             "strain rate of the factors on card 5; 0: no such card, and no rates")},
+    {&ArupCards::thkdir,
+     integer("thkdir", 0, between(0, 1), "1: N1-N4 and N5-N8 are the faces; 0: the closest ones, which must be these")},
+    {&ArupCards::extra, integer("extra", 0, between(0, 3), "2: card 6 follows; 1, 3 (interfaces) are not built")},
+};
+/// Of interfaces, which are refused on the card before.
+const Card arup_interface_card{{
+    real("tmaxe", dimension::stress, 0, any_value, "of interfaces, which are not built"),
+    real("gcte", energy_per_area, 0, any_value, "of interfaces, which are not built"),
+    real("smaxe", dimension::stress, 0, any_value, "of interfaces, which are not built"),
+    real("gcse", energy_per_area, 0, any_value, "of interfaces, which are not built"),
+    real("pwrte", dimension::number, 0, any_value, "of interfaces, which are not built"),
+    real("pwrse", dimension::number, 0, any_value, "of interfaces, which are not built"),
+}};
+const CardOf<ArupCards> arup_rate_card{
+    {&ArupCards::sdfac, real("sdfac", dimension::number, 1, at_least(1), "factor on TENMAX and SHRMAX at EDOT2")},
+    {&ArupCards::sgfac, real("sgfac", dimension::number, 1, above_zero(), "factor on GCTEN and GCSHR at EDOT2")},
+    real("sdefac", dimension::number, 1, any_value, "of interfaces, which are not built"),
+    real("sgefac", dimension::number, 1, any_value, "of interfaces, which are not built"),
+};
+const CardOf<ArupCards> arup_thickness_card{
+    {&ArupCards::bthk,
+     real("bthk", dimension::length, 0, at_least(0), "thickness of the layer; 0: that of each brick")},
+    real("outfail", dimension::number, 0, any_value, "messages about failure, no effect"),
+    real("fsip", dimension::number, 0, only(0), "strain in the plane at which it fails"),
+    real("fbr713", dimension::number, 0, any_value, "older releases, no effect"),
+    real("ele2ns", dimension::number, 0, only(0), "softening by the neighbours' failure"),
+};
+
 bool by_area(const Cursor& cursor) {
   return cursor.peek_number(2) == 1.0;
 }
@@ -133,12 +252,12 @@ kernel::CohesiveBond bond_of_row(Builder& b, const RowOf<CohesiveCards>& row) {
   return bond;
 }
 
-void add_bond(Builder& b, const RowOf<CohesiveCards>& row, std::string title, std::string_view name,
-              kernel::CohesiveBond bond) {
+Index add_bond(Builder& b, const RowOf<CohesiveCards>& row, std::string title, std::string_view name,
+               kernel::CohesiveBond bond) {
   kernel::LawComponents law;
   law.flow = kernel::Elastic{};
   law.bond = std::make_shared<const kernel::CohesiveBond>(std::move(bond));
-  add_material(b, row, std::move(title), name, kernel::composed_law(std::move(law)));
+  return add_material(b, row, std::move(title), name, kernel::composed_law(std::move(law)));
 }
 
 /// T or S, given or by the separation at failure: their triangle has the energy G.
@@ -205,6 +324,118 @@ void read_elastic_bond(Builder& b, const Block& block, const Options& options) {
   add_bond(b, row, std::move(title), "MAT_COHESIVE_ELASTIC", std::move(bond));
 }
 
+/// A bond of one shape, with the stiffness that follows from it.
+void shape_bond(kernel::CohesiveBond& bond, const kernel::ShapedCohesion& shaped) {
+  bond.shaped = shaped;
+  bond.stiffness = shaped.first_stiffness();
+  bond.stiffest = shaped.stiffest();
+}
+
+/// A line up to the peak, a plateau, a line down to failure; of these what has a length.
+Curve trapezoid(double peak, double fall) {
+  Curve shape;
+  shape.x = {0.0, peak};
+  shape.y = {0.0, 1.0};
+  if (fall > peak) shape.x.push_back(fall), shape.y.push_back(1.0);
+  if (fall < 1.0) shape.x.push_back(1.0), shape.y.push_back(0.0);
+  return shape;
+}
+
+void read_scaled_bond(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const auto row = cursor.read(by_area(cursor) ? scaled_card_by_area : scaled_card);
+  const auto shape = cursor.read(scaled_shape_card);
+  if (!at_end(cursor)) cursor.read(crack_card);
+  expect_end(b, cursor);
+  kernel::CohesiveBond bond = bond_of_row(b, row);
+  if (shape->lamda2 < shape->lamda1)
+    refuse(b, shape[&CohesiveCards::lamda2], "lies before LAMDA1, where the traction only gets to its peak",
+           "give LAMDA1 <= LAMDA2 <= LAMDAF");
+  else if (shape->lamdaf < shape->lamda2)
+    refuse(b, shape[&CohesiveCards::lamdaf], "lies before LAMDA2, where the traction begins to fall",
+           "give LAMDA1 <= LAMDA2 <= LAMDAF");
+  else if (shape->lamda1 > 0.0)
+    shape_bond(bond, {.mixing = kernel::ShapedCohesion::Mixing::potential,
+                      .shape = trapezoid(shape->lamda1 / shape->lamdaf, shape->lamda2 / shape->lamdaf),
+                      .normal_strength = row->t,
+                      .normal_end = row->nls,
+                      .shear_end = row->tls,
+                      .pressure_factor = shape->stfsf});
+  add_bond(b, row, std::move(title), "MAT_COHESIVE_TH", std::move(bond));
+}
+
+/// TSLC, from (0, 0) by a peak of 1 to (1, 0), at no point steeper from the origin than before; nothing but findings
+/// where it is another one.
+std::optional<Curve> shape_of(Builder& b, const deck::Entry& field) {
+  const Index c = b.curve(field);
+  if (c == none || b.model.curves[c].empty()) return std::nullopt;  // reported
+  Curve shape = b.model.curves[c];
+  const auto near = [](double value, double expected) { return std::abs(value - expected) <= 1e-6; };
+  const double peak = *std::max_element(shape.y.begin(), shape.y.end());
+  const auto wrong = [&](const std::string& what, const char* remedy) {
+    refuse(b, field, what, remedy);
+    return std::nullopt;
+  };
+  if (shape.x.size() < 3 || !near(shape.x.front(), 0.0) || !near(shape.y.front(), 0.0) || !near(shape.x.back(), 1.0) ||
+      !near(shape.y.back(), 0.0))
+    return wrong(fmt::format("the curve leads from ({:g}, {:g}) to ({:g}, {:g}); expected three points or more, from "
+                             "(0, 0) to (1, 0)",
+                             shape.x.front(), shape.y.front(), shape.x.back(), shape.y.back()),
+                 "divide its abscissae by the separation at failure");
+  if (!near(peak, 1.0))
+    return wrong(fmt::format("the curve's highest ordinate is {:g}, expected 1", peak),
+                 "divide its ordinates by the highest; T and S say how high it is");
+  for (std::size_t i = 1; i < shape.x.size(); ++i) {
+    if (shape.y[i] < 0.0) return wrong("the curve has negative ordinates", "end it with 0");
+    if (i > 1 && shape.y[i] * shape.x[i - 1] > shape.y[i - 1] * shape.x[i] * (1.0 + 1e-9))
+      return wrong(fmt::format("the curve gets steeper from the origin at its point {}, ({:g}, {:g}): a bond that is "
+                               "damaged does not become stiffer again",
+                               i + 1, shape.x[i], shape.y[i]),
+                   "begin with the steepest line, and end it with 0");
+  }
+  shape.x.front() = shape.y.front() = shape.y.back() = 0.0;
+  shape.x.back() = 1.0;
+  return shape;
+}
+
+void set_general_bond(Builder& b, Index material, kernel::CohesiveBond bond, const RowOf<CohesiveCards>& row,
+                      const RowOf<CohesiveCards>& modes) {
+  const auto shape = shape_of(b, row[&CohesiveCards::tslc]);
+  if (!shape || b.findings.errors() > 0) return;
+  using Mixing = kernel::ShapedCohesion::Mixing;
+  kernel::ShapedCohesion shaped{.mixing = row->tes == 1 ? Mixing::benzeggagh : Mixing::power,
+                                .shape = *shape,
+                                .normal_strength = modes->t,
+                                .shear_strength = modes->s,
+                                .normal_energy = row->gic,
+                                .shear_energy = row->giic,
+                                .exponent = modes->xmu,
+                                .pressure_factor = 1.0 + modes->stfsf};
+  shaped.normal_end = row->gic / (shaped.area() * modes->t);
+  shaped.shear_end = row->giic / (shaped.area() * modes->s);
+  shape_bond(bond, shaped);
+  kernel::LawComponents law;
+  law.flow = kernel::Elastic{};
+  law.bond = std::make_shared<const kernel::CohesiveBond>(std::move(bond));
+  b.model.materials[material].law = kernel::composed_law(std::move(law));
+}
+
+void read_general_bond(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const auto row = cursor.read(by_area(cursor) ? general_card_by_area : general_card);
+  const auto modes = cursor.read(general_modes_card);
+  expect_end(b, cursor);
+  if (row->tes == 2)
+    refuse(b, row[&CohesiveCards::tes],
+           "a separation without dimension (2) is not built: whether its shear takes GIC or GIIC is not documented",
+           "write 0 with XMU 1, or *MAT_COHESIVE_TH, whose curve is a trapezoid");
+  const kernel::CohesiveBond bond = bond_of_row(b, row);
+  const Index material = add_bond(b, row, std::move(title), "MAT_COHESIVE_GENERAL", bond);
+  b.defer(Phase::parts, [=](Builder& later) { set_general_bond(later, material, bond, row, modes); });
+}
+
 void read_layer(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
@@ -230,6 +461,75 @@ void read_layer(Builder& b, const Block& block, const Options& options) {
   add_bond(b, row, std::move(title), "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE", std::move(bond));
 }
 
+/// One mode of *MAT_ARUP_ADHESIVE. Its plateau, SHRP of the separation at failure, is 2 SHRP/(1 + SHRP) of the energy:
+/// (1 + SHRP)/2 of strength times separation are the energy.
+kernel::ElastoplasticMode arup_mode(double strength, double energy, double plateau, const RowOf<ArupCards>& surface,
+                                    const ArupCards& rates) {
+  kernel::ElastoplasticMode mode;
+  mode.yield = strength;
+  mode.energy = energy;
+  mode.plateau = 2.0 * plateau / (1.0 + plateau);
+  if (surface->edot2 == 0.0) return mode;
+  const double decades = std::log(surface->edot2 / surface->edot0);
+  mode.yield_rate = surface->edot0;
+  mode.top_rate = surface->edot2;
+  mode.yield_growth = -strength * (rates.sdfac - 1.0) / decades;
+  mode.energy_growth = energy * (rates.sgfac - 1.0) / decades;
+  return mode;
+}
+
+void check_surface(Builder& b, const RowOf<ArupCards>& row, const RowOf<ArupCards>& surface) {
+  if (surface->sht_sl > 0.0 && surface->sht_sl * row->tenmax >= row->shrmax)
+    refuse(b, surface[&ArupCards::sht_sl],
+           fmt::format("leaves no shear strength at the tension TENMAX: {:g} times {:g} are not below SHRMAX = {:g}",
+                       surface->sht_sl, row->tenmax, row->shrmax),
+           "give a slope below SHRMAX/TENMAX");
+  if (surface->edot2 != 0.0 && surface->edot2 <= surface->edot0)
+    refuse(b, surface[&ArupCards::edot2], fmt::format("is not above EDOT0 = {:g}", surface->edot0),
+           "give the rate of the factors on card 5");
+  if (surface->extra == 1 || surface->extra == 3)
+    refuse(b, surface[&ArupCards::extra], "failure of the interfaces (cards 3 and 4) is not built",
+           "give the lower of both strengths and energies on card 1, and EXTRA 0 or 2");
+}
+
+void read_arup(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const auto row = cursor.read(arup_card);
+  const auto surface = cursor.read(arup_surface_card);
+  check_surface(b, row, surface);
+  for (int i = 0; i < (surface->extra % 2 == 1 ? 2 : 0); ++i) cursor.read(arup_interface_card);
+  ArupCards more;
+  if (surface->edot2 != 0.0) cursor.read(arup_rate_card, more);
+  if (surface->extra >= 2) cursor.read(arup_thickness_card, more);
+  expect_end(b, cursor);
+  kernel::CohesiveBond bond;
+  bond.points_to_delete = 4;
+  bond.in_plain_bricks = true;
+  bond.between_closest_faces = surface->thkdir == 0;
+  bond.stiffness = {row->e * (1.0 - row->pr) / ((1.0 + row->pr) * (1.0 - 2.0 * row->pr)),
+                    row->e / (2.0 * (1.0 + row->pr))};
+  kernel::Cohesion& glue = bond.glue;
+  glue.softening = kernel::Cohesion::Softening::elastoplastic;
+  glue.thickness = more.bthk;
+  glue.tension = arup_mode(row->tenmax, row->gcten, 0.0, surface, more);
+  glue.shear = arup_mode(row->shrmax, row->gcshr, surface->shrp, surface, more);
+  glue.normal_exponent = surface->pwrt;
+  glue.shear_exponent = surface->pwrs;
+  glue.shear_slope = surface->sht_sl;
+  if (glue.thickness > 0.0) {
+    const kernel::CohesiveStiffness k = bond.stiffness_in(0.0);
+    constexpr double none_from = 1e19;
+    if (row->tenmax < none_from) check_energy(b, row[&ArupCards::gcten], row->gcten, row->tenmax, k.tension);
+    if (row->shrmax < none_from)
+      check_energy(b, row[&ArupCards::gcshr], row->gcshr * (1.0 - glue.shear.plateau), row->shrmax, k.shear);
+  }
+  kernel::LawComponents law;
+  law.flow = kernel::Elastic{};
+  law.bond = std::make_shared<const kernel::CohesiveBond>(std::move(bond));
+  add_material(b, row, std::move(title), "MAT_ARUP_ADHESIVE", kernel::composed_law(std::move(law)));
+}
+
 }  // namespace
 
 std::vector<Keyword> cohesive_material_keywords() {
@@ -243,6 +543,24 @@ std::vector<Keyword> cohesive_material_keywords() {
            .options = {"TITLE"},
            .layout = {{"", &cohesive_elastic_card}},
            .read = read_elastic_bond},
+          {.name = "MAT_COHESIVE_TH",
+           .aliases = {"MAT_185"},
+           .options = {"TITLE"},
+           .layout = {{"", &scaled_card}, {"", &scaled_shape_card}, {"", &crack_card}},
+           .read = read_scaled_bond},
+          {.name = "MAT_COHESIVE_GENERAL",
+           .aliases = {"MAT_186"},
+           .options = {"TITLE"},
+           .layout = {{"", &general_card}, {"", &general_modes_card}},
+           .read = read_general_bond},
+          {.name = "MAT_ARUP_ADHESIVE",
+           .aliases = {"MAT_169"},
+           .options = {"TITLE"},
+           .layout = {{"", &arup_card},
+                      {"", &arup_surface_card},
+                      {"if EDOT2 is not 0", &arup_rate_card},
+                      {"with EXTRA 2", &arup_thickness_card}},
+           .read = read_arup},
           {.name = "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE",
            .aliases = {"MAT_240"},
            .options = {"TITLE"},

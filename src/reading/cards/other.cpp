@@ -126,7 +126,8 @@ Rows other_laws() {
   constexpr std::string_view discrete_beam_laws =
       "this law of discrete beams is not built; *MAT_066, 067, 068, 074, 119, 121 and 196 are";
   constexpr std::string_view cohesive_laws =
-      "this law of adhesive is not built; *MAT_138, 184 and 240 are, in bricks of ELFORM 19 and 20, and glue between "
+      "this law of adhesive is not built; *MAT_138, 169, 184, 185, 186 and 240 are, in bricks of ELFORM 19 and 20, and "
+      "glue between "
       "two "
       "surfaces is *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK";
   return {
@@ -146,7 +147,7 @@ Rows other_laws() {
       refused("MAT_ALE_*", "fluids are not built"),
       refused("MAT_ELASTIC_FLUID*", "fluids are not built"),
       refused("MAT_COHESIVE_*", cohesive_laws),
-      refused("MAT_ARUP_ADHESIVE*", cohesive_laws),
+      refused("MAT_ARUP_ADHESIVE_*", cohesive_laws),
       refused("MAT_ADD_*", "damage or other behaviour added to a law is not built"),
       refused("MAT_*", "this material is not built; `nugget keywords` lists those that are"),
   };

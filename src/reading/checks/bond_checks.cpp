@@ -44,6 +44,17 @@ struct Midway {
   }
 };
 
+/// Whether N1-N4 and N5-N8 are the closest of the three pairs of opposite faces.
+bool are_closest_faces(const std::array<Vec3d, 8>& x) {
+  const auto apart = [&x](const std::array<int, 4>& one, const std::array<int, 4>& other) {
+    Vec3d sum{};
+    for (std::size_t i = 0; i < 4; ++i) sum += 0.25 * (x[other[i]] - x[one[i]]);
+    return norm(sum);
+  };
+  return apart({0, 1, 2, 3}, {4, 5, 6, 7}) <=
+         (1.0 + 1e-6) * std::min(apart({0, 1, 5, 4}, {3, 2, 6, 7}), apart({0, 3, 7, 4}, {1, 2, 6, 5}));
+}
+
 /// What is wrong with a brick, or nothing.
 struct Fault {
   std::string what, remedy;
@@ -52,6 +63,9 @@ Fault fault_of(const Model& model, std::size_t solid, const kernel::CohesiveBond
   if (!has_two_faces(model, solid))
     return {"repeats nodes, expected two faces of four nodes, or of three with N3 = N4 and N7 = N8",
             "write a wedge of adhesive as N1 N2 N3 N3 N5 N6 N7 N7, its triangles on the sheets"};
+  if (bond.between_closest_faces && !are_closest_faces(corners_of(model, solid)))
+    return {"has other faces that lie closer than N1-N4 and N5-N8, and with THKDIR = 0 would lie between those",
+            "number it so that N1-N4 lie on one sheet and N5-N8 over them on the other, or give THKDIR 1"};
   const Midway m(corners_of(model, solid));
   if (!m.is_plain)
     return {"has no area midway between the faces N1-N4 and N5-N8, or one that turns over",
@@ -60,7 +74,8 @@ Fault fault_of(const Model& model, std::size_t solid, const kernel::CohesiveBond
     return {fmt::format("is upside down: by its numbering the face N5-N8 lies {:.4g} below N1-N4", -m.height),
             "exchange the two faces, or turn the sense of both: seen from N5-N8, N1 to N4 run counterclockwise"};
   if (bond.yields() && !(bond.thickness_in(std::max(0.0, m.height)) > 1e-9 * m.shortest))
-    return {"has no thickness, from which its stiffness and its strain rates follow", "give THICK of its material"};
+    return {"has no thickness, from which its stiffness and its strain rates follow",
+            "give THICK (*MAT_169: BTHK) of its material"};
   if (!(bond_mass(model, solid, bond) > 0.0))
     return {"has no thickness, so with a density per volume no mass and no time step",
             "give the density per area and ROFLG = 1"};

@@ -83,13 +83,20 @@ void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& rep
   const auto s = at(part.section);
   const int elform = b.model.solid_sections[s].elform;
   const deck::RowOf<SolidCard>& row = b.solid_section_rows[s];
-  const bool is_bond = bond_of(b.model, part) != nullptr;
+  const kernel::CohesiveBond* bond = bond_of(b.model, part);
+  const bool is_bond = bond != nullptr;
   if (is<kernel::Rigid>(b.model, part) || (is_bond && is_cohesive(elform) && reported[s])) return;
   if (!is_bond)
     return refuse(b, row[&SolidCard::elform],
                   fmt::format("solid formulation {} is adhesive, but the material of part {} is no law of adhesive",
                               elform, part.id),
-                  "give the part *MAT_138, 184 or 240, or the section ELFORM 1");
+                  "give the part *MAT_138, 169, 184, 185, 186 or 240, or the section ELFORM 1");
+  if (bond->in_plain_bricks && (elform == 1 || elform == 2))
+    return row[&SolidCard::elform].report(
+        b.findings, Severity::note,
+        fmt::format("the bricks of part {} are computed as cohesive bricks (19): they carry the stresses across the "
+                    "layer alone, at four points",
+                    part.id));
   if (!is_cohesive(elform))
     return refuse(b, row[&SolidCard::elform],
                   fmt::format("part {} has a law of adhesive, which bricks of ELFORM {} do not", part.id, elform),

@@ -288,7 +288,7 @@ void report_tied_adhesive(const model::Model& model, const std::vector<Vec3d>& x
         t.bricks, t.after, t.before);
     if (t.matters)
       findings.warning(contact.place, name_contact(contact), text + ": EN = EMOD/THICK and ET follow it",
-                       "give THICK of *MAT_240, or tie with _CONSTRAINED_OFFSET");
+                       "give THICK of *MAT_240 or BTHK of *MAT_169, or tie with _CONSTRAINED_OFFSET");
     else
       findings.note(contact.place, name_contact(contact), text, "_CONSTRAINED_OFFSET keeps it");
   }
@@ -426,8 +426,9 @@ void report_what_is_not_built(const model::Model& model, const model::Contact& c
                               const std::vector<ReferenceSegment>& segments, Findings& findings) {
   if (contact.birth > 0.0)
     findings.error(contact.place, name_contact(contact),
-                   fmt::format("birth time {:.4g}: a tie that comes later than the start is not built", contact.birth),
-                   "leave BT blank; DT, the end of a tie, is obeyed");
+                   fmt::format("birth time {:.4g}: a tie of rotations that begins later is not built", contact.birth),
+                   "leave BT blank, or tie translations alone (*CONTACT_TIED_NODES_TO_SURFACE); DT, the end of a tie, "
+                   "is obeyed");
   std::set<Index> reported;
   for (const ReferenceSegment& s : segments) {
     if (s.shell == none || model.shells.offset[s.shell] == 0.0 || !reported.insert(s.part).second) continue;

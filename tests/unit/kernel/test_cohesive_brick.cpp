@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -21,6 +23,45 @@ CohesiveBond elastic(int points_to_delete = 1) {
   bond.stiffness = {8000.0, 3000.0};
   bond.points_to_delete = points_to_delete;
   return bond;
+}
+
+Curve shape(std::vector<double> x, std::vector<double> y) {
+  Curve curve;
+  curve.x = std::move(x);
+  curve.y = std::move(y);
+  return curve;
+}
+
+CohesiveBond bond_of(const ShapedCohesion& shaped) {
+  CohesiveBond bond;
+  bond.shaped = shaped;
+  bond.stiffness = shaped.first_stiffness();
+  bond.stiffest = shaped.stiffest();
+  return bond;
+}
+
+/// A trapezoid of 40 high, 0.1 to failure in tension and 0.15 in shear.
+ShapedCohesion scaled() {
+  return {.mixing = ShapedCohesion::Mixing::potential,
+          .shape = shape({0, 0.1, 0.5, 1}, {0, 1, 1, 0}),
+          .normal_strength = 40.0,
+          .normal_end = 0.1,
+          .shear_end = 0.15};
+}
+
+/// Its curve has an area of 0.515.
+ShapedCohesion general(ShapedCohesion::Mixing mixing, double exponent) {
+  ShapedCohesion law{.mixing = mixing,
+                     .shape = shape({0, 0.1, 0.4, 1}, {0, 1, 0.7, 0}),
+                     .normal_strength = 40.0,
+                     .shear_strength = 30.0,
+                     .normal_energy = 2.0,
+                     .shear_energy = 6.0,
+                     .exponent = exponent,
+                     .pressure_factor = 1.5};
+  law.normal_end = 2.0 / (0.515 * 40.0);
+  law.shear_end = 6.0 / (0.515 * 30.0);
+  return law;
 }
 
 Corners distorted(Random& random, double height, double size = 0.5) {
@@ -186,7 +227,7 @@ TEST(CohesiveBrick, StableStepBoundsTheHighestFrequencyClosely) {
   Random random;
   for (const bool between_shells : {false, true})
     for (const double height : {0.3, 1.5, 6.0})
-      for (const CohesiveBond& bond : {elastic(), elastic(0)}) {
+      for (const CohesiveBond& bond : {elastic(), elastic(0), bond_of(scaled())}) {
         for (int n = 0; n < 5; ++n) {
           const Corners x = distorted(random, height, n == 0 ? 0.0 : 1.2);
           Driven d(between_shells, bond, x);
@@ -198,6 +239,9 @@ TEST(CohesiveBrick, StableStepBoundsTheHighestFrequencyClosely) {
       }
 }
 
+void expect_bits_of_double(const CohesiveBond& bond);
+CohesiveBond arup(double pwrt, double pwrs, double slope);
+
 TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
   CohesiveBond bond = elastic(2);
   bond.glue.softening = Cohesion::Softening::by_energy;
@@ -206,6 +250,13 @@ TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
   bond.glue.normal_energy = 1.0;
   bond.glue.shear_energy = 3.0;
   bond.glue.exponent = 1.5;
+  expect_bits_of_double(bond);
+  expect_bits_of_double(bond_of(scaled()));
+  expect_bits_of_double(arup(1.5, 3.0, 0.2));
+  expect_bits_of_double(bond_of(general(ShapedCohesion::Mixing::power, 1.4)));
+}
+
+void expect_bits_of_double(const CohesiveBond& bond) {
   constexpr int width = native_width;
   for (const bool between_shells : {false, true}) {
     Random random;
@@ -218,7 +269,7 @@ TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
       start_cohesive_brick(single.back().brick, bond, x, state.data(), width, l);
     }
     int dead = 0;
-    for (int n = 0; n < 60; ++n) {
+    for (int n = 0; n < 150; ++n) {
       std::vector<NodalForces<double, 8>> expected;
       for (int l = 0; l < width; ++l) {
         std::array<Vec3d, 8> v, w;
@@ -254,10 +305,9 @@ TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
 }
 
 /// Work of a straight way to failure, by the trapezoidal rule.
-double energy_of(const CohesiveBond& bond, const Vec3d& direction, double& last) {
+double energy_of(const CohesiveBond& bond, const Vec3d& direction, double& last, double step = 1e-6) {
   CohesiveState state;
   double work = 0.0, size = 0.0;
-  const double step = 1e-6;
   Vec3d before{};
   while (state.damage < 1.0) {
     size += step;
@@ -299,6 +349,155 @@ TEST(CohesiveBrick, EnergyOfMixedModesIsThatOfTheCriteria) {
     double last = 0.0;
     energy_of(bond, direction, last);
     EXPECT_NEAR(last, 2.0 / (onset * mean) * (2.0 + 4.0 * std::pow(share, 1.5)), 2e-6);
+  }
+}
+
+// *MAT_COHESIVE_TH has a potential: the work is the same whatever the way to failure. Sabotage: shear by TLS alone.
+TEST(CohesiveBrick, ScaledSeparationHasAPotential) {
+  const CohesiveBond bond = bond_of(scaled());
+  const double energy = 40.0 * 0.1 * 0.5 * (1.0 - 0.1 + 0.5);
+  for (const double degrees : {0.0, 25.0, 60.0, 90.0}) {
+    const double c = std::cos(degrees * std::acos(-1.0) / 180.0), s = std::sin(degrees * std::acos(-1.0) / 180.0);
+    double last = 0.0;
+    EXPECT_NEAR(energy_of(bond, {0.6 * s, 0.8 * s, c}, last), energy, 1e-4 * energy) << degrees;
+    EXPECT_NEAR(last, 1.0 / std::hypot(c / 0.1, s / 0.15), 2e-6);
+  }
+  // Tension onto the plateau, then aside to failure, and a way that comes back to the start.
+  const auto work = [&](const std::vector<Vec3d>& way, double& damage) {
+    CohesiveState state;
+    double sum = 0.0;
+    Vec3d at{}, before{};
+    for (const Vec3d& corner : way) {
+      const Vec3d from = at;
+      for (int i = 1; i <= 20000; ++i) {
+        const Vec3d next = from + (i / 20000.0) * (corner - from);
+        const Vec3d t = bond_traction(bond, 0.0, next, {}, state);
+        sum += 0.5 * dot(t + before, next - at);
+        at = next;
+        before = t;
+      }
+    }
+    damage = state.damage;
+    return sum;
+  };
+  double damage = 0.0;
+  EXPECT_NEAR(work({{0, 0, 0.03}, {0.2, 0, 0.03}}, damage), energy, 1e-4 * energy);
+  EXPECT_EQ(damage, 1.0);
+  EXPECT_NEAR(work({{0, 0, 0.06}, {0.05, 0.02, 0.04}, {0, 0, 0}}, damage), 0.0, 1e-4 * energy);
+  EXPECT_EQ(damage, 0.0);
+}
+
+// Sabotage: the stiffness of the tension in shear; the exponent on the wrong side of the sum.
+TEST(CohesiveBrick, GeneralCurvesHaveTheEnergyOfTheCriteria) {
+  using Mixing = ShapedCohesion::Mixing;
+  for (const auto& [mixing, exponent] :
+       {std::pair{Mixing::power, 1.0}, {Mixing::power, 1.7}, {Mixing::benzeggagh, 1.5}}) {
+    const ShapedCohesion law = general(mixing, exponent);
+    const CohesiveBond bond = bond_of(law);
+    EXPECT_NEAR(law.end(1.0), law.normal_end, 1e-15);
+    EXPECT_NEAR(law.end(0.0), law.shear_end, 1e-15);
+    // The first tenth rises to T and S.
+    const double kt = 10.0 * 40.0 / law.normal_end, ks = 10.0 * 30.0 / law.shear_end;
+    for (const double degrees : {0.0, 25.0, 60.0, 90.0}) {
+      const double c = std::cos(degrees * std::acos(-1.0) / 180.0), s = std::sin(degrees * std::acos(-1.0) / 180.0);
+      const double share = ks * s * s / (kt * c * c + ks * s * s);
+      const double expected =
+          mixing == Mixing::power
+              ? std::pow(std::pow((1.0 - share) / 2.0, exponent) + std::pow(share / 6.0, exponent), -1.0 / exponent)
+              : 2.0 + 4.0 * std::pow(share, exponent);
+      double last = 0.0;
+      EXPECT_NEAR(energy_of(bond, {0.6 * s, 0.8 * s, c}, last), expected, 1e-4 * expected) << degrees;
+    }
+  }
+}
+
+TEST(CohesiveBrick, GeneralCurvesUnloadToTheOriginAndBearPressure) {
+  const CohesiveBond bond = bond_of(general(ShapedCohesion::Mixing::power, 1.0));
+  CohesiveState state;
+  const double end = bond.shaped.normal_end;
+  EXPECT_NEAR(bond_traction(bond, 0.0, {0, 0, 0.4 * end}, {}, state).z, 28.0, 1e-12);
+  EXPECT_NEAR(bond_traction(bond, 0.0, {0, 0, 0.1 * end}, {}, state).z, 7.0, 1e-12);
+  EXPECT_NEAR(bond_traction(bond, 0.0, {0, 0, 0.4 * end}, {}, state).z, 28.0, 1e-12);
+  EXPECT_NEAR(bond_traction(bond, 0.0, {0, 0, -0.01 * end}, {}, state).z, -1.5 * 4.0, 1e-12);
+  bond_traction(bond, 0.0, {0, 0, 1.01 * end}, {}, state);
+  EXPECT_EQ(state.damage, 1.0);
+  EXPECT_EQ(bond_traction(bond, 0.0, {0, 0, 0.1 * end}, {}, state).z, 0.0);
+}
+
+/// *MAT_ARUP_ADHESIVE: 40 with 2.0 in tension, 30 with 6.0 and a plateau of 0.3 of the separation in shear.
+CohesiveBond arup(double pwrt, double pwrs, double slope) {
+  CohesiveBond bond;
+  bond.stiffness = {4000.0, 1200.0};
+  bond.glue.softening = Cohesion::Softening::elastoplastic;
+  bond.glue.thickness = 0.3;
+  bond.glue.tension = {.yield = 40.0, .energy = 2.0};
+  bond.glue.shear = {.yield = 30.0, .energy = 6.0, .plateau = 2.0 * 0.3 / 1.3};
+  bond.glue.normal_exponent = pwrt;
+  bond.glue.shear_exponent = pwrs;
+  bond.glue.shear_slope = slope;
+  return bond;
+}
+
+// Yield on the surface, and the energy of the modes. Sabotage: the exponents exchanged; the slope's sign.
+TEST(CohesiveBrick, ArupAdhesiveYieldsOnItsSurfaceAndTakesItsEnergy) {
+  for (const auto& [pwrt, pwrs, slope] :
+       {std::tuple{2.0, 2.0, 0.0}, {2.0, 2.0, 0.3}, {1.5, 3.0, 0.0}, {1.2, 2.5, 0.5}}) {
+    const CohesiveBond bond = arup(pwrt, pwrs, slope);
+    for (const double degrees : {0.0, 25.0, 60.0, 90.0}) {
+      const double c = std::cos(degrees * std::acos(-1.0) / 180.0), s = std::sin(degrees * std::acos(-1.0) / 180.0);
+      const Vec3d direction{0.6 * s, 0.8 * s, c};
+      CohesiveState state;
+      Vec3d t;
+      for (double size = 0.0; state.rate_at_yield < 0.0; size += 1e-6)
+        t = bond_traction(bond, 0.0, size * direction, {}, state);
+      const double tension = t.z, shear = std::hypot(t.x, t.y);
+      EXPECT_NEAR(std::pow(tension / 40.0, pwrt) + std::pow(shear / (30.0 - slope * tension), pwrs), 1.0, 1e-9);
+      const double kt = 4000.0 * c * c, ks = 1200.0 * s * s, share = ks / (kt + ks);
+      double last = 0.0;
+      const double expected = 1.0 / ((1.0 - share) / 2.0 + share / 6.0);
+      EXPECT_NEAR(energy_of(bond, direction, last, 1e-5), expected, 1e-3 * expected)
+          << degrees << ' ' << pwrt << ' ' << slope;
+      if (degrees == 90.0) {
+        EXPECT_NEAR(last, 2.0 * 6.0 / (1.3 * 30.0), 2e-5);
+      }
+      if (degrees == 0.0) {
+        EXPECT_NEAR(last, 2.0 * 2.0 / 40.0, 2e-5);
+      }
+    }
+    // Pressure adds to the shear strength, and stays.
+    CohesiveState state;
+    const Vec3d pressed = bond_traction(bond, 0.0, {0.054, 0.072, -0.002}, {}, state);
+    EXPECT_NEAR(pressed.z, -4000.0 / 0.3 * 0.002, 1e-9);
+    EXPECT_NEAR(std::hypot(pressed.x, pressed.y), 30.0 + slope * 4000.0 / 0.3 * 0.002, 1e-9);
+  }
+}
+
+// Tractions over small separations of every mode, by differences. Sabotage: a stiffness that depends on the mode.
+TEST(CohesiveBrick, NothingIsStifferThanTheStepIsMadeFor) {
+  using Mixing = ShapedCohesion::Mixing;
+  Random random;
+  for (const auto& [mixing, exponent] : {std::pair{Mixing::power, 0.6},
+                                         {Mixing::power, 1.0},
+                                         {Mixing::power, 3.0},
+                                         {Mixing::benzeggagh, 0.5},
+                                         {Mixing::benzeggagh, 2.0}}) {
+    ShapedCohesion law = general(mixing, exponent);
+    law.pressure_factor = 1.0;
+    const CohesiveBond bond = bond_of(law);
+    const auto traction = [&](const Vec3d& d) {
+      CohesiveState state;
+      return bond_traction(bond, 0.0, d, {}, state);
+    };
+    double most = 0.0;
+    for (int n = 0; n < 20000; ++n) {
+      Vec3d d = 1e-4 * unit(random.vector(1.0));
+      d.z = std::abs(d.z);
+      const Vec3d off = 1e-9 * unit(random.vector(1.0));
+      if (d.z < 2e-9) continue;
+      most = std::max(most, norm(traction(d + off) - traction(d - off)) / (2.0 * norm(off)));
+    }
+    EXPECT_LT(most, 1.002 * bond.stiffest) << exponent;
+    EXPECT_GT(most, 0.95 * bond.stiffest) << exponent;
   }
 }
 

@@ -775,7 +775,7 @@ TEST(Ties, ATieThatComesLaterIsRefusedOneThatEndsIsNot) {
   a.model.contacts[0].birth = 0.001;
   a.tied();
   EXPECT_EQ(a.findings.errors(), 1);
-  EXPECT_THAT(text(a.findings), HasSubstr("a tie that comes later than the start is not built"));
+  EXPECT_THAT(text(a.findings), HasSubstr("a tie of rotations that begins later is not built"));
 }
 
 TEST(Ties, AnEmptySideIsWarnedOf) {
