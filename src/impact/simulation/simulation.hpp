@@ -81,7 +81,7 @@ class Simulation {
   void report_progress(const ProgressCallback& progress, double end_time) const;
   /// Energies at the present time; the previous ones stay where the solution is not a number.
   void update_energy_balance();
-  /// More energy has come from nowhere than was ever put in, and it is most of what there is.
+  /// Ten times the energy that was ever put in has come from nowhere, and it is most of what there is.
   bool unstable() const;
   std::string describe_instability() const;
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
