@@ -20,6 +20,31 @@ Connectors::Connectors(const system::System& system) : system_(system) {
   }
 }
 
+namespace {
+
+double failure_value(const kernel::Spr3& joint, const kernel::Spr3::Freedoms& force, const Connectors::Record& record) {
+  return joint.failure_value(force, record.plastic);
+}
+double failure_value(const kernel::Spr2&, const kernel::Spr2::Freedoms&, const Connectors::Record& record) {
+  return record.damage;
+}
+
+}  // namespace
+
+template <class Joint>
+void Connectors::follow_joint(const Joint& joint, const std::array<double, 8>& r, double time, Record& record) {
+  const kernel::Spr3::Freedoms force{r[0], r[1], r[2], r[3], r[4], r[5]};
+  record.last = {r[0], r[1], r[2], r[3], r[4], r[5]};
+  record.plastic = r[6];
+  record.damage = r[7];
+  record.mode_mixity = kernel::Spr3::mode_mixity(force);
+  record.failure = failure_value(joint, force, record);
+  if (record.failure > record.peak_failure) {
+    record.peak_failure = record.failure;
+    record.peak_time = time;
+  }
+}
+
 void Connectors::update(const system::State& state) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
     auto& [location, record] = records_[i];
@@ -40,20 +65,8 @@ void Connectors::update(const system::State& state) {
     const std::array<double, 8> r = group.resultants(at(location.element));
     record.peaks.add(r[0], std::hypot(r[1], r[2]), std::hypot(r[4], r[5]), r[3]);
     const model::Law& law = system_.model.materials[system_.model.parts[system_.ties.welds[i].part].material].law;
-    if (const auto& joint = std::get<kernel::DiscreteBeam>(law).joint) follow_joint(*joint, r, state.time, record);
-  }
-}
-
-void Connectors::follow_joint(const kernel::Spr3& joint, const std::array<double, 8>& r, double time, Record& record) {
-  const kernel::Spr3::Freedoms force{r[0], r[1], r[2], r[3], r[4], r[5]};
-  record.last = {r[0], r[1], r[2], r[3], r[4], r[5]};
-  record.plastic = r[6];
-  record.damage = r[7];
-  record.mode_mixity = kernel::Spr3::mode_mixity(force);
-  record.failure = joint.failure_value(force, record.plastic);
-  if (record.failure > record.peak_failure) {
-    record.peak_failure = record.failure;
-    record.peak_time = time;
+    if (const auto& joint = std::get<kernel::DiscreteBeam>(law).joint)
+      std::visit([&](const auto& own) { follow_joint(own, r, state.time, record); }, *joint);
   }
 }
 
@@ -61,7 +74,9 @@ std::string Connectors::event(std::size_t i, const system::State& state) const {
   const weld::Weld& weld = system_.ties.welds[i];
   const std::string when = fmt::format("failed  id={:8d} time={:12.5E} cycle={}", weld.id, state.time, state.cycle);
   if (!weld.interpolated) return "discrete beam " + when;
-  return fmt::format("interpolation spot weld {} at a mode mixity of {:.3f}", when, records_[i].record.mode_mixity);
+  return fmt::format("{} {} at a mode mixity of {:.3f}",
+                     weld.self_piercing ? "self-piercing rivet" : "interpolation spot weld", when,
+                     records_[i].record.mode_mixity);
 }
 
 double Connectors::length(std::size_t i) const {

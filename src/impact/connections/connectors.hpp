@@ -50,8 +50,8 @@ class Connectors {
     system::System::ElementLocation location;
     Record record;
   };
-  static void follow_joint(const kernel::Spr3& joint, const std::array<double, 8>& resultants, double time,
-                           Record& record);
+  template <class Joint>
+  static void follow_joint(const Joint& joint, const std::array<double, 8>& resultants, double time, Record& record);
   std::string event(std::size_t i, const system::State& state) const;
   const system::System& system_;
   std::vector<Entry> records_;

@@ -123,20 +123,24 @@ void add_rivet(const Rivets& rivets, std::size_t i, output::WeldReport& report) 
   report.peak_failure = report.peak_failure_time = report.energy = not_available;
 }
 
-/// A weld of *CONSTRAINED_INTERPOLATION_SPOTWELD.
-void add_joint(const Connectors::Record& record, double length, output::WeldReport& report) {
+/// A weld of *CONSTRAINED_INTERPOLATION_SPOTWELD, a rivet of _SPR2.
+void add_joint(const Connectors::Record& record, const weld::Weld& weld, output::WeldReport& report) {
+  const double length = weld.length;
   const weld::Resultants& r = record.last;
   const auto at_end = [&](double half) {
     return std::hypot(r.moment_s + half * r.shear_t, r.moment_t - half * r.shear_s);
   };
-  report.last = {r.axial,
-                 r.shear(),
-                 r.moment(),
-                 r.torsion,
-                 not_available,
-                 record.failure,
-                 fmt::format("plastic displacement {:.3g}, mode mixity {:.3g}", record.plastic, record.mode_mixity),
-                 {at_end(-0.5 * length), at_end(0.5 * length)}};
+  report.last = {
+      r.axial,
+      r.shear(),
+      r.moment(),
+      r.torsion,
+      not_available,
+      record.failure,
+      weld.self_piercing
+          ? fmt::format("effective displacement {:.3g}, mode mixity {:.3g}", record.damage, record.mode_mixity)
+          : fmt::format("plastic displacement {:.3g}, mode mixity {:.3g}", record.plastic, record.mode_mixity),
+      {at_end(-0.5 * length), at_end(0.5 * length)}};
   report.peak_failure = record.peak_failure;
   report.peak_failure_time = record.peak_time;
   report.damage = record.damage;
@@ -153,7 +157,7 @@ void add_connector(const system::System& system, const weld::Weld& weld, const C
   report.peak_failure = report.peak_failure_time = not_available;
   const system::System::ElementLocation location = system.beam_location[weld.element];
   report.energy = system.groups[location.group]->internal_energy(at(location.element));
-  if (weld.interpolated) add_joint(record, weld.length, report);
+  if (weld.interpolated) add_joint(record, weld, report);
   add_work(work, report);
 }
 

@@ -141,6 +141,16 @@ static Spr3::Freedoms advance_joint(const Spr3& joint, const Spr3::Freedoms& inc
   return acting;
 }
 
+template <int width>
+static Spr2::Freedoms advance_joint(const Spr2& rivet, const Spr2::Freedoms& increment, double* state) {
+  using L = DiscreteBeamLayout;
+  Spr2::Freedoms displacement;
+  for (int i = 0; i < 6; ++i) displacement[i] = state[(L::displacement + i) * width] += increment[i];
+  double& damage = state[L::joint_damage * width];
+  damage = std::max(damage, rivet.effective_displacement(displacement, damage));
+  return rivet.forces(displacement, damage);
+}
+
 template <class R>
 NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const DiscreteBeam& law,
                                       const NodalMotion<R, 2>& nodes, double dt, double* state) {
@@ -186,7 +196,7 @@ NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const 
       std::array<double, 6> increment;
       for (std::size_t i = 0; i < 6; ++i) increment[i] = dt * lane(velocity[i], l);
       double* const own = state + l;
-      f = advance_joint<lanes<R>>(*law.joint, increment, own);
+      f = std::visit([&](const auto& joint) { return advance_joint<lanes<R>>(joint, increment, own); }, *law.joint);
       for (std::size_t i = 0; i < 6; ++i) set_lane(force[i], l, f[i]);
       if (own[L::joint_damage * lanes<R>] >= 1.0)
         set_lane(survives, l, 0.0);

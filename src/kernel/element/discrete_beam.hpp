@@ -36,8 +36,8 @@ struct DiscreteBeamLayout {
   static constexpr int resultant = 26;      ///< N_r N_s N_t [force], M_r M_s M_t [moment]
   static constexpr int length = 32;         ///< distance of the nodes [length]
   static constexpr int on_line = 33;        ///< 1 where the r axis lies on the line of the nodes, whatever SCOOR says
-  static constexpr int joint_plastic = 34;  ///< of a joint: plastic displacement
-  static constexpr int joint_damage = 35;   ///< and damage
+  static constexpr int joint_plastic = 34;  ///< of an Spr3 joint: plastic displacement
+  static constexpr int joint_damage = 35;   ///< of a joint: damage
   static constexpr int count = 36;
 };
 

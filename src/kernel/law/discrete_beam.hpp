@@ -3,8 +3,10 @@
 
 #include <array>
 #include <optional>
+#include <variant>
 
 #include "kernel/law/discrete_spring.hpp"
+#include "kernel/law/spr2.hpp"
 #include "kernel/law/spr3.hpp"
 
 namespace nugget::kernel {
@@ -18,7 +20,8 @@ struct DiscreteBeam {
   /// A spring between two points (MAT_074, 121), whose displacement is the change of their distance. Where they are at
   /// one place it acts along the r axis.
   bool between_points = false;
-  std::optional<Spr3> joint;  ///< of *CONSTRAINED_INTERPOLATION_SPOTWELD
+  /// Of *CONSTRAINED_INTERPOLATION_SPOTWELD, of *CONSTRAINED_SPR2.
+  std::optional<std::variant<Spr3, Spr2>> joint;
 
   /// How the limits of displacement act together. A limit of 0 is none.
   enum class Rule {

@@ -536,10 +536,8 @@ std::vector<Keyword> constrained_keywords() {
       refused("CONSTRAINED_BEAM_IN_SOLID", "beams inside solids are not built"),
       refused("CONSTRAINED_LAGRANGE_IN_SOLID", "coupling to fluids is not built"),
       refused("CONSTRAINED_RIGID_BODY_STOPPERS", "stops of rigid bodies are not built"),
-      refused(
-          "CONSTRAINED_SPR*",
-          "*CONSTRAINED_SPR2 and others of that name are not built; use *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3), or "
-          "*MAT_SPOTWELD elements with *CONTACT_SPOTWELD"),
+      refused("CONSTRAINED_SPR*",
+              "this rivet is not built; use *CONSTRAINED_SPR2, or *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3)"),
       refused("CONSTRAINED_*",
               "this constraint is not built; nodal rigid bodies, extra nodes, merged rigid bodies, spotwelds and "
               "generalized weld spots are"),

@@ -231,19 +231,25 @@ void note_units_of_bending(Builder& b, const SpotweldRows& rows) {
       "give STIFF3 and STIFF4");
 }
 
+/// The sheets and the location nodes.
+void take_sheets(Builder& b, const deck::Entry& first, const deck::Entry& second, const deck::Entry& nsid,
+                 InterpolationSpotweld& weld) {
+  weld.sheet = {parts_of_sheet(b, first), parts_of_sheet(b, second)};
+  for (const Index part : weld.sheet[0])
+    if (std::find(weld.sheet[1].begin(), weld.sheet[1].end(), part) != weld.sheet[1].end())
+      return refuse(
+          b, second,
+          fmt::format("part {} stands on both sides; a sheet joined with itself is not built", b.model.parts[part].id),
+          "give the two sheets parts of their own");
+  if (const Set<Index>* nodes = b.node_set(nsid)) weld.nodes = nodes->members;
+}
+
 void make_spotwelds(Builder& b, const SpotweldRows& rows) {
   const int errors = b.findings.errors();
   InterpolationSpotweld weld;
   weld.title = rows.title;
-  weld.sheet = {parts_of_sheet(b, rows.join[&SpotweldJoinCard::pid1]),
-                parts_of_sheet(b, rows.join[&SpotweldJoinCard::pid2])};
-  for (const Index part : weld.sheet[0])
-    if (std::find(weld.sheet[1].begin(), weld.sheet[1].end(), part) != weld.sheet[1].end())
-      return refuse(
-          b, rows.join[&SpotweldJoinCard::pid2],
-          fmt::format("part {} stands on both sides; a sheet joined with itself is not built", b.model.parts[part].id),
-          "give the two sheets parts of their own");
-  if (const Set<Index>* nodes = b.node_set(rows.join[&SpotweldJoinCard::nsid])) weld.nodes = nodes->members;
+  take_sheets(b, rows.join[&SpotweldJoinCard::pid1], rows.join[&SpotweldJoinCard::pid2],
+              rows.join[&SpotweldJoinCard::nsid], weld);
   weld.thickness = rows.join->thick;
   weld.radius = rows.join->r;
   weld.density = rows.yield->dens;
@@ -282,10 +288,123 @@ void read_interpolation_spotweld(Builder& builder, const Block& block, const Opt
   });
 }
 
+// ---- self-piercing rivets
+
+struct RivetPlaceCard {
+  int upid = 0, lpid = 0, nsid = 0;
+  double thick = 0, d = 0, fn = 0, ft = 0, dn = 0;
+};
+const CardOf<RivetPlaceCard> rivet_place_card{
+    {&RivetPlaceCard::upid, id("upid", IdSpace::part, required, "part of the upper sheet, that of the rivet's head")},
+    {&RivetPlaceCard::lpid, id("lpid", IdSpace::part, required, "part of the lower sheet")},
+    {&RivetPlaceCard::nsid, id("nsid", IdSpace::set, required, "nodes where the rivets are, between the sheets")},
+    {&RivetPlaceCard::thick, real("thick", dimension::length, required, above_zero(),
+                                  "thickness of both sheets together; a location node reaches so far for each sheet")},
+    {&RivetPlaceCard::d, real("d", dimension::length, required, above_zero(), "diameter of the rivet")},
+    {&RivetPlaceCard::fn,
+     or_negative(real("fn", dimension::force, required, any_value,
+                      "largest force in tension (pull-out); below 0, a *MAT_CONSTRAINED_SPR2: not built"),
+                 IdSpace::material)},
+    {&RivetPlaceCard::ft, real("ft", dimension::force, required, above_zero(), "largest force in shear")},
+    {&RivetPlaceCard::dn,
+     real("dn", dimension::length, required, above_zero(), "opening at which the rivet is pulled out")},
+};
+constexpr RealField share_of_displacement(std::string_view name, std::string_view meaning) {
+  return real(name, dimension::number, required, between(1e-6, 1.0 - 1e-6), meaning);
+}
+struct RivetShapeCard {
+  double dt = 0, xin = 0, xit = 0, alpha1 = 0, alpha2 = 0, alpha3 = 0, dens = 0;
+};
+const CardOf<RivetShapeCard> rivet_shape_card{
+    {&RivetShapeCard::dt, real("dt", dimension::length, required, above_zero(), "sliding at which it is gone")},
+    {&RivetShapeCard::xin, share_of_displacement("xin", "share of DN at which the tension is largest")},
+    {&RivetShapeCard::xit, share_of_displacement("xit", "share of DT at which the shear is largest")},
+    {&RivetShapeCard::alpha1, real("alpha1", dimension::number, required, above_zero(),
+                                   "divisor of the effective displacement between tension and shear, undamaged")},
+    {&RivetShapeCard::alpha2, real("alpha2", dimension::number, required, above_zero(), "the same at the damage XIT")},
+    {&RivetShapeCard::alpha3,
+     real("alpha3", dimension::number, required, any_value,
+          "the same at rupture; its sign, which chooses how the normal is followed, makes no difference here")},
+    {&RivetShapeCard::dens,
+     real("dens", dimension::density, required, above_zero(), "density: a rivet has the mass DENS pi D^2/4 THICK")},
+    integer("intp", 0, only(0), "weights of the sheets' nodes: 0, here by the area of the rivet; others are not built"),
+};
+struct RivetExponentCard {
+  double expn = 8, expt = 8;
+  int pidvb = 0;
+};
+const CardOf<RivetExponentCard> rivet_exponent_card{
+    {&RivetExponentCard::expn,
+     real("expn", dimension::number, 8, at_least(1), "exponent of the force before its largest value, in tension")},
+    {&RivetExponentCard::expt, real("expt", dimension::number, 8, at_least(1), "the same in shear")},
+    {&RivetExponentCard::pidvb,
+     integer("pidvb", 0, any_value, "id of the part of the beams that show the rivets; 0: the next free one")},
+};
+const Card rivet_more_sheets_card{{
+    integer("xpid1", 0, only(0), "a third sheet: not built; write a rivet for each two sheets"),
+    integer("xpid2", 0, only(0), "likewise"),
+    integer("xpid3", 0, only(0), "likewise"),
+    integer("xpid4", 0, only(0), "likewise"),
+}};
+
+kernel::Spr2 spr2_law(const RowOf<RivetPlaceCard>& place, const RowOf<RivetShapeCard>& shape,
+                      const RowOf<RivetExponentCard>& exponents) {
+  kernel::Spr2 law;
+  law.normal_force = place->fn;
+  law.shear_force = place->ft;
+  law.normal_failure = place->dn;
+  law.shear_failure = shape->dt;
+  law.normal_peak = shape->xin;
+  law.shear_peak = shape->xit;
+  law.alpha = {shape->alpha1, shape->alpha2, std::abs(shape->alpha3)};
+  law.normal_exponent = exponents->expn;
+  law.shear_exponent = exponents->expt;
+  law.arm = 0.5 * place->thick;
+  return law;
+}
+
+void make_rivets(Builder& b, const RowOf<RivetPlaceCard>& place, const RowOf<RivetShapeCard>& shape,
+                 const RowOf<RivetExponentCard>& exponents) {
+  const int errors = b.findings.errors();
+  InterpolationSpotweld rivet;
+  take_sheets(b, place[&RivetPlaceCard::upid], place[&RivetPlaceCard::lpid], place[&RivetPlaceCard::nsid], rivet);
+  if (place->fn <= 0.0)
+    refuse(b, place[&RivetPlaceCard::fn],
+           place->fn < 0.0 ? "data of *MAT_CONSTRAINED_SPR2 are not built" : "expected a force above 0",
+           "write FN to EXPT on the cards of the rivet");
+  if (shape->alpha3 == 0.0) refuse(b, shape[&RivetShapeCard::alpha3], "expected a divisor", "1 has no effect");
+  rivet.thickness = place->thick;
+  rivet.radius = 0.5 * place->d;
+  rivet.density = shape->dens;
+  rivet.part = std::abs(exponents->pidvb);
+  if (rivet.part != 0 && b.model.part_index(rivet.part) != none)
+    refuse(b, exponents[&RivetExponentCard::pidvb], fmt::format("part {} is in the deck", rivet.part),
+           "leave it blank, or give an id that is free");
+  rivet.law = spr2_law(place, shape, exponents);
+  rivet.place = place.place();
+  if (b.findings.errors() == errors) b.model.interpolation_spotwelds.push_back(std::move(rivet));
+}
+
+void read_spr2(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  const auto place = cursor.read(rivet_place_card);
+  const auto shape = cursor.read(rivet_shape_card);
+  const auto exponents = cursor.read(rivet_exponent_card);  // blank where it is missing
+  if (!at_end(cursor)) cursor.read(rivet_more_sheets_card);
+  expect_end(builder, cursor);
+  builder.defer(Phase::conditions, [=](Builder& later) { make_rivets(later, place, shape, exponents); });
+}
+
 }  // namespace
 
 std::vector<Keyword> interpolation_spotweld_keywords() {
-  return {{.name = "CONSTRAINED_INTERPOLATION_SPOTWELD",
+  return {{.name = "CONSTRAINED_SPR2",
+           .layout = {{{}, &rivet_place_card},
+                      {{}, &rivet_shape_card},
+                      {"if given", &rivet_exponent_card},
+                      {"if given", &rivet_more_sheets_card}},
+           .read = read_spr2},
+          {.name = "CONSTRAINED_INTERPOLATION_SPOTWELD",
            .options = {"TITLE"},
            .layout = {{"with _TITLE", &title_card},
                       {{}, &spotweld_join_card},

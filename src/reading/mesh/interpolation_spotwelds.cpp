@@ -7,13 +7,16 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <variant>
 
 #include "kernel/contact/closest_point.hpp"
 
 namespace nugget::reading {
 namespace {
 
-constexpr const char* spotweld_keyword = "CONSTRAINED_INTERPOLATION_SPOTWELD";
+const char* keyword_of_card(const InterpolationSpotweld& card) {
+  return card.rivets() ? "CONSTRAINED_SPR2" : "CONSTRAINED_INTERPOLATION_SPOTWELD";
+}
 
 template <class Items>
 int next_id(const Items& items) {
@@ -67,20 +70,20 @@ Index Making::add_part(const InterpolationSpotweld& card) {
   section.place = card.place;
   kernel::DiscreteBeam law;
   law.joint = card.law;
-  const kernel::Spr3::Freedoms stiffness = card.law.stiffness();
+  const auto stiffness = std::visit([](const auto& joint) { return joint.stiffness(); }, card.law);
   for (std::size_t i = 0; i < 6; ++i) {
     law.dof[i].kind = kernel::DiscreteSpring::Kind::linear;
     law.dof[i].stiffness = stiffness[i];
   }
   Part part;
   part.id = card.part != 0 ? card.part : next_id(m_.parts);
-  part.title = card.title.empty() ? "interpolation spot welds" : card.title;
+  part.title = !card.title.empty() ? card.title : card.rivets() ? "self-piercing rivets" : "interpolation spot welds";
   part.kind = ElementKind::beam;
   part.section = static_cast<Index>(m_.beam_sections.size());
   part.material = static_cast<Index>(m_.materials.size());
   part.place = card.place;
   m_.beam_sections.push_back(section);
-  m_.materials.push_back({next_id(m_.materials), part.title, spotweld_keyword, card.density, law, card.place});
+  m_.materials.push_back({next_id(m_.materials), part.title, keyword_of_card(card), card.density, law, card.place});
   m_.parts.push_back(part);
   return static_cast<Index>(m_.parts.size()) - 1;
 }
@@ -126,7 +129,7 @@ void Making::add_weld(const InterpolationSpotweld& card, Index part, Index locat
 void Making::add_tie(const InterpolationSpotweld& card, Index part) {
   constexpr double share_of_tolerance = 0.6;  // of |SAST| + |SBST|: the reach of weld::tie
   Contact tie;
-  tie.keyword = spotweld_keyword;
+  tie.keyword = keyword_of_card(card);
   tie.title = card.title;
   tie.kind = Contact::Kind::spotweld;
   tie.a.parts = {part};
@@ -140,12 +143,12 @@ void Making::report(const InterpolationSpotweld& card, const Part& part, std::si
   const std::size_t count = m_.beams.size() - first;
   const std::string beams = count == 1 ? fmt::format("beam {}", m_.beams.id[first])
                                        : fmt::format("beams {} to {}", m_.beams.id[first], m_.beams.id.back());
-  findings_.note(
-      card.place, fmt::format("*{}", spotweld_keyword),
-      fmt::format("{} weld{}, {}: {} of part {}, with nodes {} to {}, made for {}", count, count == 1 ? "" : "s",
-                  ids_of_nodes ? "with the ids of the location nodes" : "in the order of the location nodes", beams,
-                  part.id, m_.nodes.id.back() - 2 * static_cast<int>(count) + 1, m_.nodes.id.back(),
-                  count == 1 ? "it" : "them"));
+  findings_.note(card.place, fmt::format("*{}", keyword_of_card(card)),
+                 fmt::format("{} {}{}, {}: {} of part {}, with nodes {} to {}, made for {}", count,
+                             card.rivets() ? "rivet" : "weld", count == 1 ? "" : "s",
+                             ids_of_nodes ? "with the ids of the location nodes" : "in the order of the location nodes",
+                             beams, part.id, m_.nodes.id.back() - 2 * static_cast<int>(count) + 1, m_.nodes.id.back(),
+                             count == 1 ? "it" : "them"));
 }
 
 }  // namespace

@@ -20,6 +20,12 @@ bool joins_sheets(const model::Model& model, Index part) {
          std::get<kernel::DiscreteBeam>(model.materials[model.parts[part].material].law).joint.has_value();
 }
 
+bool has_rivets(const model::Model& model, Index part) {
+  if (!joins_sheets(model, part)) return false;
+  const auto& law = std::get<kernel::DiscreteBeam>(model.materials[model.parts[part].material].law);
+  return std::holds_alternative<kernel::Spr2>(*law.joint);
+}
+
 std::vector<Index> find_connectors(const model::Model& model) {
   std::vector<Index> candidates;
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)

@@ -97,7 +97,8 @@ struct Weld {
   Index element = none;                     ///< in beams or solids by kind; of a rigid weld in Model::rigid_bodies
   std::vector<Index> elements;              ///< all of them, `element` the first; more than one in assemblies only
   Rigid rigid = Rigid::spotweld;            ///< of a rigid weld only
-  bool interpolated = false;                ///< a connector of *CONSTRAINED_INTERPOLATION_SPOTWELD
+  bool interpolated = false;                ///< a connector of *CONSTRAINED_INTERPOLATION_SPOTWELD or _SPR2
+  bool self_piercing = false;               ///< and that a rivet of _SPR2
   std::array<Index, 2> sheets{none, none};  ///< parts that its two ends are attached to
   /// The nodes of its two end faces, each once; of a beam or rigid weld one node each.
   std::array<std::vector<Index>, 2> face;

@@ -161,12 +161,13 @@ const model::WeldLaw& law_of(const model::Model& model, const Weld& weld) {
 
 std::string name_weld(const Weld& weld) {
   if (weld.kind == Weld::Kind::rigid && weld.rigid == Weld::Rigid::rivet) return fmt::format("rivet {}", weld.id);
-  if (weld.interpolated) return fmt::format("interpolation spot weld {}", weld.id);
+  if (weld.interpolated)
+    return fmt::format("{} {}", weld.self_piercing ? "self-piercing rivet" : "interpolation spot weld", weld.id);
   return fmt::format("{} weld {}", to_string(weld.kind), weld.id);
 }
 
 std::string keyword_of(const Weld& weld) {
-  if (weld.interpolated) return "*CONSTRAINED_INTERPOLATION_SPOTWELD";
+  if (weld.interpolated) return weld.self_piercing ? "*CONSTRAINED_SPR2" : "*CONSTRAINED_INTERPOLATION_SPOTWELD";
   switch (weld.kind) {
     case Weld::Kind::beam:
     case Weld::Kind::connector: return "*ELEMENT_BEAM";
@@ -186,6 +187,7 @@ std::vector<Weld> find_welds(const model::Model& model) {
     welds.push_back(beam_weld(model, e));
     welds.back().kind = Weld::Kind::connector;
     welds.back().interpolated = joins_sheets(model, welds.back().part);
+    welds.back().self_piercing = has_rivets(model, welds.back().part);
   }
   find_brick_welds(model, welds);
   for (const model::RigidWeld& rigid : model.rigid_welds) welds.push_back(rigid_weld(rigid));
