@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <variant>
 
 #include "small_model.hpp"
 
@@ -74,14 +75,15 @@ TEST(InterpolationSpotwelds, BecomeBeamsWithATieToBothSheets) {
   EXPECT_NEAR(section.volume, std::numbers::pi * 0.09 * 2.4, 1e-12);
   const auto& law = std::get<kernel::DiscreteBeam>(m.materials[part.material].law);
   ASSERT_TRUE(law.joint);
-  EXPECT_THAT(law.joint->stiffness(), ElementsAre(1000.0, 900.0, 900.0, 60.0, 50.0, 50.0));
-  EXPECT_EQ(law.joint->normal_strength, 1.2);
-  EXPECT_EQ(law.joint->shear_strength, 0.8);
-  EXPECT_EQ(law.joint->exponent, 2.0);
-  EXPECT_EQ(law.joint->bending_share, 0.5);
-  EXPECT_EQ(law.joint->torsion_share, 0.1);
-  EXPECT_EQ(law.joint->yield.yield(0.5), 125.0);
-  EXPECT_EQ(law.joint->rupture.clamped(0.3), 0.5);
+  const auto& joint = std::get<kernel::Spr3>(*law.joint);
+  EXPECT_THAT(joint.stiffness(), ElementsAre(1000.0, 900.0, 900.0, 60.0, 50.0, 50.0));
+  EXPECT_EQ(joint.normal_strength, 1.2);
+  EXPECT_EQ(joint.shear_strength, 0.8);
+  EXPECT_EQ(joint.exponent, 2.0);
+  EXPECT_EQ(joint.bending_share, 0.5);
+  EXPECT_EQ(joint.torsion_share, 0.1);
+  EXPECT_EQ(joint.yield.yield(0.5), 125.0);
+  EXPECT_EQ(joint.rupture.clamped(0.3), 0.5);
   EXPECT_EQ(law.dof[4].initial_stiffness(), 50.0);
   ASSERT_EQ(m.contacts.size(), 1u);
   EXPECT_TRUE(m.contacts[0].tie());
@@ -94,7 +96,7 @@ TEST(InterpolationSpotwelds, BlankStiffnessesAreTheNumberStiff) {
   const Built b(spr3_deck(cards));
   ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
   const auto& law = std::get<kernel::DiscreteBeam>(b.model.materials.back().law);
-  EXPECT_THAT(law.joint->stiffness(), testing::Each(1000.0));
+  EXPECT_THAT(std::get<kernel::Spr3>(*law.joint).stiffness(), testing::Each(1000.0));
   EXPECT_TRUE(b.find(Severity::note, "another stiffness in other units", "stiff"));
 }
 
