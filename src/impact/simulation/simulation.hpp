@@ -82,7 +82,7 @@ class Simulation {
   /// Energies at the present time; the previous ones stay where the solution is not a number.
   void update_energy_balance();
   /// Ten times the energy that was ever put in has come from nowhere, and it is most of what there is.
-  bool unstable() const;
+  bool energy_is_made() const;
   std::string describe_instability() const;
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
   void write_checkpoint_if_due(const Options& options);
@@ -105,6 +105,7 @@ class Simulation {
   long checkpoint_cycle_ = 0;    ///< of the last restart file; its time, and the clock then
   double checkpoint_time_ = 0.0, checkpoint_seconds_ = 0.0;
   bool diverged_ = false;
+  bool unstable_ = false;  ///< energy_is_made at the last cycle that is a multiple of 100
   Relaxation relaxation_;
   double step_change_ = 0.0;         ///< Energy::step_change so far
   double largest_input_ = 0.0;       ///< of the energy balances so far: what was there and put in, its size
