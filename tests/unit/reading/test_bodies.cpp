@@ -476,7 +476,7 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   EXPECT_TRUE(
       Built(small_deck("*CONTACT_SPOTWELD\n         1         1         4         4\n")).error("segments", "surfbtyp"));
   for (const char* name : {"CONTACT_SPOTWELD_THERMAL", "CONTACT_TIED_NODES_TO_SURFACE_BEAM_OFFSET",
-                           "CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE", "CONTACT_ENTITY"})
+                           "CONTACT_AUTOMATIC_SINGLE_SURFACE_TIED", "CONTACT_ENTITY"})
     EXPECT_TRUE(Built(small_deck('*' + std::string(name) + "\n         1\n")).error("not built")) << name;
 }
 
