@@ -509,7 +509,9 @@ void Simulation::transfer_dependent_forces() {
 
 bool Simulation::energy_is_made() const {
   const double input = std::max(largest_input_, std::abs(energy_.initial + energy_.external));
-  if (energy_.created() < 0.5 * energy_.size() || energy_.created() <= 10.0 * input) return false;
+  // What deleted elements took with them does no harm any more.
+  const double gone = energy_.eroded + energy_.eroded_kinetic, made = energy_.created() - gone;
+  if (made < 0.5 * (energy_.size() - std::abs(gone)) || made <= 10.0 * input) return false;
   // What the round-off of places makes of a model at rest grows into nothing.
   double farthest = 0.0;
   for (const Row& x : state_.x) farthest = std::max({farthest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
