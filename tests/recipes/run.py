@@ -144,7 +144,7 @@ class Build:
         return made_from
 
     def options_of(self, like: str) -> list[str]:
-        """The compiler and the options of an object, for the copy and without optimization."""
+        """The compiler and the options of an object, for the copy and with little optimization (Eigen needs some)."""
         words = self.command_of[like]
         options, skip = [], 0
         for word, following in zip(words, words[1:] + [""]):
@@ -157,7 +157,7 @@ class Build:
                 options += ["-include", str(self.header_in_copy(following))]
             elif word != "-MD":
                 options.append(word.replace(f"-I{ROOT}/", f"-I{self.copy}/"))
-        return [*options, "-O0"]
+        return [*options, "-O1"]
 
     def source_in_copy(self, made: str) -> pathlib.Path:
         """The source of an object in the copy; of one that CMake makes from several sources, a file that includes them there."""
