@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes LS-DYNA keyword text in standard columns, each card under a line that names its fields."""
+import subprocess
+import sys
 
 
 def field(value, width=10):
@@ -85,3 +87,15 @@ class Deck:
     def write(self, path):
         with open(path, "w", encoding="ascii", newline="\n") as file:
             file.write("\n".join(self.lines + ["*END"]) + "\n")
+
+
+def run(nugget, folder, name, deck):
+    """Writes a deck and runs it with one thread, unless its results are there already; their folder. Ends the script where it fails."""
+    results = folder / name
+    if not (results / "summary.json").exists():
+        deck.write(folder / f"{name}.k")
+        done = subprocess.run([str(nugget), "run", str(folder / f"{name}.k"), "-o", str(results), "-j1", "--quiet"],
+                              capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(f"{name}: {done.stderr}")
+    return results

@@ -9,23 +9,12 @@ formula, and draws, where Python has matplotlib, FOLDER/weld_failure.svg and FOL
 import csv
 import math
 import pathlib
-import subprocess
 import sys
 
 import make
+from writer import run
 
 WHAT = {0: "OPT 0, resultants", 1: "OPT 1, stresses", 4: "OPT 4, stress intensity", 5: "OPT 5, structural stress", 11: "OPT 11, direction"}
-
-
-def run(nugget, folder, name, deck):
-    results = folder / name
-    if not (results / "summary.json").exists():
-        deck.write(folder / f"{name}.k")
-        done = subprocess.run([str(nugget), "run", str(folder / f"{name}.k"), "-o", str(results), "-j1", "--quiet"],
-                              capture_output=True, text=True)
-        if done.returncode:
-            sys.exit(f"{name}: {done.stderr}")
-    return results
 
 
 def at_failure(results):

@@ -7,8 +7,7 @@ import unittest
 import lsda
 from lap_joint import edited
 from nugget_command import CommandTest
-from test_restart import Restart
-from test_same_bits import SameBits
+from repeated_runs import RepeatedRuns
 from test_swforc import joined_by
 
 MODES = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         8\n"
@@ -87,29 +86,12 @@ class InterpolationSpotwelds(CommandTest):
         self.assertIn("is 0.6 away, tolerance 0.5", run.stderr)
 
 
-class SameBitsOfJoints(SameBits):
-    """Any number of threads; only this deck."""
-
-    def test_lap_joint_by_spr3(self):
+class RepeatedJoints(RepeatedRuns):
+    def test_any_number_of_threads(self):
         self.compare(self.write(spr3(strength=300.0)))
 
-
-class RestartOfJoints(Restart):
     def test_resumed_while_damaged(self):
-        self.write(spr3(strength=300.0))
-        self.nugget("run", "model.k", "-o", "whole")
-        cycles = self.json("whole/summary.json")["cycles"]
-        self.nugget("run", "model.k", "-o", "part", "--checkpoint", f"{cycles // 2}cycles", "--max-cycles", cycles // 2 + 1)
-        self.nugget("run", "--resume", "part", "--max-cycles", 10**9)
-        self.same("part", "whole")
-
-
-def load_tests(loader, _, __):
-    """Not those that the classes have of their bases: they run in their own scripts."""
-    tests = unittest.TestSuite(loader.loadTestsFromTestCase(InterpolationSpotwelds))
-    tests.addTest(SameBitsOfJoints("test_lap_joint_by_spr3"))
-    tests.addTest(RestartOfJoints("test_resumed_while_damaged"))
-    return tests
+        self.resumed(spr3(strength=300.0), shares=(0.5,))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A run that is cut short and gone on with writes the same bytes as one that is not: decks of all kinds of state; what a user
 is told; what is refused."""
-import json
 import os
 import re
 import signal
@@ -15,11 +14,10 @@ import test_contact_forms as plates
 import test_histories
 from lap_joint import deck as lap_joint
 from lap_joint import edited
-from nugget_command import NUGGET, SOURCE, CommandTest
-from test_same_bits import DATE
+from nugget_command import NUGGET, SOURCE
+from repeated_runs import FOREVER, RepeatedRuns
 
 WEAK = ("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0")
-FOREVER = ("--max-cycles", 10**9)
 
 
 def damaged_weld():
@@ -34,53 +32,7 @@ def with_cards(text, cards):
     return edited(text, ("*KEYWORD\n", "*KEYWORD\n" + cards))
 
 
-class Restart(CommandTest):
-    def results(self, folder):
-        """{name: bytes} of all results, without the day and what the clock has measured."""
-        found = {}
-        for name in self.files(folder):
-            if name in ("run.log", "report.html") or name.startswith("restart"):
-                continue
-            found[name] = DATE.sub(b"date", (self.folder / folder / name).read_bytes())
-        summary = json.loads(found["summary.json"])
-        for key in ("seconds", "ns_per_element_cycle", "threads"):
-            summary.pop(key)
-        found["summary.json"] = json.dumps(summary).encode()
-        return found
-
-    def same(self, folder, reference):
-        ours, theirs = self.results(folder), self.results(reference)
-        self.assertEqual(sorted(ours), sorted(theirs))
-        for name, content in ours.items():
-            if content != theirs[name]:
-                at = next((i for i, (a, b) in enumerate(zip(content, theirs[name])) if a != b), len(content))
-                self.fail(f"{folder}/{name} differs from byte {at} on:\n{content[max(0, at - 60):at + 60]}\n"
-                          f"{theirs[name][max(0, at - 60):at + 60]}")
-
-    def resumed(self, text, *options, shares=(0.1, 0.5, 0.9), until=()):
-        """Runs a deck whole, and cut short at shares of its cycles; then goes on, once or twice."""
-        model = self.write(text) if isinstance(text, str) else text
-        self.nugget("run", model, "-o", "whole", "-j", 1, "--quiet", *options)
-        cycles = self.json("whole/summary.json")["cycles"]
-        self.assertGreater(cycles, 12, "long enough to be cut")
-        for share in shares:
-            at = max(1, int(share * cycles))
-            beyond = at + max(1, (cycles - at) // 3)
-            with self.subTest(cycle=at):
-                self.nugget("run", model, "-o", "cut", "-j", 1, "--quiet", "--checkpoint", f"{at}cycles",
-                            "--max-cycles", min(beyond, 2 * at - 1), *options)
-                self.nugget("run", "--resume", "cut", "-j", 2, "--quiet", *FOREVER)
-                self.same("cut", "whole")
-        at = cycles // 3
-        with self.subTest("twice"):
-            self.nugget("run", model, "-o", "cut", "-j", 2, "--quiet", "--checkpoint", f"{at}cycles", "--max-cycles",
-                        at + 2, *options)
-            self.nugget("run", "--resume", "cut", "-j", 1, "--quiet", "--max-cycles", 2 * at + 1)
-            self.nugget("run", "--resume", "cut", "-j", 1, "--quiet", *FOREVER)
-            self.same("cut", "whole")
-            self.assertEqual(self.read("cut/run.log").count("Resumed from a restart file"), 2)
-        return self.json("whole/summary.json")
-
+class Restart(RepeatedRuns):
     # ---- the same bytes, deck by deck
 
     def test_a_weld_that_fails_before_or_after(self):

@@ -6,29 +6,11 @@ import sys
 import unittest
 
 from lap_joint import deck
-from nugget_command import SOURCE, CommandTest
+from nugget_command import SOURCE
+from repeated_runs import RepeatedRuns
 
-DATE = re.compile(rb"date \d\d/\d\d/\d{4}")
 
-
-class SameBits(CommandTest):
-    def bits(self, folder):
-        """{name: bytes} of the results; the only thing that two runs may differ by is the day, if midnight was between."""
-        names = [n for n in self.files(folder) if n not in ("run.log", "summary.json", "report.html")]
-        return {name: DATE.sub(b"date", (self.folder / folder / name).read_bytes()) for name in names}
-
-    def compare(self, model, *options):
-        reference = None
-        for threads in (1, 2, 3):
-            self.nugget("run", model, "-o", f"t{threads}", "-j", threads, "--quiet", *options)
-            self.assertEqual(self.json(f"t{threads}/summary.json")["threads"], threads)
-            bits = self.bits(f"t{threads}")
-            reference = reference or bits
-            self.assertEqual(sorted(bits), sorted(reference))
-            for name, content in bits.items():
-                self.assertTrue(content == reference[name], f"{name} differs with {threads} threads")
-        return reference
-
+class SameBits(RepeatedRuns):
     def test_double_hat_welds_contact_wall_and_rigid_sled(self):
         subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
         files = self.compare("double_hat.k", "--until", "2.0e-4")

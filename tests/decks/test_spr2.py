@@ -6,8 +6,8 @@ import unittest
 
 from lap_joint import edited
 from nugget_command import CommandTest
+from repeated_runs import RepeatedRuns
 from test_interpolation_spotwelds import MODES
-from test_restart import Restart
 from test_swforc import joined_by
 
 
@@ -59,21 +59,9 @@ class SelfPiercingRivets(CommandTest):
         self.assertIn("*CONSTRAINED_SPR2 xpid1 = 2", run.stderr)
 
 
-class RestartOfRivets(Restart):
+class RepeatedRivets(RepeatedRuns):
     def test_resumed_while_damaged(self):
-        self.write(riveted(displacement=0.02))
-        self.nugget("run", "model.k", "-o", "whole")
-        cycles = self.json("whole/summary.json")["cycles"]
-        self.nugget("run", "model.k", "-o", "part", "--checkpoint", f"{cycles // 2}cycles", "--max-cycles", cycles // 2 + 1)
-        self.nugget("run", "--resume", "part", "--max-cycles", 10**9)
-        self.same("part", "whole")
-
-
-def load_tests(loader, _, __):
-    """Not those that the class has of its base: they run in their own script."""
-    tests = unittest.TestSuite(loader.loadTestsFromTestCase(SelfPiercingRivets))
-    tests.addTest(RestartOfRivets("test_resumed_while_damaged"))
-    return tests
+        self.resumed(riveted(displacement=0.02), shares=(0.5,))
 
 
 if __name__ == "__main__":

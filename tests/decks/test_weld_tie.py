@@ -6,8 +6,7 @@ import unittest
 
 from lap_joint import deck, edited
 from nugget_command import CommandTest
-from test_restart import Restart
-from test_same_bits import SameBits
+from repeated_runs import RepeatedRuns
 
 CARD = "*NUGGET_WELD_TIE\n         1\n"
 MODES = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         8\n"
@@ -33,7 +32,7 @@ class WeldTie(CommandTest):
         self.assertEqual(swforc["option"], swforc["card"])
         self.assertEqual(swforc["plain"], swforc["zero"])
         self.assertNotEqual(swforc["plain"], swforc["card"])
-        self.assertIn("2 weld ends hang on discs of their sheets", self.read("option/run.log"))
+        self.assertIn("2 weld ends are tied to discs of their sheets", self.read("option/run.log"))
 
     def test_check_says_what_it_would_change(self):
         self.write(deck(("       6.0       6.0       0.0", "       9.0       9.0       0.0")))  # reaches over its element
@@ -65,32 +64,13 @@ class WeldTie(CommandTest):
         self.assertIn("NUGGET_WELD_TIE form = 2", run.stderr)
 
 
-class SameBitsByArea(SameBits):
-    """Any number of threads; only this deck."""
-
-    def test_lap_joint_by_area(self):
+class RepeatedByArea(RepeatedRuns):
+    def test_any_number_of_threads(self):
         self.compare(self.write(deck(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0"))), "--weld-tie", "area")
 
-
-class RestartByArea(Restart):
-    """A run that was begun by area goes on by area, though nothing in the deck says so."""
-
     def test_resumed_by_area(self):
-        self.write(deck())
-        self.nugget("run", "model.k", "-o", "whole", "--weld-tie", "area")
-        cycles = self.json("whole/summary.json")["cycles"]
-        self.nugget("run", "model.k", "-o", "part", "--weld-tie", "area", "--checkpoint", f"{cycles // 2}cycles", "--max-cycles",
-                    cycles // 2 + 1)
-        self.nugget("run", "--resume", "part", "--max-cycles", 10**9)
-        self.same("part", "whole")
-
-
-def load_tests(loader, _, __):
-    """Not those that the classes have of their bases: they run in their own scripts."""
-    tests = unittest.TestSuite(loader.loadTestsFromTestCase(WeldTie))
-    tests.addTest(SameBitsByArea("test_lap_joint_by_area"))
-    tests.addTest(RestartByArea("test_resumed_by_area"))
-    return tests
+        """A run that was begun by area goes on by area, though nothing in the deck says so."""
+        self.resumed(deck(), "--weld-tie", "area", shares=(0.5,))
 
 
 if __name__ == "__main__":

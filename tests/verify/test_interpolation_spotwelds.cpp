@@ -12,6 +12,7 @@
 
 #include "base/index.hpp"
 #include "linear.hpp"
+#include "sheet_joints.hpp"
 #include "weld_decks.hpp"
 
 namespace nugget::verify {
@@ -46,66 +47,8 @@ struct Spr3Card {
   }
 };
 
-const Vec3d spot{9.0, 11.0, 0.75};
-
-/// Sheet 1 of 20 mm, held, and sheet 2, 1.5 mm above it, moved as a whole: 2 x 2 shells each, the weld not over a node.
-/// `place`: where a node that starts at x is at s from 0 to 1, in 1e-3 s.
 std::string moved_sheet(const Spr3Card& card, const std::function<Vec3d(const Vec3d& x, double s)>& place) {
-  const double l = card.length;
-  std::string deck = "*KEYWORD\n" + termination(1e-3) + "*NODE\n", motions, held = "*BOUNDARY_SPC_NODE\n",
-              shells = "*ELEMENT_SHELL\n";
-  for (int sheet = 0; sheet < 2; ++sheet) {
-    const int part = sheet + 1, first = 10 * sheet + 1;
-    for (int k = 0; k < 9; ++k) {
-      const Vec3d x{10.0 * (k % 3), 10.0 * (k / 3), 1.5 * sheet};
-      deck += node_line(first + k, l * x.x, l * x.y, l * x.z);
-      if (sheet == 0) held += fields({1.0 * first + k, 0, 1, 1, 1, 1, 1, 1});
-      if (sheet == 1)
-        motions += driven(
-            first + k,
-            [&](double s) {
-              const Vec3d u = l * (place(x, s) - x);
-              return std::array{u.x, u.y, u.z, 0.0, 0.0, 0.0};
-            },
-            1e-3, 200, 100 + 6 * k);
-    }
-    for (int k = 0; k < 4; ++k) {
-      const int a = first + k % 2 + 3 * (k / 2);
-      shells += element_line(4 * sheet + k + 1, part, {a, a + 1, a + 4, a + 3});
-    }
-  }
-  deck += "*PART\nfirst\n" + fields({1, 1, 1}) + "*PART\nsecond\n" + fields({2, 1, 1}) + "*SECTION_SHELL\n" +
-          fields({1, 2, 0.8333, 3}) + fields({1.5 * l, 1.5 * l, 1.5 * l, 1.5 * l}) + "*MAT_ELASTIC\n" +
-          fields({1, 7.8e-9 * card.mass / (l * l * l), 210000.0 * card.mass / l, 0.3}) +
-          node_line(99, l * spot.x, l * spot.y, l * spot.z).insert(0, "*NODE\n") + shells + held + motions +
-          "*SET_NODE_LIST\n" + fields({7}) + fields({99}) + card.text() + "*END\n";
-  return deck;
-}
-
-/// What the weld says of itself in a cycle.
-struct Spr3Now {
-  double s = 0.0;
-  std::array<double, 8> r{};
-  bool alive = true;
-  double energy = 0.0;
-  double shear() const { return std::hypot(r[1], r[2]); }
-  double moment() const { return std::hypot(r[4], r[5]); }
-};
-
-std::vector<Spr3Now> follow_spr3(Experiment& run) {
-  std::vector<Spr3Now> seen;
-  run.run([&](const impact::Snapshot& now) {
-    const auto location = now.system.beam_location.at(0);
-    const system::ElementGroup& group = *now.system.groups[location.group];
-    const auto e = at(location.element);
-    seen.push_back({now.state.time / 1e-3, group.resultants(e), group.alive(e), group.internal_energy(e)});
-  });
-  return seen;
-}
-
-const Spr3Now& at_share(const std::vector<Spr3Now>& seen, double s) {
-  return *std::min_element(seen.begin(), seen.end(),
-                           [s](const auto& a, const auto& b) { return std::abs(a.s - s) < std::abs(b.s - s); });
+  return verify::moved_sheet(card.text(), place, card.length, card.mass);
 }
 
 // The sheets moved apart, and along each other: elastic, ideally plastic, damaged, broken, at the displacements that
@@ -118,7 +61,7 @@ TEST(InterpolationSpotwelds, TensionAndShear) {
     Experiment run(moved_sheet(card, [&](const Vec3d& x, double s) {
       return x + (tension ? Vec3d{0, 0, most * s} : Vec3d{0.6 * most * s, -0.8 * most * s, 0});
     }));
-    const std::vector<Spr3Now> seen = follow_spr3(run);
+    const std::vector<JointNow> seen = follow_joint(run);
     const std::string mode = tension ? "tension" : "shear";
     const double full = card.yield * (tension ? card.rn : card.rs), elastic = full / card.stiffness;
     const std::size_t k = tension ? 1 : 0;
@@ -129,12 +72,12 @@ TEST(InterpolationSpotwelds, TensionAndShear) {
     };
     for (const double u :
          {0.6 * elastic, elastic + 0.05, elastic + card.begins[k] + 0.1, elastic + card.ends[k] - 0.05}) {
-      const Spr3Now& now = at_share(seen, u / most);
+      const JointNow& now = at_share(seen, u / most);
       expect_reference(spr3_case, fmt::format("{}: force at {:.3f} mm [N]", mode, u), tension ? now.r[0] : now.shear(),
                        force_at(most * now.s), 2e-3);
       EXPECT_NEAR(tension ? now.shear() : now.r[0], 0.0, 1e-3 * full);
     }
-    const auto broken = std::find_if(seen.begin(), seen.end(), [](const Spr3Now& now) { return !now.alive; });
+    const auto broken = std::find_if(seen.begin(), seen.end(), [](const JointNow& now) { return !now.alive; });
     ASSERT_NE(broken, seen.end());
     expect_reference(spr3_case, mode + ": displacement at rupture [mm]", most * broken->s, elastic + card.ends[k],
                      2e-3);
@@ -154,7 +97,7 @@ TEST(InterpolationSpotwelds, PullAt45Degrees) {
     card.beta = beta;
     card.ends = {};
     Experiment run(moved_sheet(card, [&](const Vec3d& x, double s) { return x + Vec3d{0.7 * s, 0, 0.7 * s}; }));
-    const Spr3Now last = follow_spr3(run).back();
+    const JointNow last = follow_joint(run).back();
     const double ratio = std::pow(card.rn / card.rs, 1.0 / (beta - 1.0)),
                  y = std::pow(1.0 + std::pow(ratio, beta), -1.0 / beta);
     const std::string what = fmt::format("45 degrees, beta {:.1f}: ", beta);
@@ -172,11 +115,11 @@ TEST(InterpolationSpotwelds, Moment) {
   const double most = 0.03;
   Experiment run(moved_sheet(card, [&](const Vec3d& x, double s) {
     const double c = std::cos(most * s), d = std::sin(most * s);
-    const Vec3d r = x - spot;
-    return spot + Vec3d{c * r.x + d * r.z, r.y, -d * r.x + c * r.z};
+    const Vec3d r = x - joint_spot;
+    return joint_spot + Vec3d{c * r.x + d * r.z, r.y, -d * r.x + c * r.z};
   }));
-  const std::vector<Spr3Now> seen = follow_spr3(run);
-  const Spr3Now& early = at_share(seen, 0.2);
+  const std::vector<JointNow> seen = follow_joint(run);
+  const JointNow& early = at_share(seen, 0.2);
   expect_reference(spr3_case, "moment at an angle of 0.006 [N mm]", early.moment(), card.bending * most * early.s,
                    2e-3);
   expect_reference(spr3_case, "moment of yield [N mm]", seen.back().moment(), card.rn * card.yield / card.alpha, 2e-3);
@@ -186,7 +129,7 @@ TEST(InterpolationSpotwelds, Moment) {
 // The same deck in metres and kilograms gives the same forces. Sabotage: STIFF3 taken for STIFF; a length in the law.
 TEST(InterpolationSpotwelds, SameInOtherUnits) {
   const auto path = [](const Vec3d& x, double s) {
-    const Vec3d r = x - spot;
+    const Vec3d r = x - joint_spot;
     return x + Vec3d{0.3 * s + 0.01 * s * r.z, -0.1 * s, 0.2 * s - 0.01 * s * r.x};
   };
   Spr3Card card;
@@ -195,10 +138,10 @@ TEST(InterpolationSpotwelds, SameInOtherUnits) {
   card.length = 1e-3;
   card.mass = 1e3;
   Experiment in_m(moved_sheet(card, path));
-  const std::vector<Spr3Now> one = follow_spr3(in_mm), other = follow_spr3(in_m);
+  const std::vector<JointNow> one = follow_joint(in_mm), other = follow_joint(in_m);
   ASSERT_EQ(one.size(), other.size());
   for (const double s : {0.1, 0.5, 0.9}) {
-    const Spr3Now &a = at_share(one, s), &b = at_share(other, s);
+    const JointNow &a = at_share(one, s), &b = at_share(other, s);
     EXPECT_GT(a.moment(), 100.0);
     EXPECT_NEAR(b.r[0] / a.r[0], 1.0, 1e-6);
     EXPECT_NEAR(b.shear() / a.shear(), 1.0, 1e-6);

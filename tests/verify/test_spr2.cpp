@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "sheet_joints.hpp"
 #include "weld_decks.hpp"
 
 namespace nugget::verify {
@@ -22,66 +23,15 @@ double f_hat(double share, double peak) {
   return share <= peak ? 1.0 - std::pow(1.0 - share / peak, 8) : std::max(1.0 - share, 0.0) / (1.0 - peak);
 }
 
-/// Sheet 1 of 20 mm, held, and sheet 2, 1.5 mm above it, moved as a whole: 2 x 2 shells each, the rivet not over a
-/// node. `moved`: how far at s from 0 to 1, in 1e-3 s. `unit`: what 1 mm is in the deck's length, with mass and force
-/// to it.
+/// A rivet between two sheets (sheet_joints.hpp). `moved`: how far the upper one is at s. `unit`: what 1 mm is in the
+/// deck's length; other than 1 masses are in kg.
 std::string riveted(const std::function<Vec3d(double s)>& moved, double unit = 1.0) {
   const double mass = unit == 1.0 ? 1.0 : 1e3, force = mass * unit;  // t, mm, s or kg, m, s
-  std::string deck = "*KEYWORD\n" + termination(1e-3) + "*NODE\n", motions, held = "*BOUNDARY_SPC_NODE\n",
-              shells = "*ELEMENT_SHELL\n";
-  for (int sheet = 0; sheet < 2; ++sheet) {
-    for (int k = 0; k < 9; ++k) {
-      const int node = 10 * sheet + 1 + k;
-      deck += node_line(node, unit * 10.0 * (k % 3), unit * 10.0 * (k / 3), unit * 1.5 * sheet);
-      if (sheet == 0) held += fields({1.0 * node, 0, 1, 1, 1, 1, 1, 1});
-      if (sheet == 1)
-        motions += driven(
-            node,
-            [&](double s) {
-              const Vec3d u = unit * moved(s);
-              return std::array{u.x, u.y, u.z, 0.0, 0.0, 0.0};
-            },
-            1e-3, 200, 100 + 6 * k);
-    }
-    for (int k = 0; k < 4; ++k) {
-      const int a = 10 * sheet + 1 + k % 2 + 3 * (k / 2);
-      shells += element_line(4 * sheet + k + 1, sheet + 1, {a, a + 1, a + 4, a + 3});
-    }
-  }
-  const double density = 7.8e-9 * mass / (unit * unit * unit);
-  return deck + node_line(99, unit * 9.0, unit * 11.0, unit * 0.75) + "*PART\nupper\n" + fields({1, 1, 1}) +
-         "*PART\nlower\n" + fields({2, 1, 1}) + "*SECTION_SHELL\n" + fields({1, 2, 0.8333, 3}) +
-         fields({1.5 * unit, 1.5 * unit, 1.5 * unit, 1.5 * unit}) + "*MAT_ELASTIC\n" +
-         fields({1, density, 210000.0 * mass / unit, 0.3}) + shells + held + motions + "*SET_NODE_LIST\n" +
-         fields({7}) + fields({99}) + "*CONSTRAINED_SPR2\n" +
-         fields({1, 2, 7, 3.0 * unit, 5.0 * unit, fn * force, ft * force, dn * unit}) +
-         fields({dt * unit, xin, xit, alpha, alpha, alpha, density}) + "*END\n";
-}
-
-struct RivetNow {
-  double s = 0.0;
-  std::array<double, 8> r{};
-  bool alive = true;
-  double energy = 0.0;
-  double shear() const { return std::hypot(r[1], r[2]); }
-  /// Moment on a sheet, `half` the distance from the middle.
-  double moment(double half) const { return std::hypot(r[4] + half * r[2], r[5] - half * r[1]); }
-};
-
-std::vector<RivetNow> follow(Experiment& run) {
-  std::vector<RivetNow> seen;
-  run.run([&](const impact::Snapshot& now) {
-    const auto location = now.system.beam_location.at(0);
-    const system::ElementGroup& group = *now.system.groups[location.group];
-    const auto e = at(location.element);
-    seen.push_back({now.state.time / 1e-3, group.resultants(e), group.alive(e), group.internal_energy(e)});
-  });
-  return seen;
-}
-
-const RivetNow& at_share(const std::vector<RivetNow>& seen, double s) {
-  return *std::min_element(seen.begin(), seen.end(),
-                           [s](const auto& a, const auto& b) { return std::abs(a.s - s) < std::abs(b.s - s); });
+  const std::string card = "*CONSTRAINED_SPR2\n" +
+                           fields({1, 2, 7, 3.0 * unit, 5.0 * unit, fn * force, ft * force, dn * unit}) +
+                           fields({dt * unit, xin, xit, alpha, alpha, alpha, 7.8e-9 * mass / (unit * unit * unit)});
+  return moved_sheet(
+      card, [&](const Vec3d& x, double s) { return x + moved(s); }, unit, mass);
 }
 
 // Sheets moved apart and along each other: the force over the displacement is f hat, the rivet is gone at DN and DT,
@@ -92,16 +42,16 @@ TEST(Spr2, TensionAndShearFollowTheirCurves) {
     const double most = 1.2 * (tension ? dn : dt), full = tension ? fn : ft, peak = tension ? xin : xit,
                  fails = tension ? dn : dt;
     Experiment run(riveted([&](double s) { return tension ? Vec3d{0, 0, most * s} : most * s * Vec3d{0.6, -0.8, 0}; }));
-    const std::vector<RivetNow> seen = follow(run);
+    const std::vector<JointNow> seen = follow_joint(run);
     const char* mode = tension ? "tension" : "shear";
     for (const double share : {0.05, 0.2, 0.35, 0.6, 0.9}) {
-      const RivetNow& now = at_share(seen, share * fails / most);
+      const JointNow& now = at_share(seen, share * fails / most);
       expect_reference("self-piercing rivet",
                        fmt::format("{}: force at {} of its failure displacement [N]", mode, share),
                        tension ? now.r[0] : now.shear(), full * f_hat(most * now.s / fails, peak), 2e-3);
       EXPECT_NEAR(tension ? now.shear() : now.r[0], 0.0, 2e-3 * full);
     }
-    const auto broken = std::find_if(seen.begin(), seen.end(), [](const RivetNow& now) { return !now.alive; });
+    const auto broken = std::find_if(seen.begin(), seen.end(), [](const JointNow& now) { return !now.alive; });
     ASSERT_NE(broken, seen.end());
     expect_reference("self-piercing rivet", fmt::format("{}: displacement at which it is gone [mm]", mode),
                      most * broken->s, fails, 2e-3);
@@ -117,12 +67,12 @@ TEST(Spr2, BetweenThePureModesAlphaCounts) {
   const double c = std::sin(M_PI / 3.0), q = 0.5;
   const double fails = alpha / std::hypot(c / dn, q / dt), most = 1.1 * fails;
   Experiment run(riveted([&](double s) { return most * s * Vec3d{q, 0, c}; }));
-  const std::vector<RivetNow> seen = follow(run);
-  const auto broken = std::find_if(seen.begin(), seen.end(), [](const RivetNow& now) { return !now.alive; });
+  const std::vector<JointNow> seen = follow_joint(run);
+  const auto broken = std::find_if(seen.begin(), seen.end(), [](const JointNow& now) { return !now.alive; });
   ASSERT_NE(broken, seen.end());
   expect_reference("self-piercing rivet", "60 degrees: displacement at which it is gone [mm]", most * broken->s, fails,
                    3e-3);
-  const RivetNow& now = at_share(seen, 0.5);
+  const JointNow& now = at_share(seen, 0.5);
   const double eta = std::hypot(c / dn, q / dt) * most * now.s / alpha;
   expect_reference("self-piercing rivet", "60 degrees: tension half way [N]", now.r[0],
                    fn * f_hat(eta, xin) * c * most * now.s / (eta * dn), 3e-3);
@@ -134,8 +84,8 @@ TEST(Spr2, BetweenThePureModesAlphaCounts) {
 TEST(Spr2, TheMomentOfTheShearGoesOverToTheUpperSheet) {
   const double most = dt;
   Experiment run(riveted([&](double s) { return Vec3d{most * s, 0, 0}; }));
-  const std::vector<RivetNow> seen = follow(run);
-  const RivetNow &early = at_share(seen, 0.3), &late = at_share(seen, 0.75);
+  const std::vector<JointNow> seen = follow_joint(run);
+  const JointNow &early = at_share(seen, 0.3), &late = at_share(seen, 0.75);
   EXPECT_NEAR(early.moment(0.75) / (0.75 * early.shear()), 1.0, 1e-2);
   EXPECT_NEAR(early.moment(-0.75) / (0.75 * early.shear()), 1.0, 1e-2);
   EXPECT_NEAR(late.moment(-0.75) / (0.75 * late.shear()), 1.5, 2e-2) << "the upper sheet";
@@ -146,7 +96,7 @@ TEST(Spr2, UnitsDoNotMatter) {
   const auto peak = [](double unit) {
     Experiment run(riveted([](double s) { return Vec3d{1.0 * s, 0, 1.0 * s}; }, unit));
     double largest = 0.0;
-    for (const RivetNow& now : follow(run)) largest = std::max(largest, now.r[0]);
+    for (const JointNow& now : follow_joint(run)) largest = std::max(largest, now.r[0]);
     return largest;
   };
   const double mm = peak(1.0);

@@ -99,4 +99,25 @@ lid
          "*END\n";
 }
 
+/// The small deck with sheet 4 (nodes 31 to 34) above its sheet 1 by 1.2, location nodes 51 and 52 between them in set
+/// 7, and `more`: joints without elements.
+inline std::string deck_of_two_sheets(std::string_view more) {
+  return small_deck(std::string(R"(*PART
+above
+         4         1         1
+*NODE
+      31             0.0             0.0             1.2
+      32             1.0             0.0             1.2
+      33             1.0             1.0             1.2
+      34             0.0             1.0             1.2
+      51             0.4             0.5             0.6
+      52             0.6             0.5             0.6
+*ELEMENT_SHELL
+       4       4      31      32      33      34
+*SET_NODE_LIST
+         7
+        52        51
+)") + std::string(more));
+}
+
 }  // namespace nugget::reading

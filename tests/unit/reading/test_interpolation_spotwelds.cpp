@@ -22,38 +22,22 @@ struct Spr3Cards {
   std::string more;
 };
 
-/// Sheet 1 below, sheet 4 (nodes 31 to 34) above it by 1.2, location nodes 51 and 52 between them.
 std::string spr3_deck(const Spr3Cards& cards, const std::string& begins = "0.1", const std::string& ends = "0.5",
                       const std::string& last_abscissa = "1.0") {
-  return small_deck(R"(*PART
-above
-         4         1         1
-*NODE
-      31             0.0             0.0             1.2
-      32             1.0             0.0             1.2
-      33             1.0             1.0             1.2
-      34             0.0             1.0             1.2
-      51             0.4             0.5             0.6
-      52             0.6             0.5             0.6
-*ELEMENT_SHELL
-       4       4      31      32      33      34
-*SET_NODE_LIST
-         7
-        52        51
-*DEFINE_CURVE
+  return deck_of_two_sheets(R"(*DEFINE_CURVE
         61
                  0.0               100.0
                  1.0               150.0
 *DEFINE_CURVE
         62
                  0.0                 )" +
-                    begins + "\n                 " + last_abscissa + "                 " + begins + R"(
+                            begins + "\n                 " + last_abscissa + "                 " + begins + R"(
 *DEFINE_CURVE
         63
                  0.0                 )" +
-                    ends + "\n                 1.0                 " + ends +
-                    "\n*CONSTRAINED_INTERPOLATION_SPOTWELD\n" + cards.join + "\n" + cards.yield + "\n" +
-                    (cards.stiffness.empty() ? "" : cards.stiffness + "\n") + cards.more);
+                            ends + "\n                 1.0                 " + ends +
+                            "\n*CONSTRAINED_INTERPOLATION_SPOTWELD\n" + cards.join + "\n" + cards.yield + "\n" +
+                            (cards.stiffness.empty() ? "" : cards.stiffness + "\n") + cards.more);
 }
 
 TEST(InterpolationSpotwelds, BecomeBeamsWithATieToBothSheets) {

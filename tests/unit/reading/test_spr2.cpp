@@ -12,25 +12,8 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Sheet 1 below, sheet 4 (nodes 31 to 34) above it by 1.2, location nodes 51 and 52 between them.
 std::string spr2_deck(const std::string& cards) {
-  return small_deck(R"(*PART
-above
-         4         1         1
-*NODE
-      31             0.0             0.0             1.2
-      32             1.0             0.0             1.2
-      33             1.0             1.0             1.2
-      34             0.0             1.0             1.2
-      51             0.4             0.5             0.6
-      52             0.6             0.5             0.6
-*ELEMENT_SHELL
-       4       4      31      32      33      34
-*SET_NODE_LIST
-         7
-        52        51
-*CONSTRAINED_SPR2
-)" + cards);
+  return deck_of_two_sheets("*CONSTRAINED_SPR2\n" + cards);
 }
 const std::string place = "4,1,7,2.4,0.6,3000.0,5000.0,2.0\n", shape = "3.0,0.4,0.5,0.8,0.9,-1.5,7.8e-9\n";
 
