@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "app/command.hpp"
+#include "app/node_histories.hpp"
 #include "app/status.hpp"
 #include "base/parallel.hpp"
 #include "report/run_data.hpp"
@@ -43,30 +44,6 @@ std::vector<double> grip_forces(const fs::path& folder, int pull) {
   for (std::string line; std::getline(file, line);)
     if (line.starts_with(head) && number_behind(line, label, value)) force.push_back(value);
   return force;
-}
-
-/// Times and displacements of the one node of nodout.
-struct GripMotion {
-  std::vector<double> time, displacement;
-};
-GripMotion grip_motion(const fs::path& folder, int pull) {
-  std::ifstream file = opened(folder / "nodout");
-  GripMotion motion;
-  double time = 0.0;
-  for (std::string line; std::getline(file, line);) {
-    if (number_behind(line, "( at time", time)) {
-      // Rotations have a table of their own at the same time; its head comes again.
-      std::getline(file, line), std::getline(file, line);
-      if (line.find("x-disp") == std::string::npos || !std::getline(file, line)) continue;
-      std::istringstream cells(line);
-      std::array<double, 3> u{};
-      int node = 0;
-      if (!(cells >> node >> u[0] >> u[1] >> u[2])) continue;
-      motion.time.push_back(time);
-      motion.displacement.push_back(u[pull - 1]);
-    }
-  }
-  return motion;
 }
 
 /// Says which of the runs did not end normally.
@@ -144,12 +121,18 @@ report::CouponResult read_coupon(const fs::path& folder, const weld::CouponTest&
   r.failure_value = weld_number(weld, "last_failure");
   const double end = r.failed ? weld_number(weld, "failure_time") : std::numeric_limits<double>::infinity();
   const std::vector<double> force = grip_forces(folder, test.pull());
-  const GripMotion motion = grip_motion(folder, test.pull());
-  const std::size_t states = std::min(force.size(), motion.time.size());
+  const std::map<int, NodeHistory> nodes = read_node_histories(folder);
+  if (nodes.size() != 1)
+    throw std::runtime_error(fmt::format("{}: {} nodes in nodout, expected the grip's", folder.string(), nodes.size()));
+  const NodeHistory& grip = nodes.begin()->second;
+  const auto along_pull = [&](std::size_t i) {
+    return test.pull() == 1 ? grip.displacement[i].x : grip.displacement[i].z;
+  };
+  const std::size_t states = std::min(force.size(), grip.time.size());
   if (states == 0) throw std::runtime_error(fmt::format("{}: no states of the grip in bndout", folder.string()));
-  for (std::size_t i = 0; i < states && motion.time[i] <= end; ++i) {
-    if (i > 0) r.work += 0.5 * (force[i] + force[i - 1]) * (motion.displacement[i] - motion.displacement[i - 1]);
-    r.displacement.push_back(motion.displacement[i]);
+  for (std::size_t i = 0; i < states && grip.time[i] <= end; ++i) {
+    if (i > 0) r.work += 0.5 * (force[i] + force[i - 1]) * (along_pull(i) - along_pull(i - 1));
+    r.displacement.push_back(along_pull(i));
     r.force.push_back(force[i]);
   }
   if (r.force.empty()) throw std::runtime_error(fmt::format("{}: the weld failed at once", folder.string()));

@@ -12,18 +12,22 @@ constexpr const char* option = "--drop-weld";
 
 void drop_weld(PreparedDeck& p, std::size_t w, Findings& findings) {
   const weld::Weld& weld = p.ties.welds[w];
-  if (weld.kind == weld::Weld::Kind::rigid || weld.kind == weld::Weld::Kind::connector || weld.deleted)
+  if (!has_weld_elements(weld))
     return findings.error(weld.place, option,
                           fmt::format("weld {} is a rigid constraint, a discrete beam or was deleted: it has no weld "
                                       "element to be taken out",
                                       weld.id),
                           "take its keyword out of the deck");
-  const model::ElementKind kind = weld.of_bricks() ? model::ElementKind::solid : model::ElementKind::beam;
-  for (const model::Index element : weld.elements) p.model.element_deaths.push_back({kind, element, 0.0});
+  for (const model::Index element : weld.elements)
+    p.model.element_deaths.push_back({weld.element_kind(), element, 0.0});
   p.welds[w].remarks.push_back(fmt::format("not there from the start ({})", option));
 }
 
 }  // namespace
+
+bool has_weld_elements(const weld::Weld& weld) {
+  return weld.kind != weld::Weld::Kind::rigid && weld.kind != weld::Weld::Kind::connector && !weld.deleted;
+}
 
 std::optional<std::vector<int>> read_weld_ids(const std::string& text, std::string& error_text) {
   std::vector<int> ids;

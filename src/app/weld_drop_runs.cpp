@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
@@ -15,8 +13,10 @@
 #include "app/child_runs.hpp"
 #include "app/command.hpp"
 #include "app/dropped_welds.hpp"
+#include "app/node_histories.hpp"
 #include "app/status.hpp"
 #include "base/parallel.hpp"
+#include "model/history_files.hpp"
 #include "report/run_data.hpp"
 
 namespace nugget::app {
@@ -42,30 +42,12 @@ std::optional<NodePair> read_pair(const std::string& text) {
   return pair;
 }
 
-/// Places of some nodes at the times of nodout: the columns x-coor, y-coor, z-coor of its lines.
-std::map<int, std::vector<Vec3d>> node_paths(const fs::path& folder, const std::vector<NodePair>& pairs) {
-  std::map<int, std::vector<Vec3d>> paths;
-  for (const NodePair& p : pairs) paths[p.a], paths[p.b];
-  std::ifstream file(folder / "nodout");
-  bool places = false;
-  constexpr std::size_t id_columns = 10, width = 12, before = 9;
-  for (std::string line; std::getline(file, line);) {
-    if (line.find("nodal point") != std::string::npos) places = line.find("x-coor") != std::string::npos;
-    if (!places || line.size() < id_columns + 12 * width) continue;
-    const auto path = paths.find(std::atoi(line.substr(0, id_columns).c_str()));
-    if (path == paths.end()) continue;
-    const auto number = [&](std::size_t i) {
-      return std::strtod(line.substr(id_columns + (before + i) * width, width).c_str(), nullptr);
-    };
-    path->second.push_back({number(0), number(1), number(2)});
-  }
-  return paths;
-}
-
 /// Largest change of the distance of two nodes [length]; not a number where nodout does not have both.
-double intrusion(const std::map<int, std::vector<Vec3d>>& paths, const NodePair& pair) {
-  const std::vector<Vec3d>&a = paths.at(pair.a), &b = paths.at(pair.b);
-  if (a.empty() || a.size() != b.size()) return unknown;
+double intrusion(const std::map<int, NodeHistory>& nodes, const NodePair& pair) {
+  const auto first = nodes.find(pair.a), second = nodes.find(pair.b);
+  if (first == nodes.end() || second == nodes.end()) return unknown;
+  const std::vector<Vec3d>&a = first->second.place, &b = second->second.place;
+  if (a.size() != b.size()) return unknown;
   const double before = norm(a.front() - b.front());
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -90,8 +72,9 @@ Result read_result(const ChildRun& run, const std::string& weld, const std::vect
   const report::RunData data = report::read_run(run.folder);
   r.internal = data.summary.at("energy").at("internal").get<double>();
   for (const report::WeldRow& row : data.welds) r.failed += row.at("failed") == "yes" && row.at("id") != weld;
-  const auto paths = node_paths(run.folder, pairs);
-  for (std::size_t i = 0; i < pairs.size(); ++i) r.intrusions[i] = intrusion(paths, pairs[i]);
+  if (pairs.empty()) return r;
+  const std::map<int, NodeHistory> nodes = read_node_histories(run.folder);
+  for (std::size_t i = 0; i < pairs.size(); ++i) r.intrusions[i] = intrusion(nodes, pairs[i]);
   return r;
 }
 
@@ -153,7 +136,7 @@ std::optional<std::vector<int>> welds_to_drop(const PreparedDeck& p, const std::
     ids = *listed;
   } else {
     for (const weld::Weld& w : p.ties.welds)
-      if (w.kind != weld::Weld::Kind::rigid && w.kind != weld::Weld::Kind::connector && !w.deleted) ids.push_back(w.id);
+      if (has_weld_elements(w)) ids.push_back(w.id);
   }
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -164,6 +147,20 @@ std::optional<std::vector<int>> welds_to_drop(const PreparedDeck& p, const std::
     }
   if (ids.empty()) error_text = "the deck has no weld of beams or bricks";
   return ids.empty() ? std::nullopt : std::optional(ids);
+}
+
+/// Why the distance of a pair cannot be followed; empty: all can.
+std::string missing_history(const model::Model& model, const std::vector<NodePair>& pairs) {
+  const auto& asked = model.requests.history_nodes;
+  for (const NodePair& pair : pairs)
+    for (const int id : {pair.a, pair.b})
+      if (std::none_of(asked.begin(), asked.end(), [&](const model::NamedEntity& node) {
+            return node.system == model::none && model.nodes.id[node.index] == id;
+          }))
+        return fmt::format("node {} has no history in global axes [name it in *DATABASE_HISTORY_NODE]", id);
+  if (!pairs.empty() && !model.requests["nodout"].ascii())
+    return "the deck writes no nodout as text [*DATABASE_NODOUT with BINARY 0, 1 or 3]";
+  return {};
 }
 
 /// Options that each of the runs takes over.
@@ -195,6 +192,10 @@ ExitCode compare_runs(const fs::path& directory, const RunArguments& arguments) 
   }
   std::vector<NodePair> pairs;
   for (const std::string& text : arguments.intrusion) pairs.push_back(*read_pair(text));
+  if (const std::string why = missing_history(p.model, pairs); !why.empty()) {
+    fmt::print(stderr, "nugget: --intrusion: {}; nothing was run\n", why);
+    return ExitCode::wrong_command;
+  }
 
   const std::vector<std::string> options = options_of_each(arguments);
   std::vector<ChildRun> runs{{arguments.deck, directory / "whole", options}};

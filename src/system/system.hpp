@@ -87,7 +87,7 @@ class System {
   }
   /// Of an element of a weld.
   ElementLocation location_of(const weld::Weld& weld, model::Index element) const {
-    return (weld.of_bricks() ? solid_location : beam_location)[element];
+    return location_of(weld.element_kind(), element);
   }
   /// Internal force of an element at its node `a` after the last cycle; on the node itself acts the opposite [force].
   Vec3d nodal_force(ElementLocation location, int a) const;

@@ -162,6 +162,8 @@ class Welds(CommandTest):
         self.assertIn("there is no weld 7", self.nugget("run", "model.k", "--drop-weld", "7", expect=1).stderr)
         self.assertIn("there is no weld 7", self.nugget("run", "model.k", "--drop-weld", "each:7", expect=2).stderr)
         self.assertIn("'x' is no weld", self.nugget("run", "model.k", "--drop-weld", "x", expect=1).stderr)
+        self.assertIn("node 101 has no history in global axes",
+                      self.nugget("run", "model.k", "--drop-weld", "all", "--intrusion", "101,216", expect=2).stderr)
         self.assertIn("expected two nodes", self.nugget("run", "model.k", "--drop-weld", "all", "--intrusion", "101", expect=2).stderr)
 
     def test_refusals(self):

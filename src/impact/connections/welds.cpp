@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <utility>
 #include <variant>
 
 #include "base/index.hpp"
@@ -23,14 +25,20 @@ std::array<double, 8> corner_jacobians(const std::array<Vec3d, 8>& x) {
   return j;
 }
 
-/// When *DEFINE_ELEMENT_DEATH deletes the first element of a weld; infinite where it deletes none.
-double first_death(const model::Model& model, const weld::Weld& w) {
-  const model::ElementKind kind = w.of_bricks() ? model::ElementKind::solid : model::ElementKind::beam;
-  double first = std::numeric_limits<double>::infinity();
-  for (const model::ElementDeath& death : model.element_deaths)
-    if (death.kind == kind && std::find(w.elements.begin(), w.elements.end(), death.element) != w.elements.end())
-      first = std::min(first, death.time);
-  return first;
+/// When *DEFINE_ELEMENT_DEATH deletes the first element of each weld; infinite where it deletes none [time].
+std::vector<double> first_deaths(const system::System& system) {
+  std::map<std::pair<model::ElementKind, model::Index>, double> deaths;
+  for (const model::ElementDeath& death : system.model.element_deaths) {
+    double& first = deaths.try_emplace({death.kind, death.element}, death.time).first->second;
+    first = std::min(first, death.time);
+  }
+  std::vector<double> first_of(system.ties.welds.size(), std::numeric_limits<double>::infinity());
+  if (deaths.empty()) return first_of;
+  for (std::size_t i = 0; i < first_of.size(); ++i)
+    for (const model::Index element : system.ties.welds[i].elements)
+      if (const auto death = deaths.find({system.ties.welds[i].element_kind(), element}); death != deaths.end())
+        first_of[i] = std::min(first_of[i], death->second);
+  return first_of;
 }
 
 }  // namespace
@@ -75,9 +83,8 @@ void Welds::Bricks::gather(const system::System& system, const system::State& st
   for (const Corner& c : corners) force[c.node] += system.nodal_force(c.location, c.corner);
 }
 
-Welds::Welds(system::System& system, Findings& findings) : system_(system) {
+Welds::Welds(system::System& system, Findings& findings) : system_(system), death_time_(first_deaths(system)) {
   for (const weld::Weld& w : system.ties.welds) {
-    death_time_.push_back(first_death(system.model, w));
     histories_.emplace_back();
     bricks_.emplace_back();
     works_.emplace_back();

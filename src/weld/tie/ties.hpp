@@ -17,8 +17,8 @@ namespace nugget::weld {
 using model::Index;
 using model::none;
 
-/// The part of a sheet that the end of a weld hangs on where it hangs by area: the nodes whose shape functions reach
-/// into the nugget's disc, each with the mean of its shape function over it. See disc_on_sheet.
+/// The part of a sheet that the end of a weld is tied to where it is tied by area: the nodes whose shape functions
+/// reach into the nugget's disc, each with the mean of its shape function over it. See disc_on_sheet.
 struct Disc {
   /// What one shell brings in: the integral of its corners' shape functions over all that the disc covers. Of a
   /// triangle the fourth is 0.
@@ -119,6 +119,8 @@ struct Weld {
 
   bool is_seam() const { return kind == Kind::rigid && rigid > Rigid::rivet; }
   bool of_bricks() const { return kind == Kind::solid || kind == Kind::assembly; }
+  /// Of its elements, where it has some.
+  model::ElementKind element_kind() const { return of_bricks() ? model::ElementKind::solid : model::ElementKind::beam; }
 };
 
 std::string_view to_string(Weld::Kind kind);
