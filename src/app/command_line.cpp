@@ -76,7 +76,8 @@ CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
                              : fmt::format("'{}', expected area", text);
   };
   return command
-      ->add_option("--weld-tie", form, "area: welds hang on their sheets by the nugget's disc, wherever in the mesh")
+      ->add_option("--weld-tie", form,
+                   "area: welds are tied to their sheets by the nugget's disc, wherever in the mesh")
       ->check(CLI::Validator(known, ""));
 }
 

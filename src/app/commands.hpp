@@ -28,7 +28,7 @@ struct RunArguments {
   std::string checkpoint;  ///< when restart files are written, see read_checkpoints(); empty: as the deck says
   std::string weld_law;    ///< shared library with the user's own failure function of welds; empty: none
   std::string resume;      ///< folder of a run that is resumed; empty: a new run
-  std::string weld_tie;    ///< `area`: how welds hang on their sheets, whatever the deck says; empty: as it says
+  std::string weld_tie;    ///< `area`: how welds are tied to their sheets, whatever the deck says; empty: as it says
   std::string drop_weld;   ///< welds that are not there: ids separated by commas; `all` or `each:` ids: one run each
   std::vector<std::string> intrusion;  ///< of those runs: pairs of nodes `A,B`
   bool skip_unsupported = false;

@@ -101,11 +101,12 @@ void coarsen(PreparedDeck& p, const deck::Deck& deck, bool skip_unsupported, Fin
   p.model = reading::build(deck, again, skip_unsupported, p.model.weld_library, &merged);
   for (const Finding& f : again.all())
     if (f.severity == Severity::error) findings.add(f);
-  findings.note(p.model.coarsen.place, "*CONTROL_COARSEN",
-                fmt::format("{} shells became {}: {} times four to one; {} nodes are gone, {} hang on the side of a "
-                            "merged shell",
-                            shells, p.model.shells.size(), merged.merged.size(), merged.removed_nodes.size(),
-                            merged.hanging.size()));
+  findings.note(
+      p.model.coarsen.place, "*CONTROL_COARSEN",
+      fmt::format("{} shells became {}: {} times four to one; {} nodes are gone, {} are hanging nodes on the side of a "
+                  "merged shell",
+                  shells, p.model.shells.size(), merged.merged.size(), merged.removed_nodes.size(),
+                  merged.hanging.size()));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ enum class SortTriangles : unsigned char {
   kirchhoff,  ///< ELFORM 17
 };
 
-/// How the ends of welds hang on their sheets (*NUGGET_WELD_TIE, --weld-tie).
+/// How the ends of welds are tied to their sheets (*NUGGET_WELD_TIE, --weld-tie).
 enum class WeldTie : unsigned char {
   segment,  ///< by the shape functions of the element under them
   area,     ///< by the nugget's disc

@@ -17,7 +17,7 @@ class Coarsening(CommandTest):
         (note,) = [f for f in self.json("audit/findings.json") if f["keyword"] == "*CONTROL_COARSEN"]
         self.assertEqual(note["severity"], "note")
         self.assertTrue(note["file"].endswith("sheets.k"))
-        self.assertRegex(note["text"], r"^128 shells became 50: 26 times four to one; \d+ nodes are gone, 16 hang on the side")
+        self.assertRegex(note["text"], r"^128 shells became 50: 26 times four to one; \d+ nodes are gone, 16 are hanging nodes on the side")
         self.nugget("run", "joined.k", "--quiet", "-o", "results")
         summary = self.json("results/summary.json")
         self.assertEqual(summary["elements"]["shell"], 50)

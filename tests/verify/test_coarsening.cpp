@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// *CONTROL_COARSEN: plates of which four shells in the middle are one, and nodes hang on the sides of merged shells.
+// *CONTROL_COARSEN: plates of which four shells in the middle are one, and hanging nodes on the sides of merged shells.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Welds that hang on their sheets by area: balance, free motion, modes, and stiffness and strength wherever in the
+// Welds that are tied to their sheets by area: balance, free motion, modes, and stiffness and strength wherever in the
 // mesh.
 #include <fmt/format.h>
 #include <gmock/gmock.h>

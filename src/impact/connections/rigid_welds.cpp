@@ -113,7 +113,7 @@ weld::RigidWeldLoad RigidWelds::joint_load(const Weld& weld, bool last, const sy
 }
 
 /// Force of a seam on its first node, and its moment at mid-length. In a triangle, whose forces no statics give, each
-/// seam is as stiff as the others, and moments are not told.
+/// seam is as stiff as the others, and its moments are not known.
 weld::RigidWeldLoad RigidWelds::seam_load(const Weld& weld, std::size_t j, const system::State& state) const {
   const SeamNow& seam = weld.seams[j];
   const auto meets = [&](std::size_t k, int node) {
@@ -223,7 +223,7 @@ void RigidWelds::release(Weld& weld, bool first, bool last, system::State& state
   std::vector<char> holds(n, releases_all ? 0 : 1);
   if (first) holds.front() = 0;
   if (last) holds.back() = 0;
-  let_go(weld, holds, state);
+  release_unmarked(weld, holds, state);
   if (weld.nodes.empty()) return;
   weld.joints.resize(weld.nodes.size() > 2 ? 2 : 1, weld.joints.front());  // two nodes have one joint
   for (weld::RigidWeldHistory& joint : weld.joints) joint.move_inward();
@@ -239,7 +239,7 @@ bool RigidWelds::release_unseamed(Weld& weld, system::State& state) {
         holds[i] = 1;
   if (std::find(holds.begin(), holds.end(), 0) == holds.end()) return false;
   const Frame3d axes = system_.bodies[weld.body].axes;
-  let_go(weld, holds, state);
+  release_unmarked(weld, holds, state);
   const Frame3d& now = system_.bodies[weld.body].axes;
   for (SeamNow& seam : weld.seams) {
     seam.tension = now.local(axes.global(seam.tension));
@@ -250,7 +250,7 @@ bool RigidWelds::release_unseamed(Weld& weld, system::State& state) {
 }
 
 /// Releases the nodes that are not marked.
-void RigidWelds::let_go(Weld& weld, const std::vector<char>& holds, system::State& state) {
+void RigidWelds::release_unmarked(Weld& weld, const std::vector<char>& holds, system::State& state) {
   const Frame3d axes = system_.bodies[weld.body].axes;
   std::vector<int> released, kept;
   for (std::size_t i = 0; i < weld.nodes.size(); ++i) {

@@ -17,7 +17,7 @@ namespace nugget::impact {
 ///     f_i = m_i a_i - f_i(applied),   a_i = a_c + alpha x r_i + omega x (omega x r_i),
 /// with the mass of the node itself (docs/theory/weld.md#rigid-welds). When a weld fails its nodes continue as free
 /// nodes with that mass and the velocity they have; of a spot of more than two nodes the outermost node is released
-/// first. A fillet or butt weld fails seam by seam (model::Seam), and lets go the nodes that no seam holds any more: a
+/// first. A fillet or butt weld fails seam by seam (model::Seam), and releases the nodes that no seam holds any more: a
 /// node with one neighbour hands all its force to the seams to it; the three seams of a triangle are equally stiff.
 /// Welds limit no time step.
 class RigidWelds {
@@ -85,7 +85,7 @@ class RigidWelds {
   bool update_seams(Weld& weld, system::State& state);
   void release(Weld& weld, bool first, bool last, system::State& state);
   bool release_unseamed(Weld& weld, system::State& state);
-  void let_go(Weld& weld, const std::vector<char>& holds, system::State& state);
+  void release_unmarked(Weld& weld, const std::vector<char>& holds, system::State& state);
   void report(const Weld& weld, const weld::RigidWeldHistory& joint, const std::string& where,
               const system::State& state);
 

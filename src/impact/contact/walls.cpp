@@ -19,7 +19,7 @@ void report_constrained_nodes(const model::RigidWall& wall, const std::vector<in
   });
   if (constrained > 0)
     findings.note(wall.place, "*RIGIDWALL",
-                  fmt::format("{} of the nodes of wall {} are tied{}: the wall stops what they hang on, not them",
+                  fmt::format("{} of the nodes of wall {} are tied{}: the wall stops what they are tied to, not them",
                               constrained, wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
 }
 

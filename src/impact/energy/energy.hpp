@@ -42,8 +42,8 @@ struct Energy {
   /// The same without the correction for a changing step: what ENDENG is compared with, since an unstable step shows in
   /// it.
   double ratio_without_step_change() const { return over_input(total() - step_change); }
-  /// What is there beyond what was there at the start and put in: the scheme has made it. Next to nothing in a stable
-  /// run, and grows without bound in an unstable one, while `step_change` takes it out of `total`.
+  /// What is there beyond what was there at the start and put in: the time integration has made it. Next to nothing in
+  /// a stable run, and grows without bound in an unstable one, while `step_change` takes it out of `total`.
   double created() const { return total() - step_change - initial - external; }
   /// Sum of the sizes of all that is stored or spent.
   double size() const {

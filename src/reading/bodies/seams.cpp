@@ -110,7 +110,7 @@ class SeamMaker {
       for (const std::size_t node : seam.nodes) paired[node] = 1;
     if (const auto alone = std::find(paired.begin(), paired.end(), 0); alone != paired.end())
       refuse(b_, card_.first,
-             fmt::format("node {} of the set is in no pair, so that nothing tells what it hangs on",
+             fmt::format("node {} of the set is in no pair, so that it is welded to no other node",
                          b_.model.nodes.id[weld_.nodes[static_cast<std::size_t>(alone - paired.begin())]]),
              "give it a pair, or take it out of the set");
     for (const model::Seam& a : weld_.seams)

@@ -529,7 +529,7 @@ std::vector<Keyword> constrained_keywords() {
               "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
       refused("CONSTRAINED_NODE_SET",
               "nodes that share a motion are not built; *CONSTRAINED_NODAL_RIGID_BODY joins all their motions"),
-      refused("CONSTRAINED_NODE_INTERPOLATION", "nodes that hang on others are not built"),
+      refused("CONSTRAINED_NODE_INTERPOLATION", "nodes interpolated between others are not built"),
       refused("CONSTRAINED_LINEAR_*", "linear equations between nodal motions are not built"),
       refused("CONSTRAINED_SHELL_TO_SOLID",
               "fibres of solid nodes tied to a shell's edge are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),

@@ -2,7 +2,7 @@
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
-// *NUGGET_WELD_TIE, a card of this program: how welds hang on their sheets.
+// *NUGGET_WELD_TIE, a card of this program: how welds are tied to their sheets.
 namespace nugget::reading {
 
 namespace {
@@ -13,7 +13,7 @@ struct WeldTieCard {
 const CardOf<WeldTieCard> weld_tie_card{
     {&WeldTieCard::form,
      integer("form", 0, between(0, 1),
-             "how welds hang on their sheets: 0 by the element under them, 1 by the area of the nugget")},
+             "how welds are tied to their sheets: 0 by the element under them, 1 by the area of the nugget")},
 };
 
 void read_weld_tie(Builder& b, const deck::Block& block, const Options&) {

@@ -24,12 +24,12 @@ namespace {
 constexpr double centred = 0.1;      // a weld so far from the centre, at most, stands over it
 constexpr double of_its_size = 0.1;  // an edge so far from the diameter, at most, is that
 
-/// One way to lay a square under a weld and let the patch around it give way.
+/// One way to lay a square under a weld and let the patch around it follow.
 struct Way {
   double reach = 1.0;     ///< how far the square's centre comes from that of its element towards the weld [1]
   double side = 0.0;      ///< of the square: 0 the diameter, 1 as the element is, between: between
   double scale = 1.0;     ///< on that side
-  int rings = 3;          ///< of shells that give way
+  int rings = 3;          ///< of shells that follow
   double stiffens = 1.0;  ///< power of 1/r by which their springs stiffen towards the weld
 };
 /// All that is tried, best first: under the weld before near it, its diameter before other sizes, few shells before

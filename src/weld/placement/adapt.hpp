@@ -52,7 +52,7 @@ struct Adapted {
 };
 
 /// Moves nodes of sheets so that each weld stands over the centre of a quadrilateral whose side is the weld's diameter,
-/// or between that and what it was, as the limits allow; the shells around it give way. Nodes stay on the surface of
+/// or between that and what it was, as the limits allow; the shells around it follow. Nodes stay on the surface of
 /// their sheet as it is in the model. Nodes keep their place on free edges, folds of more than 10 degrees and seams;
 /// where shells of other parts or thicknesses, other elements, rigid bodies, initial stresses, other ties, sets or
 /// cards hold them (sets of whole parts do not); under welds that are done; and where `can_move` says no.

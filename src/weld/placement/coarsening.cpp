@@ -202,7 +202,8 @@ class Merging {
     blocks_.push_back(b);
   }
 
-  /// Nodes that no shell needs any more go; a middle node that shells beyond its side need hangs on the side.
+  /// Nodes that no shell needs any more go; a middle node that shells beyond its side need becomes a hanging node of
+  /// the side.
   void settle_nodes() {
     for (const Block& b : blocks_) {
       out_.removed_nodes.push_back(model_.nodes.id[b.centre]);

@@ -133,7 +133,7 @@ class Holding {
       }
   }
 
-  /// What other ties than those of welds hang on.
+  /// What other ties than those of welds are made to.
   void hold_tied() {
     std::vector<char> of_weld(hold_.size(), 0);
     for (const Weld& w : ties_.welds)

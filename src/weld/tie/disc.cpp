@@ -401,7 +401,7 @@ double hold_by_area(const HangingEnd& end, const std::vector<Vec3d>& x, const st
   return effective_radius(end.disc.nodes, end.disc.weights, x, middle_of(end, ties)) / (0.5 * end.weld->diameter);
 }
 
-/// What the ends that hang on discs come to, for one note and a warning of those on elements that are too large.
+/// What the ends that are tied by discs come to, for one note and a warning of those on elements that are too large.
 struct Account {
   std::size_t ends = 0, cut_off = 0;
   double least = std::numeric_limits<double>::infinity(), most = 0.0;                // a_eff / a
@@ -423,7 +423,7 @@ void report_account(const model::Model& model, Account account, Findings& findin
   findings.note(
       {model.deck, 0, 0},
       model.control.weld_tie == model::WeldTie::area ? "*NUGGET_WELD_TIE" : "*CONSTRAINED_INTERPOLATION_SPOTWELD",
-      fmt::format("{} weld ends hang on discs of their sheets, {} of them cut off by an edge, a fold or a "
+      fmt::format("{} weld ends are tied to discs of their sheets, {} of them cut off by an edge, a fold or a "
                   "seam; their forces reach {:.2f} to {:.2f} nugget radii far, by the segments {:.2f} to {:.2f}",
                   account.ends, account.cut_off, account.least, account.most, account.least_before,
                   account.most_before));

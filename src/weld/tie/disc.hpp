@@ -10,7 +10,7 @@
 #include "weld/tie/segment.hpp"
 #include "weld/tie/sheet_mesh.hpp"
 
-// The nugget's disc on its sheet: what the end of a weld hangs on where it hangs by area
+// The nugget's disc on its sheet: what the end of a weld is tied to where it is tied by area
 // (docs/theory/ties.md#tie-by-area).
 namespace nugget::weld {
 

@@ -156,7 +156,7 @@ TEST(Disc, IsCutOffAtAFreeEdge) {
   EXPECT_NEAR(disc.covered, 1.0 - cut / (pi * R * R), 1e-12);
   const double first_moment = 2.0 / 3.0 * std::pow(R * R - c * c, 1.5);  // of the cut part, towards the edge
   EXPECT_NEAR(centre_of(disc, ties.x).x, 1.0 + first_moment / (pi * R * R - cut), 1e-12);
-  EXPECT_THAT(text(a.findings), HasSubstr("2 weld ends hang on discs of their sheets, 2 of them cut off"));
+  EXPECT_THAT(text(a.findings), HasSubstr("2 weld ends are tied to discs of their sheets, 2 of them cut off"));
 }
 
 TEST(Disc, GoesOnIntoAnotherPartButNotOverAFold) {
