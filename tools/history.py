@@ -92,6 +92,9 @@ def main():
         times = [row[0] for row in table]
         filtered = [sae.filtered(times, list(values), a.cfc, a.second) for values in list(zip(*table))[1:]]
         table = list(zip(filtered[0][0], *(values for _, values in filtered)))
+        for c, name in columns:
+            peak = max(table, key=lambda row: abs(row[c - 1]))
+            print(f"{name or f'column {c}'}: peak {peak[c - 1]:.6g} at {peak[0]:.6g}, CFC {a.cfc}")
     table = table[::max(1, len(table) // 1000)]  # more points than pixels tell nothing
     a.picture.write_text(draw(table, columns, a.x, a.y), encoding="utf-8")
 

@@ -26,9 +26,9 @@ def evenly(times, values):
     return [times[0] + i * step for i in range(len(times))], even
 
 
-def once(values, a, b):
-    """y(n) = a0 x(n) + a1 x(n-1) + a2 x(n-2) + b1 y(n-1) + b2 y(n-2); before its start the signal was constant."""
-    x1 = x2 = y1 = y2 = values[0]
+def once(values, before, a, b):
+    """y(n) = a0 x(n) + a1 x(n-1) + a2 x(n-2) + b1 y(n-1) + b2 y(n-2); the signal was `before` until its start."""
+    x1 = x2 = y1 = y2 = before
     out = []
     for x in values:
         y = a[0] * x + a[1] * x1 + a[2] * x2 + b[0] * y1 + b[1] * y2
@@ -37,8 +37,12 @@ def once(values, a, b):
     return out
 
 
-def filtered(times, values, cfc, second=1.0):
-    """Evenly spaced times and the signal of class `cfc` there; `second` is one second in the unit of the times."""
+def filtered(times, values, cfc, second=1.0, before=0.0):
+    """Evenly spaced times and the signal of class `cfc` there; `second` is one second in the unit of the times.
+
+    Until the first time the signal was `before`: nothing acted before a run began, and a first sample that is the blow
+    of one cycle must not count as a force that had long been there.
+    """
     times, values = evenly(times, values)
     step = (times[1] - times[0]) / second
     if cfc * 2.0775 * step >= 0.5:
@@ -47,4 +51,5 @@ def filtered(times, values, cfc, second=1.0):
     c = 1.0 + math.sqrt(2.0) * w + w * w
     a = (w * w / c, 2.0 * w * w / c, w * w / c)
     b = (-2.0 * (w * w - 1.0) / c, (-1.0 + math.sqrt(2.0) * w - w * w) / c)
-    return times, once(once(values, a, b)[::-1], a, b)[::-1]
+    forth = once(values, before, a, b)
+    return times, once(forth[::-1], forth[-1], a, b)[::-1]

@@ -44,6 +44,18 @@ class Sae(unittest.TestCase):
                 ratio = math.tan(math.pi * hertz * step) / math.tan(math.pi * 2.0775 * cfc * step)
                 self.assertAlmostEqual(gain(cfc, hertz), 1.0 / (1.0 + ratio ** 4), delta=0.004, msg=(cfc, hertz))
 
+    def test_nothing_acted_before_the_first_sample(self):
+        """A blow of one cycle, then a half sine of 90 that peaks at 6 ms: the blow was no force that had long been there."""
+        times = [i * 1e-5 for i in range(2001)]
+        force = [90.0 * math.sin(math.pi * t / 0.012) if t < 0.012 else 0.0 for t in times]
+        force[0] = 316.0
+        _, y = sae.filtered(times, force, 60)
+        peak = max(range(len(y)), key=lambda i: abs(y[i]))
+        self.assertAlmostEqual(times[peak], 0.006, delta=1e-4)
+        self.assertAlmostEqual(y[peak], 90.0, delta=2.5)
+        _, y = sae.filtered(times, [5.0] * len(times), 60, before=5.0)
+        self.assertLess(max(abs(v - 5.0) for v in y), 1e-9)
+
     def test_samples_too_far_apart_are_refused(self):
         with self.assertRaises(ValueError):
             sae.filtered([0.0, 0.01, 0.02], [0.0, 1.0, 0.0], 60)

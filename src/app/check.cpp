@@ -9,6 +9,7 @@
 
 #include "app/audit_table.hpp"
 #include "app/command.hpp"
+#include "app/load_cases.hpp"
 #include "app/run_log.hpp"
 #include "impact/simulation/simulation.hpp"
 #include "weld/tie/disc.hpp"
@@ -56,6 +57,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   Findings findings;
   PreparedDeck p = prepare(arguments.deck, findings);
   if (!p.has_text) return refuse_missing(findings);
+  warn_of_response_in_explicit_run(p.model, findings);
   Log log(directory / "check.log");
   if (findings.errors() == 0) {
     system::System system(p.model, p.ties, findings);
@@ -85,6 +87,8 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
 }  // namespace
 
 ExitCode check(const CheckArguments& arguments) {
+  if (has_cases(arguments.deck))
+    return each_case(arguments.deck, [&](const RunArguments& one) { return check({one, arguments.target_step}); });
   // A check must not take the place of results: those of a run in the same folder stay whole (decision 0015).
   const fs::path asked = arguments.deck.directory;
   std::error_code error;

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 pid_t start_child(const ChildRun& run, const fs::path& program) {
   std::error_code error;
   fs::create_directories(run.folder, error);
-  std::vector<std::string> words{program.string(), "run", run.deck.string(), "-o", run.folder.string(), "-j", "1",
-                                 "--quiet"};
+  std::vector<std::string> words{program.string(), run.verb, run.deck.string(), "-o", run.folder.string(), "-j", "1"};
+  if (run.verb == "run") words.emplace_back("--quiet");
   words.insert(words.end(), run.options.begin(), run.options.end());
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());

@@ -8,11 +8,12 @@
 
 namespace nugget::app {
 
-/// A deck that this program runs in a process of its own, with one thread, quietly.
+/// A deck that this program runs (or checks) in a process of its own, with one thread.
 struct ChildRun {
   std::filesystem::path deck, folder;
-  std::vector<std::string> options{};  ///< of `nugget run`, beside folder and threads
+  std::vector<std::string> options{};  ///< of the command, beside folder and threads
   int exit_code = -1;
+  std::string verb = "run";
 };
 
 /// Runs them, at most `at_once` side by side; what each says on the terminal goes to terminal.log in its folder.

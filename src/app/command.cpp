@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <thread>
 
 #include "app/finding_list.hpp"
+#include "app/load_cases.hpp"
 #include "app/run_log.hpp"
 #include "base/parallel.hpp"
 #include "nvh/matrices/ranks.hpp"
@@ -20,7 +23,8 @@ void Log::read() {
 }
 
 void start_log(Log& log, const RunArguments& arguments, const PreparedDeck& p, const Findings& findings) {
-  log.add(log_head(NUGGET_VERSION, arguments.deck, threads(), nvh::ranks()));
+  log.add(log_head(NUGGET_VERSION, deck_and_case(arguments), threads(), nvh::ranks()));
+  log.add(fmt::format("Files read\n\n {}\n\n", fmt::join(p.files, "\n ")));
   log.add(reading::keyword_use_table(p.model));
   log.add(log_findings(findings));
 }

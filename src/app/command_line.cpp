@@ -34,6 +34,9 @@ std::vector<std::string> translated(int argc, char** argv) {
       // A negative count asks for repeatable sums, which is always the case here.
       out.emplace_back("-j");
       out.emplace_back(*n == '-' ? n + 1 : n);
+    } else if (const char* load_case = value("case=")) {
+      out.emplace_back("--case");
+      out.emplace_back(load_case);
     } else if (word == "-fmin" || word == "-fmax") {
       out.push_back('-' + word);
     } else if (value("memory=") || value("memory2=")) {
@@ -81,6 +84,11 @@ CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
       ->check(CLI::Validator(known, ""));
 }
 
+CLI::Option* add_case(CLI::App* command, int& load_case, const char* without) {
+  return command->add_option("--case", load_case, fmt::format("the *CASE of the deck ({})", without))
+      ->check(number_above_zero("the number of a *CASE", true));
+}
+
 /// The first word is no command: people try the deck's name there.
 bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& words) {
   if (words.empty() || words.front().starts_with('-')) return false;
@@ -123,6 +131,7 @@ int nugget::app::command_line(int argc, char** argv) {
       ->allow_extra_args(false)
       ->needs(run_drop)
       ->check(CLI::Validator([](const std::string& text) { return nugget::app::wrong_intrusion(text); }, ""));
+  CLI::Option* run_case = add_case(run_command, run.load_case, "without: each, one after the other");
   run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
   run_command
       ->add_option("--checkpoint", run.checkpoint,
@@ -136,6 +145,7 @@ int nugget::app::command_line(int argc, char** argv) {
       ->excludes(run_output)
       ->excludes(run_skip)
       ->excludes(run_weld_tie)
+      ->excludes(run_case)
       ->excludes(run_drop);
 
   const CLI::Validator frequency = number_above_zero("a frequency above 0", false);
@@ -167,6 +177,7 @@ int nugget::app::command_line(int argc, char** argv) {
   modes_command->add_flag("--skip-unsupported", modes.run.skip_unsupported,
                           "leave out what is not supported, with a warning each");
   add_weld_tie(modes_command, modes.run.weld_tie);
+  add_case(modes_command, modes.run.load_case, "needed where it has several");
   modes_command->add_flag("--quiet", modes.run.quiet, "no progress on the terminal");
 
   nugget::app::RunArguments frf;
@@ -179,6 +190,7 @@ int nugget::app::command_line(int argc, char** argv) {
   frf_command->add_flag("--skip-unsupported", frf.skip_unsupported,
                         "leave out what is not supported, with a warning each");
   add_weld_tie(frf_command, frf.weld_tie);
+  add_case(frf_command, frf.load_case, "needed where it has several");
   frf_command->add_flag("--quiet", frf.quiet, "no progress on the terminal");
 
   nugget::app::CheckArguments check;
@@ -190,6 +202,7 @@ int nugget::app::command_line(int argc, char** argv) {
   check_command->add_option("-j,--threads", check.deck.threads, "threads (default: all cores)")->check(count);
   check_command->add_option("--weld-law", check.deck.weld_law, weld_law);
   add_weld_tie(check_command, check.deck.weld_tie);
+  add_case(check_command, check.deck.load_case, "without: each, one after the other");
   check_command->add_flag("--skip-unsupported", check.deck.skip_unsupported, "unsupported keywords are warnings");
 
   nugget::app::WeldArguments weld;
@@ -286,6 +299,16 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(length);
   fit_command->add_option("-j,--threads", fit.threads, "coupons at once (default: all cores)")->check(count);
 
+  nugget::app::CoverageArguments coverage;
+  CLI::App* coverage_command =
+      cli.add_subcommand("coverage", "which decks of a folder are accepted, and what refuses the others");
+  coverage_command->add_option("folder", coverage.folder, "folder with decks, at any depth")->required();
+  coverage_command->add_option("-o,--output", coverage.directory,
+                               "folder for coverage.json and the logs of each deck (default: coverage)");
+  coverage_command->add_option("--cycles", coverage.cycles, "run each for so many cycles instead of checking it")
+      ->check(count);
+  coverage_command->add_option("-j,--threads", coverage.threads, "decks at once (default: all cores)")->check(count);
+
   std::string keyword;
   CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");
   keywords_command->add_option("name", keyword, "one keyword: its fields, defaults, ranges, meaning");
@@ -329,6 +352,7 @@ int nugget::app::command_line(int argc, char** argv) {
   }
   if (fit_command->parsed()) return static_cast<int>(nugget::app::fit(fit));
   if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
+  if (coverage_command->parsed()) return static_cast<int>(nugget::app::coverage(coverage));
   if (report_command->parsed()) return static_cast<int>(nugget::app::report(results));
   return static_cast<int>(nugget::app::keywords(keyword));
 }

@@ -15,6 +15,7 @@
 #include "app/command.hpp"
 #include "app/frf.hpp"
 #include "app/history_columns.hpp"
+#include "app/load_cases.hpp"
 #include "app/modes.hpp"
 #include "app/outcome.hpp"
 #include "app/progress.hpp"
@@ -43,6 +44,8 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   output::Summary s;
   s.version = NUGGET_VERSION;
   s.deck = arguments.deck;
+  s.load_case = arguments.load_case;
+  s.files = p.files;
   s.termination = outcome.termination == impact::Termination::normal  ? "normal"
                   : outcome.termination == impact::Termination::error ? "error"
                                                                       : "interrupted";
@@ -116,7 +119,8 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .checkpoint = arguments.checkpoint,
           .weld_law = arguments.weld_law,
           .weld_tie = arguments.weld_tie,
-          .drop_weld = arguments.drop_weld};
+          .drop_weld = arguments.drop_weld,
+          .load_case = arguments.load_case};
 }
 
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as
@@ -179,6 +183,24 @@ std::string hourglass_warning(const output::Summary& summary) {
       e.hourglass, e.internal);
 }
 
+/// A run in which nothing happens looks sound.
+std::string idle_warning(const output::Summary& summary) {
+  const output::Summary::Energies& e = summary.energy;
+  if (summary.termination != "normal" || e.initial != 0.0 || e.external != 0.0 || e.kinetic != 0.0 || e.internal != 0.0)
+    return {};
+  return "warning: nothing moved: there was no energy in the whole run [give a velocity, a load or a motion; a "
+         "velocity "
+         "along a held direction (*BOUNDARY_SPC, CON1 and CON2 of *MAT_RIGID) is none]";
+}
+
+std::string loose_weld_warning(const output::Summary& summary) {
+  const auto loose = std::ranges::count_if(summary.welds, [](const output::WeldReport& w) { return !w.tied; });
+  if (loose == 0 || summary.termination == "error") return {};
+  return fmt::format(
+      "warning: {} of {} welds are not tied to their sheets and hold nothing [welds.csv says which and why]", loose,
+      summary.welds.size());
+}
+
 /// Why a run that went wrong may have been unstable, as far as that can be known.
 std::string instability_hint(const impact::Simulation& run, const output::Summary& summary) {
   const double ratio = summary.energy.ratio;
@@ -234,15 +256,16 @@ void report_end(const RunArguments& arguments, const fs::path& directory, const 
                 const impact::Outcome& outcome, const output::Summary& summary, Log& log) {
   log.add(log_mass(simulation.system()));
   log.add(log_run(simulation, summary));
-  const std::array<std::string, 3> warnings{energy_warning(summary), hourglass_warning(summary),
-                                            instability_hint(simulation, summary)};
+  const std::array<std::string, 5> warnings{idle_warning(summary), loose_weld_warning(summary), energy_warning(summary),
+                                            hourglass_warning(summary), instability_hint(simulation, summary)};
   for (const std::string& line : warnings) log.add(line.empty() ? "" : ' ' + line + "\n\n");
   log.add(log_termination(outcome));
-  for (const std::string& line : {outcome.message, warnings[0], warnings[1], warnings[2]})
+  if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);
+  for (const std::string& line : warnings)
     if (!line.empty()) fmt::print(stderr, "{}\n", line);
   if (!arguments.quiet)
-    fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}\n", summary.cycles,
-               summary.seconds.solve, summary.energy.ratio, directory.string());
+    fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}, to begin with {}\n", summary.cycles,
+               summary.seconds.solve, summary.energy.ratio, directory.string(), (directory / "report.html").string());
   fmt::print("{}", log_termination({outcome.termination, {}}));
 }
 
@@ -295,6 +318,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   Findings findings;
   PreparedDeck p = prepare(arguments, findings);
   if (!p.has_text) return refuse_missing(findings);
+  warn_of_response_in_explicit_run(p.model, findings);
   const Analysis analysis = analysis_of(p.model);
   if (const std::string why = wrong_command(analysis, arguments, findings); !why.empty()) {
     fmt::print(stderr, "nugget: {}\n", why);
@@ -322,6 +346,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
 
 ExitCode run(const RunArguments& arguments) {
   if (drops_each(arguments.drop_weld)) return run_without_each(arguments);
+  if (has_cases(arguments)) return each_case(arguments, run);
   if (arguments.resume.empty())
     return guarded(arguments.directory,
                    [&](const fs::path& directory) { return run_in(directory, arguments, nullptr); });

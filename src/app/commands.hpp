@@ -31,12 +31,13 @@ struct RunArguments {
   std::string weld_tie;    ///< `area`: how welds are tied to their sheets, whatever the deck says; empty: as it says
   std::string drop_weld;   ///< welds that are not there: ids separated by commas; `all` or `each:` ids: one run each
   std::vector<std::string> intrusion;  ///< of those runs: pairs of nodes `A,B`
+  int load_case = 0;                   ///< *CASE of the deck; 0: all of them, one after the other
   bool skip_unsupported = false;
   bool quiet = false;
 };
 
 struct ModesArguments {
-  RunArguments run;              ///< of these: deck, directory, threads, weld_tie, skip_unsupported, quiet
+  RunArguments run;              ///< of these: deck, directory, threads, weld_tie, load_case, skip_unsupported, quiet
   int count = 0;                 ///< 0: the deck's NEIG, or 20
   double low = 0.0, high = 0.0;  ///< frequencies [cycles/time]; 0: the deck's
   bool response = false;         ///< the frequency response that the deck asks for as well
@@ -46,7 +47,7 @@ struct ModesArguments {
 };
 
 struct CheckArguments {
-  RunArguments deck;         ///< of these: deck, directory, threads, weld_tie, skip_unsupported, weld_law
+  RunArguments deck;         ///< of these: deck, directory, threads, weld_tie, load_case, skip_unsupported, weld_law
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 
@@ -88,6 +89,13 @@ struct FitArguments {
   int threads = 0;
 };
 
+struct CoverageArguments {
+  std::string folder;                  ///< with the decks
+  std::string directory = "coverage";  ///< for coverage.json and what each check leaves
+  long cycles = 0;                     ///< run each for so many; 0: only checked
+  int threads = 0;
+};
+
 ExitCode run(const RunArguments& arguments);
 /// True where the text says when restart files are written.
 bool says_checkpoints(const std::string& text);
@@ -110,6 +118,8 @@ ExitCode coupon(const CouponArguments& arguments);
 const std::vector<std::string>& coupon_names();
 /// Finds the strengths of a weld's card from measured curves.
 ExitCode fit(const FitArguments& arguments);
+/// Checks or runs the decks of a folder: which are accepted, and what refuses the others.
+ExitCode coverage(const CoverageArguments& arguments);
 ExitCode keywords(const std::string& name);
 
 }  // namespace nugget::app

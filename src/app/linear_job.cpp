@@ -79,6 +79,8 @@ output::Summary LinearJob::summary() const {
   output::Summary s;
   s.version = NUGGET_VERSION;
   s.deck = arguments_.deck;
+  s.load_case = arguments_.load_case;
+  s.files = deck_.files;
   s.count = counts(deck_.model, deck_.ties);
   s.seconds.read = deck_.read_seconds;
   s.seconds.setup = setup_seconds_;
@@ -96,7 +98,9 @@ void LinearJob::write(const output::Summary& summary) const {
 ExitCode LinearJob::end(const impact::Outcome& outcome, const std::string& done) {
   log_.add(log_termination(outcome));
   if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);
-  if (!done.empty() && !arguments_.quiet) fmt::print(stderr, "{}; results in {}\n", done, directory_.string());
+  if (!done.empty() && !arguments_.quiet)
+    fmt::print(stderr, "{}; results in {}, to begin with {}\n", done, directory_.string(),
+               (directory_ / "report.html").string());
   fmt::print("{}", log_termination({outcome.termination, {}}));
   return outcome.termination == impact::Termination::normal ? ExitCode::normal : ExitCode::error_termination;
 }

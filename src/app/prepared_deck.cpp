@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -114,9 +115,11 @@ void coarsen(PreparedDeck& p, const deck::Deck& deck, bool skip_unsupported, Fin
 PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   PreparedDeck p;
   Clock clock;
-  const deck::Deck deck = deck::read(arguments.deck, findings);
+  const deck::Deck deck = deck::read(arguments.deck, findings, arguments.load_case);
   p.has_text = deck.bytes > 0;
   p.deck_checksum = deck::checksum(deck);
+  for (const std::string& file : deck.files)
+    p.files.push_back(std::filesystem::absolute(file).lexically_normal().string());
   if (findings.errors() > 0 && deck.blocks.empty()) return p;  // nothing was read; no more is to be said about it
   std::shared_ptr<const model::WeldLibrary> library;
   if (!arguments.weld_law.empty()) {
@@ -134,6 +137,18 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   tie_and_audit(p, std::move(x), findings);
   if (!arguments.drop_weld.empty() && !drops_each(arguments.drop_weld)) drop_welds(p, arguments.drop_weld, findings);
   return p;
+}
+
+void warn_of_response_in_explicit_run(const model::Model& model, Findings& findings) {
+  if (model.implicit.active || (!model.frequency_response && !model.steady_state)) return;
+  const auto asks = [](const model::KeywordUse& use) {
+    return use.keyword.starts_with("FREQUENCY_DOMAIN_FRF") || use.keyword.starts_with("FREQUENCY_DOMAIN_SSD");
+  };
+  for (const model::KeywordUse& use : model.keyword_uses)
+    if (asks(use))
+      findings.warning(use.first, '*' + use.keyword,
+                       "no frequency response: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
+                       "write IMFLAG 1, or use `nugget frf`");
 }
 
 std::string report_refused_welds(PreparedDeck& p, Findings& findings) {

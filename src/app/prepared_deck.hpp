@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -16,6 +17,7 @@ namespace nugget::app {
 struct PreparedDeck {
   bool has_text = false;  ///< the deck could be opened and is not empty
   std::uint64_t deck_checksum = 0;
+  std::vector<std::string> files;  ///< that were read, by their whole paths, the master file first
   model::Model model;
   weld::Ties ties;
   bool is_tied = false;                   ///< ties, audit and welds are there
@@ -27,6 +29,10 @@ struct PreparedDeck {
 /// Reads, checks, resolves initial penetrations, ties and audits, the same for a check, a run and linear analyses.
 /// Findings hold what was wrong; after errors nothing is tied.
 PreparedDeck prepare(const RunArguments& arguments, Findings& findings);
+
+/// Warns where the deck asks for a frequency response and for an explicit run, in which there is none; `nugget frf`
+/// computes it all the same.
+void warn_of_response_in_explicit_run(const model::Model& model, Findings& findings);
 
 /// Ties and audits what there is of the welds of a deck that has errors, unless that was done before they came, for
 /// `nugget check`: the account of them, empty where there are none.

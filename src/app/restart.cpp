@@ -38,6 +38,7 @@ RunArguments resumed_arguments(const RunArguments& asked, const output::RestartH
   run.skip_unsupported = head.skip_unsupported;
   run.weld_tie = head.weld_tie;
   run.drop_weld = head.drop_weld;
+  run.load_case = head.load_case;
   if (run.until == 0.0) run.until = head.until;
   if (run.max_cycles == 0) run.max_cycles = head.max_cycles;
   if (run.checkpoint.empty()) run.checkpoint = head.checkpoint;

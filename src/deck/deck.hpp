@@ -12,6 +12,7 @@
 #include "base/card.hpp"
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
+#include "deck/cases.hpp"
 
 // LS-DYNA keyword text as blocks of data lines, and the means to read them by card tables. No physics in here.
 namespace nugget::deck {
@@ -76,6 +77,7 @@ class Deck {
     std::size_t file = 0;  ///< that was opened
   };
   std::vector<Inclusion> inclusions;  ///< in reading order
+  std::vector<Case> cases;            ///< *CASE, all of them
 
   /// *DEFINE_TRANSFORMATION by its id (id_offset and unit factors of the result say nothing); null where there is none.
   const Transform* transformation(int id) const;
@@ -85,9 +87,12 @@ class Deck {
 };
 
 /// Reads the master file and all it includes. Bad input becomes findings; a deck with errors may still be looked at.
-Deck read(const std::filesystem::path& master, Findings& findings);
+/// `load_case`: the *CASE that is read; 0: none, which is an error where the deck has some.
+Deck read(const std::filesystem::path& master, Findings& findings, int load_case = 0);
 /// The same from memory (tests, fuzzing). Includes are looked up relative to `directory`.
-Deck read_text(std::string text, Findings& findings, const std::filesystem::path& directory = ".");
+Deck read_text(std::string text, Findings& findings, const std::filesystem::path& directory = ".", int load_case = 0);
+/// The cases of a master file; none where it cannot be read.
+std::vector<Case> cases(const std::filesystem::path& master);
 
 /// What stands in one field of a card, for what is looked up by it and for findings about it.
 struct Entry {

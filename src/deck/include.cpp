@@ -209,6 +209,18 @@ std::vector<fs::path> Reader::search_folders(const Visit& visit) const {
   return each_once;
 }
 
+/// The current folder comes first, as in LS-DYNA: a deck that is run from elsewhere may meet a stranger there.
+void Reader::warn_of_namesake(const fs::path& taken, const std::string& name, const Place& place, const Block& block,
+                              const Visit& visit) {
+  std::error_code fault;
+  const fs::path beside = visit.path.parent_path() / name;
+  if (!fs::is_regular_file(beside, fault) || fs::equivalent(beside, taken, fault)) return;
+  findings_.warning(place, block.starred(),
+                    fmt::format("{} is read; another file of that name stands beside the deck, {}", taken.string(),
+                                beside.lexically_normal().string()),
+                    "run the deck from its own folder, or name the file by its path");
+}
+
 void Reader::open(const std::string& name, const Place& place, const Block& block, const Visit& visit,
                   const Transform* transform) {
   std::error_code fault;
@@ -249,6 +261,7 @@ void Reader::open(const std::string& name, const Place& place, const Block& bloc
                     "break the circle of *INCLUDE");
     return;
   }
+  warn_of_namesake(canonical, name, place, block, visit);
   Visit inner;
   const auto known = std::find(deck_.files.begin(), deck_.files.end(), path.string());
   inner.file = static_cast<std::size_t>(known - deck_.files.begin());

@@ -73,8 +73,8 @@ bool format_of_suffix(char c, Format& format) {
 
 }  // namespace
 
-Reader::Reader(Deck& deck, Findings& findings, fs::path folder)
-    : deck_(deck), findings_(findings), folder_(std::move(folder)) {}
+Reader::Reader(Deck& deck, Findings& findings, fs::path folder, int load_case)
+    : deck_(deck), findings_(findings), folder_(std::move(folder)), load_case_(load_case) {}
 
 void Reader::read_master(const fs::path& path) {
   deck_.path = path;
@@ -103,7 +103,11 @@ void Reader::read_master_text(std::string text) {
 
 void Reader::run(Visit master) {
   const int errors = findings_.errors();
+  choose_case();
   read_file(std::move(master));
+  for (const auto& [subcase, place] : begun_subcases_)
+    findings_.error(place, fmt::format("*CASE_BEGIN_{}", subcase), "its end is missing",
+                    fmt::format("write *CASE_END_{} behind the last keyword of the subcase", subcase));
   define_transformations();
   resolve_transforms();
   if (deck_.blocks.empty() && deck_.consumed.empty() && findings_.errors() == errors) {
@@ -211,6 +215,11 @@ void Reader::finish(Block& block, Visit& visit) {
     take_keyword_options(block, visit);
   } else if (block.keyword == "END") {
     consume();
+  } else if (is_family(block.keyword, "CASE")) {
+    consume();
+    if (block.keyword != "CASE") enter_or_leave_subcase(block, visit);
+  } else if (!is_of_chosen_case()) {
+    return;
   } else if (is_family(block.keyword, "PARAMETER")) {
     consume();
     parameters(block, visit);
@@ -249,6 +258,72 @@ void Reader::take_keyword_options(const Block& block, Visit& visit) {
   }
 }
 
+// ---- *CASE
+
+namespace {
+
+std::string list_of_cases(const std::vector<Case>& cases) {
+  std::string s;
+  for (const Case& c : cases)
+    s += fmt::format("{}{}{}", s.empty() ? "" : ", ", c.id, c.job.empty() ? "" : " (" + c.job + ")");
+  return s;
+}
+
+}  // namespace
+
+void Reader::choose_case() {
+  std::vector<Case>& cases = deck_.cases;
+  cases = cases_of(deck_.impl->texts.front().view(), deck_.files.front(), findings_);
+  const Place nowhere{deck_.files.front(), 0, 0};
+  if (cases.empty()) {
+    if (load_case_ != 0) findings_.error(nowhere, "--case", "the deck has no *CASE", "leave the option out");
+    return;
+  }
+  const auto chosen = std::ranges::find(cases, load_case_, &Case::id);
+  if (load_case_ == 0) {
+    findings_.error(cases.front().place, "*CASE", "the deck has the cases " + list_of_cases(cases),
+                    "take one with --case N; nugget run and nugget check without it take one after the other");
+  } else if (chosen == cases.end()) {
+    findings_.error(cases.front().place, "--case", fmt::format("there is no case {}", load_case_),
+                    "the deck has " + list_of_cases(cases));
+  } else {
+    subcases_ = chosen->subcases;
+    if (!chosen->commands.empty())
+      findings_.warning(chosen->place, "*CASE", "'" + chosen->commands + "' of its command line is not obeyed",
+                        "give options to nugget run");
+  }
+}
+
+/// Subcases may overlap and be nested.
+void Reader::enter_or_leave_subcase(const Block& block, const Visit& visit) {
+  if (visit.depth > 1) {
+    findings_.error(block.place, block.starred(), "cases stand in the master file only, as in LS-DYNA",
+                    "put it around the *INCLUDE");
+    return;
+  }
+  if (const int begun = subcase_begun(block.keyword); begun > 0) {
+    begun_subcases_.emplace_back(begun, block.place);
+  } else if (const int ended = subcase_ended(block.keyword); ended > 0) {
+    const auto open = std::ranges::find(begun_subcases_, ended, &std::pair<int, Place>::first);
+    if (open != begun_subcases_.end()) {
+      begun_subcases_.erase(open);
+    } else {
+      findings_.error(block.place, block.starred(), "nothing begins that could end here",
+                      fmt::format("write *CASE_BEGIN_{} before the first keyword of the subcase", ended));
+    }
+  } else {
+    findings_.error(block.place, block.starred(), "this form of *CASE is not known",
+                    "*CASE_BEGIN_n and *CASE_END_n with n above 0");
+  }
+}
+
+/// What stands in several subcases at once belongs to each of them.
+bool Reader::is_of_chosen_case() const {
+  return begun_subcases_.empty() || std::ranges::any_of(begun_subcases_, [this](const auto& begun) {
+           return std::ranges::find(subcases_, begun.first) != subcases_.end();
+         });
+}
+
 // ---- Deck
 
 Deck::Deck() : impl(std::make_unique<Impl>()) {}
@@ -261,16 +336,23 @@ const Transform* Deck::transformation(int id) const {
   return entry == impl->transformations.end() ? nullptr : &entry->second;
 }
 
-Deck read(const fs::path& master, Findings& findings) {
+Deck read(const fs::path& master, Findings& findings, int load_case) {
   Deck deck;
-  Reader(deck, findings, {}).read_master(master);
+  Reader(deck, findings, {}, load_case).read_master(master);
   return deck;
 }
 
-Deck read_text(std::string text, Findings& findings, const fs::path& directory) {
+Deck read_text(std::string text, Findings& findings, const fs::path& directory, int load_case) {
   Deck deck;
-  Reader(deck, findings, directory).read_master_text(std::move(text));
+  Reader(deck, findings, directory, load_case).read_master_text(std::move(text));
   return deck;
+}
+
+std::vector<Case> cases(const fs::path& master) {
+  Findings said_when_it_is_read;
+  FileText text;
+  if (!text.open(master).empty()) return {};
+  return cases_of(text.view(), master.string(), said_when_it_is_read);
 }
 
 }  // namespace nugget::deck

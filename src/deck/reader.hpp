@@ -17,8 +17,8 @@ namespace nugget::deck {
 /// (transform.cpp).
 class Reader {
  public:
-  /// `folder`: where relative names start from (the current folder of a run).
-  Reader(Deck& deck, Findings& findings, std::filesystem::path folder);
+  /// `folder`: where relative names start from (the current folder of a run). `load_case`: 0: none.
+  Reader(Deck& deck, Findings& findings, std::filesystem::path folder, int load_case);
 
   void read_master(const std::filesystem::path& path);
   void read_master_text(std::string text);
@@ -42,6 +42,9 @@ class Reader {
   void begin(Block& block, std::string_view line, int number, const Visit& visit) const;
   void finish(Block& block, Visit& visit);
   void take_keyword_options(const Block& block, Visit& visit);
+  void choose_case();
+  void enter_or_leave_subcase(const Block& block, const Visit& visit);
+  bool is_of_chosen_case() const;
 
   // include.cpp
   void include(const Block& block, const Visit& visit);
@@ -52,6 +55,8 @@ class Reader {
   void open(const std::string& name, const Place& place, const Block& block, const Visit& visit,
             const Transform* transform);
   std::vector<std::filesystem::path> search_folders(const Visit& visit) const;
+  void warn_of_namesake(const std::filesystem::path& taken, const std::string& name, const Place& place,
+                        const Block& block, const Visit& visit);
 
   // parameter_cards.cpp
   void parameters(const Block& block, const Visit& visit);
@@ -83,6 +88,9 @@ class Reader {
   std::vector<Pending> pending_;
   std::vector<Block> transformations_;
   int duplication_ = 0;  ///< DFLAG of *PARAMETER_DUPLICATION; 0: not given
+  int load_case_;
+  std::vector<int> subcases_;                          ///< of the chosen case
+  std::vector<std::pair<int, Place>> begun_subcases_;  ///< whose end has not come yet
 };
 
 }  // namespace nugget::deck

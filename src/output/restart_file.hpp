@@ -30,6 +30,7 @@ struct RestartHead {
   std::string weld_law;  ///< library, as it was named
   std::string weld_tie;
   std::string drop_weld;
+  int load_case = 0;
   double time = 0.0;  ///< of the model
   long cycle = 0;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -102,13 +103,23 @@ std::string describe(const Keyword& keyword) {
   return text;
 }
 
-/// The used keywords that begin with what was asked for, one a line; for a name that stands for a family.
-std::string family(std::string_view beginning) {
+std::string list_of_used(const std::function<bool(std::string_view)>& asked_for) {
   std::string text;
   for (const Keyword& keyword : keywords())
-    if (keyword.status == KeywordStatus::used && keyword.name.starts_with(beginning))
-      text += fmt::format("  *{}\n", keyword.name);
+    if (keyword.status == KeywordStatus::used && asked_for(keyword.name)) text += fmt::format("  *{}\n", keyword.name);
   return text.empty() ? text : "used are\n" + text;
+}
+
+/// The used keywords that begin with what was asked for, one a line; for a name that stands for a family.
+std::string family(std::string_view beginning) {
+  return list_of_used([=](std::string_view name) { return name.starts_with(beginning); });
+}
+
+/// Those that have it anywhere.
+std::string namesakes(std::string_view part) {
+  constexpr std::size_t shortest = 3;
+  if (part.size() < shortest) return {};
+  return list_of_used([=](std::string_view name) { return name.find(part) != std::string_view::npos; });
 }
 
 /// Number of letters to change, add, take away or swap with their neighbour to make one of the other (optimal string
@@ -152,6 +163,8 @@ std::string describe_keyword(std::string_view name) {
   const Keyword* keyword = find_keyword(written, options);
   if (keyword && !keyword->name.ends_with('*')) return describe(*keyword);
   if (const std::string members = family(written); !members.empty()) return fmt::format("*{}...: {}", written, members);
+  if (const std::string members = namesakes(written); !keyword && !members.empty())
+    return fmt::format("*...{}...: {}", written, members);
   const std::string_view similar = similar_keyword(written);
   if (keyword) return describe(*keyword) + (similar.empty() ? "" : fmt::format("is it *{}?\n", similar));
   return fmt::format("*{}: not a keyword that this program knows{}\n", written,

@@ -440,10 +440,6 @@ void check_analysis(Builder& b, const deck::Entry& field, bool modal) {
   if (modal && (implicit.low || implicit.centre > 0.0))
     refuse(b, field, "modes of an interval (LFLAG, CENTER) leave lower ones out of the response",
            "drop LFLAG and CENTER in *CONTROL_IMPLICIT_EIGENVALUE; MDMIN chooses the first mode");
-  if (!implicit.active)
-    field.report(b.findings, Severity::warning,
-                 "no frequency response: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is not 1",
-                 "write IMFLAG 1, or use `nugget frf`");
 }
 
 void check_excitation(Builder& b, const deck::Entry& field, const Excitation& excitation) {

@@ -26,7 +26,27 @@ double warpage(const std::array<Vec3d, 4>& x) {
   return std::max(angle(normal(0, 1, 2), normal(0, 2, 3)), angle(normal(0, 1, 3), normal(1, 2, 3)));
 }
 
+/// Shells without a thickness of their own: said once, of the section that they take it from.
+void report_sections_without_thickness(Builder& b) {
+  const Model& m = b.model;
+  std::vector<Index> first(m.shell_sections.size(), none);
+  std::vector<int> count(m.shell_sections.size(), 0);
+  for (std::size_t e = 0; e < m.shells.size(); ++e) {
+    const Index section = m.parts[m.shells.part[e]].section;
+    if (section == none || !(m.shells.thickness[e] <= 0.0) || !(m.shell_sections[section].thickness <= 0.0)) continue;
+    if (count[section]++ == 0) first[section] = static_cast<Index>(e);
+  }
+  for (std::size_t s = 0; s < first.size(); ++s)
+    if (count[s] > 0)
+      b.findings.error(m.shell_sections[s].place, "*SECTION_SHELL",
+                       fmt::format("section {}: thickness 0, expected more than 0: {} shells take theirs from it, the "
+                                   "first is {}",
+                                   m.shell_sections[s].id, count[s], m.shells.id[first[s]]),
+                       "give T1, or the shells thicknesses of their own (*ELEMENT_SHELL_THICKNESS)");
+}
+
 void check_shells(Builder& b) {
+  report_sections_without_thickness(b);
   const Model& m = b.model;
   const double largest_warp = m.control.warp_warning;
   Tally flat(b.findings, Severity::error, "*ELEMENT_SHELL"), crossed(b.findings, Severity::error, "*ELEMENT_SHELL"),
@@ -37,12 +57,12 @@ void check_shells(Builder& b) {
     const int id = m.shells.id[e];
     const Vec3d across = cross(x[2] - x[0], x[3] - x[1]);
     const double longest = std::max(dot(x[2] - x[0], x[2] - x[0]), dot(x[3] - x[1], x[3] - x[1]));
-    const bool has_section = m.parts[m.shells.part[e]].section != none;
-    if (has_section && m.shells.thickness[e] <= 0.0)
+    const Index section = m.parts[m.shells.part[e]].section;
+    if (section != none && m.shells.thickness[e] <= 0.0 && m.shell_sections[section].thickness > 0.0)
       thin.add(
           m.shells.place[e],
           [&] { return fmt::format("shell {}: thickness {:g}, expected more than 0", id, m.shells.thickness[e]); },
-          "give T1 of its section, or its nodal thicknesses");
+          "mend its nodal thicknesses, or leave them to its section");
     if (!(norm(across) > 1e-12 * longest)) {
       flat.add(
           m.shells.place[e], [&] { return fmt::format("shell {} has no area, or its sides cross each other", id); },

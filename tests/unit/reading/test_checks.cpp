@@ -52,7 +52,9 @@ TEST(Checks, WarpageLimitIsThatOfTheDeck) {
 
 TEST(Checks, ThicknessMustBePositive) {
   const Built none_given(sheet_deck("*PART\nthin\n2,2,1\n*SECTION_SHELL\n2,2\n\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
-  EXPECT_TRUE(none_given.error("shell 2: thickness 0, expected more than 0")) << none_given.all_findings();
+  EXPECT_TRUE(
+      none_given.error("section 2: thickness 0, expected more than 0: 1 shells take theirs from it, the first is 2"))
+      << none_given.all_findings();
   const Built negative(sheet_deck("*SECTION_SHELL\n2,2\n-1.0\n"));
   EXPECT_TRUE(negative.error("expected 0 or more", "t1")) << negative.all_findings();
 }

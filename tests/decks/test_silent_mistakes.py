@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs that look sound and are not what their writer meant: it is said."""
+import unittest
+
+import lap_joint
+from few_elements import BRICK, CORNERS, SOLID, card, nodes, part
+from nugget_command import CommandTest
+
+MESH = SOLID + "*MAT_ELASTIC\n" + card(1, 1.0, 10.0, 0.3) + part(1) + nodes(CORNERS) + BRICK
+HEAD = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(0.01)
+
+
+class SilentMistakes(CommandTest):
+    def test_nothing_moves(self):
+        self.write(HEAD + MESH + "*END\n")
+        self.assertIn("warning: nothing moved", self.nugget("run", "model.k", "--quiet").stderr)
+        self.assertIn("warning: nothing moved", self.read("run.log"))
+
+    def test_a_velocity_along_a_held_direction(self):
+        held = MESH.replace("*MAT_ELASTIC\n" + card(1, 1.0, 10.0, 0.3),
+                            "*MAT_RIGID\n" + card(1, 1.0, 10.0, 0.3) + card(1, 5, 7) + "\n")
+        self.assertIn("*MAT_RIGID", held)
+        for vx, vy, said in ((0.0, 1.0, True), (1.0, 0.0, False)):  # CON1 5: y and z are held
+            with self.subTest(vx=vx):
+                self.write(HEAD + held + "*INITIAL_VELOCITY_GENERATION\n" + card(0, 0, 0, vx, vy, 0) + card("") + "*END\n")
+                self.assertEqual("nothing moved" in self.nugget("run", "model.k", "--quiet").stderr, said)
+
+    def test_welds_that_hold_nothing(self):
+        far = lap_joint.deck()
+        self.write(far)
+        self.assertNotIn("are not tied", self.nugget("run", "model.k", "--quiet", "--max-cycles", 5).stderr)
+        moved = [line.replace(line[40:56], f"{30.0:16.6f}") if line.startswith("     302") else line
+                 for line in far.splitlines(keepends=True)]
+        self.write("".join(moved))
+        run = self.nugget("run", "model.k", "--quiet", "--max-cycles", 5)
+        self.assertIn("warning: 1 of 1 welds are not tied to their sheets", run.stderr)
+
+    def test_an_include_file_of_the_same_name_elsewhere(self):
+        self.write(HEAD + "*INCLUDE\nmesh.inc\n*END\n", "deck/model.k")
+        self.write(MESH, "deck/mesh.inc")
+        self.assertNotIn("of that name", self.nugget("check", "deck/model.k", "-o", "a").stderr)
+        self.write(MESH, "mesh.inc")
+        said = self.nugget("check", "deck/model.k", "-o", "b").stderr
+        self.assertIn(f"{(self.folder / 'mesh.inc').resolve()} is read; another file of that name stands beside the "
+                      "deck, deck/mesh.inc", said)
+
+    def test_files_by_their_whole_paths(self):
+        self.write(HEAD + "*INCLUDE\nmesh.inc\n*END\n", "deck/model.k")
+        self.write(MESH, "deck/mesh.inc")
+        self.nugget("run", "deck/model.k", "--quiet", "-o", "out")
+        files = [str(self.folder / "deck" / name) for name in ("model.k", "mesh.inc")]
+        self.assertEqual(self.json("out/summary.json")["files"], files)
+        self.assertIn("Files read\n\n " + "\n ".join(files), self.read("out/run.log"))
+
+
+if __name__ == "__main__":
+    unittest.main()
