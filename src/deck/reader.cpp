@@ -216,7 +216,8 @@ void Reader::finish(Block& block, Visit& visit) {
   } else if (block.keyword == "END") {
     consume();
   } else if (is_family(block.keyword, "CASE")) {
-    consume();
+    const bool begins = subcase_begun(block.keyword) > 0, ends = subcase_ended(block.keyword) > 0;
+    deck_.consumed.emplace_back(begins ? "CASE_BEGIN" : ends ? "CASE_END" : block.keyword, block.place);
     if (block.keyword != "CASE") enter_or_leave_subcase(block, visit);
   } else if (!is_of_chosen_case()) {
     return;

@@ -104,8 +104,8 @@ struct WeldDropReport {
 /// seconds of the clock.
 struct Summary {
   std::string version, deck;
-  int load_case = 0;               ///< *CASE of the deck; 0: none
-  std::vector<std::string> files;  ///< of the deck, by their whole paths
+  int load_case = 0;                   ///< *CASE of the deck; 0: none
+  std::vector<std::string> files;      ///< of the deck, by their whole paths
   std::string termination = "normal";  ///< normal, error, interrupted
   std::string message;
   struct Counts {

@@ -191,6 +191,7 @@ class BrokenDecks(CommandTest):
             "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about "
             "their normal to hold it [*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces]",
             "0 errors, 3 warnings",
+            "warning: 1 of 1 welds are not tied to their sheets and hold nothing [welds.csv says which and why]",
         ])
 
     def test_untied1(self):
@@ -225,6 +226,7 @@ class BrokenDecks(CommandTest):
             "model.k:12:50: warning: *CONTROL_CONTACT spotstp = 2: beam weld 31 is not tied; it is deleted [the "
             "warnings on the welds say why]",
             "0 errors, 2 warnings",
+            "warning: 1 of 1 welds are not tied to their sheets and hold nothing [welds.csv says which and why]",
         ])
 
     def test_misspelt(self):

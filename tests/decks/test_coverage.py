@@ -6,7 +6,7 @@ from few_elements import BRICK, CORNERS, SOLID, card, nodes, part
 from nugget_command import CommandTest
 
 MESH = SOLID + "*MAT_ELASTIC\n" + card(1, 1.0, 10.0, 0.3) + part(1) + nodes(CORNERS) + BRICK
-DECK = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(0.01) + "*INCLUDE\nmesh.inc\n{}*END\n"
+DECK = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(10.0) + "*INCLUDE\nmesh.inc\n{}*END\n"
 
 
 class Coverage(CommandTest):

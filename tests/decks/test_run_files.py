@@ -196,8 +196,9 @@ class RunFiles(CommandTest):
         one = self.nugget("keywords", "MAT_024").stdout
         self.assertTrue(one.startswith("*MAT_PIECEWISE_LINEAR_PLASTICITY: used\nalso written: *MAT_024\n"), one)
         self.assertRegex(one, r"31-40 +pr +real .*0 to 0\.5 .*Poisson's ratio")
-        self.assertRegex(self.nugget("keywords", "spotweld").stdout,
-                         r"(?s)^\*\.\.\.SPOTWELD\.\.\.: used are\n.*  \*CONTACT_SPOTWELD\n.*  \*MAT_SPOTWELD\n")
+        anywhere = self.nugget("keywords", "spotweld").stdout
+        self.assertTrue(anywhere.startswith("*...SPOTWELD...: used are\n"), anywhere)
+        self.assertLess({"  *CONTACT_SPOTWELD", "  *MAT_SPOTWELD"}, set(anywhere.splitlines()))
         self.assertIn("is it *MAT_SPOTWELD?", self.nugget("keywords", "MAT_SPOTWLED").stdout)
 
     def test_check_audits_and_runs_nothing(self):

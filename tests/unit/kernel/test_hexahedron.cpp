@@ -275,9 +275,11 @@ TEST(Hexahedron, FailedBrickIsDeleted) {
   EXPECT_TRUE(std::isinf(d.force.stable_step));
 }
 
+const HexahedronProperties weld_brick = brick(6, 1.0);
+
 /// A weld brick of height 2 on a 5 x 5 section, its upper face driven, the lower one held.
 struct WeldBrick : Driven<Spotweld> {
-  explicit WeldBrick(const Spotweld& material) : DrivenSolid(kernel::brick(6, 1.0), material, box(5, 5, 2)) {}
+  explicit WeldBrick(const Spotweld& material) : DrivenSolid(weld_brick, material, box(5, 5, 2)) {}
   void move(const Vec3d& by, double dt = 1.0) {
     for (int i = 4; i < 8; ++i) nodes.v[i] = (1.0 / dt) * by;
     step(dt);
