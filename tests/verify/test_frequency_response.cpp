@@ -71,6 +71,45 @@ TEST(FrequencyResponse, SimplySupportedPlate) {
   row(200.0, "200 Hz", 1.53349e-2, -70.78, 1.02499e-2, -61.11, decibel);
 }
 
+// A free plate with a damping ratio for each mode (LCTYP 1). Reference: Ritz with 14 x 14 Legendre polynomials for
+// Kirchhoff's plate; the acceleration at resonance is phi_i phi_j / (2 zeta). LS-DYNA's plot of this plate
+// (docs/evidence/vibration.md) has its samples 1 Hz apart. Sabotage: damping of the mode before.
+TEST(FrequencyResponse, ResonancesOfAFreePlateWithDampingByMode) {
+  constexpr double a = 0.36, b = 0.24;
+  constexpr int n = 30, m = 20;
+  const double damping[] = {0.0045, 0.00713, 0.00386, 0.00328, 0.0034, 0.00624, 0.00072, 0.00083};
+  Specimen s;
+  s.card("CONTROL_IMPLICIT_GENERAL", {1, 1}).card("CONTROL_IMPLICIT_EIGENVALUE", {40});
+  s.card("MAT_ELASTIC", {1, 7870.0, 2.07e11, 0.292});
+  s.text("*SECTION_SHELL\n" + fields({1, 16, 5.0 / 6.0, 2}) + fields({0.002, 0.002, 0.002, 0.002})).part(1, 1, 1);
+  const Grid grid = s.shells(1, {}, {a, b, 0.0}, n, m);
+  std::string ratios = "*DEFINE_CURVE\n" + fields({1, 0, 1, 1, 0, 0, 0});
+  const auto point = [](double mode, double ratio) { return fmt::format("{:20}{:20}\n", mode, ratio); };
+  ratios += point(1.0, 0.0) + point(6.0, 0.0);
+  for (int k = 0; k < 8; ++k) ratios += point(7.0 + k, damping[k]);
+  const int drive = grid(n / 5, m / 5), corner = grid(n, m);
+  s.text(ratios + point(15.0, 0.01) + point(200.0, 0.01)).node_set(2, {drive, corner});
+  s.text("*FREQUENCY_DOMAIN_FRF\n" + fields({1.0 * drive, 0, 0, 3}) + fields({0, 1, 1}) + fields({2, 1, 3, 1}) +
+         fields({1, 400, 400}));
+  const LinearExperiment plate(s.deck());
+  const nvh::Modes modes = plate.modes(40);
+  const auto row = [&](std::size_t mode, double frequency, double here, double at_corner, double gate) {
+    const double f = modes.frequency(mode - 1);
+    expect_reference("resonances of a free plate", fmt::format("mode {} [Hz]", mode), f, frequency, 4e-3);
+    const auto peak = [&](std::size_t c) { return std::abs(at_frequency(plate, modes, c, f)); };
+    if (here > 0.0)
+      expect_reference("resonances of a free plate", fmt::format("mode {}: |a/F| at the drive point [1/kg]", mode),
+                       peak(0), here, gate);
+    expect_reference("resonances of a free plate", fmt::format("mode {}: |a/F| at the corner [1/kg]", mode), peak(1),
+                     at_corner, gate);
+  };
+  row(7, 76.81, 107.2, 249.3, 0.02);
+  row(9, 176.96, 0.0, 84.2, 0.03);
+  row(10, 189.85, 0.0, 67.5, 0.03);
+  row(13, 327.47, 232.2, 979.5, 0.02);
+  row(14, 377.05, 0.0, 310.0, 0.03);
+}
+
 /// One brick between a base and a free end that stretches only: a spring E A / h with the mass rho A h / 2.
 struct Oscillator {
   static constexpr double h = 10.0, ratio = 0.05;

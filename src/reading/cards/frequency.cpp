@@ -330,8 +330,12 @@ std::vector<Index> nodes_of(Builder& b, const deck::Entry& entity, int type) {
 
 Vec3d direction_of(Builder& b, const deck::Entry& axis, const deck::Entry& vector) {
   if (const int i = axis.integer(); i >= 1 && i <= 3) return frequency_axes[i - 1];
-  if (vector.integer() == 0)
-    refuse(b, axis, "it means the direction of a vector, and none is given", "write 1, 2 or 3, or give the vector");
+  if (vector.integer() == 0) {
+    // As LS-DYNA's own result of such a deck is called (docs/evidence/vibration.md).
+    axis.report(b.findings, Severity::warning, "it means the direction of a vector, and none is given: z is taken",
+                "write 1, 2 or 3, or give the vector");
+    return frequency_axes[2];
+  }
   const Vec3d* v = b.vector(vector);
   return v != nullptr && dot(*v, *v) > 0.0 ? unit(*v) : Vec3d{};
 }
