@@ -33,6 +33,8 @@ struct CoveredDeck {
   Json errors = Json::array();     ///< findings that refuse it
   std::set<std::string> keywords;  ///< in which they stand; of the whole deck: an empty one
 
+  bool is_fragment = false;  ///< it says no end time: part of a model
+
   bool accepted() const { return exit_code == static_cast<int>(ExitCode::normal); }
   bool refused() const { return exit_code == static_cast<int>(ExitCode::refused); }
 };
@@ -93,6 +95,7 @@ void add_findings(CoveredDeck& deck, const fs::path& results) {
       if (finding.at("severity") == "warning") ++deck.warnings;
       if (finding.at("severity") != "error") continue;
       deck.errors.push_back(finding);
+      deck.is_fragment |= finding.at("keyword") == "*CONTROL_TERMINATION" && finding.at("field") == "";
       deck.keywords.insert(finding.at("keyword").get<std::string>());
     }
   }
@@ -102,7 +105,7 @@ void add_findings(CoveredDeck& deck, const fs::path& results) {
 std::vector<Obstacle> obstacles_of(const std::vector<CoveredDeck>& decks) {
   std::map<std::string, Obstacle> by_keyword;
   for (const CoveredDeck& deck : decks)
-    for (const std::string& keyword : deck.keywords) {
+    for (const std::string& keyword : deck.is_fragment ? std::set<std::string>() : deck.keywords) {
       Obstacle& obstacle = by_keyword[keyword];
       obstacle.keyword = keyword;
       obstacle.decks.push_back(deck.path.string());
@@ -123,6 +126,7 @@ std::string shown(const std::string& keyword) {
 std::string verdict(const CoveredDeck& deck, long cycles) {
   std::vector<std::string> names;
   for (const std::string& keyword : deck.keywords) names.push_back(shown(keyword));
+  if (deck.is_fragment) return "no model: it has no end time";
   if (deck.refused()) return fmt::format("refused   {}", fmt::join(names, ", "));
   if (!deck.accepted()) return fmt::format("ended with exit code {}", deck.exit_code);
   const std::string warnings = deck.warnings > 0 ? fmt::format(", {} warnings", deck.warnings) : "";
@@ -131,14 +135,16 @@ std::string verdict(const CoveredDeck& deck, long cycles) {
 
 std::string table(const std::vector<CoveredDeck>& decks, const std::vector<Obstacle>& obstacles, long cycles) {
   const auto accepted = std::ranges::count_if(decks, &CoveredDeck::accepted),
-             refused = std::ranges::count_if(decks, &CoveredDeck::refused);
+             fragments = std::ranges::count_if(decks, &CoveredDeck::is_fragment),
+             refused = std::ranges::count_if(decks, &CoveredDeck::refused) - fragments;
   std::size_t width = 4;
   for (const CoveredDeck& deck : decks) width = std::max(width, deck.path.string().size());
   std::string s;
   for (const CoveredDeck& deck : decks)
     s += fmt::format("{:<{}}  {}\n", deck.path.string(), width, verdict(deck, cycles));
   s += fmt::format("\n{} decks: {} {}, {} refused", decks.size(), accepted, cycles > 0 ? "run" : "accepted", refused);
-  const auto others = std::ssize(decks) - accepted - refused;
+  if (fragments > 0) s += fmt::format(", {} are no model", fragments);
+  const auto others = std::ssize(decks) - accepted - refused - fragments;
   s += others > 0 ? fmt::format(", {} ended otherwise\n", others) : "\n";
   if (!obstacles.empty()) s += fmt::format("\n{:<44} {:>6} {:>6}\n", "what refuses them", "decks", "alone");
   for (const Obstacle& o : obstacles)
@@ -151,6 +157,7 @@ Json to_json(const std::vector<CoveredDeck>& decks, const std::vector<Obstacle>&
   for (const CoveredDeck& deck : decks)
     json["decks"].push_back({{"deck", deck.path.string()},
                              {"accepted", deck.accepted()},
+                             {"model", !deck.is_fragment},
                              {"exit_code", deck.exit_code},
                              {"warnings", deck.warnings},
                              {"keywords", deck.keywords},

@@ -91,6 +91,31 @@ TEST(EquationsOfState, AdiabatOfAGas) {
                    std::pow(2.0, gamma), 1e-3);
 }
 
+// A brick of fluid, stretched or pressed at a constant speed, is deleted when its relative volume 1 + v t passes TEROD
+// or CEROD. Sabotage: the volume itself taken for its logarithm.
+TEST(EquationsOfState, ErosionByVolume) {
+  constexpr double end = 1e-3, terod = 1.3, cerod = 0.7;
+  for (const double speed : {500.0, -500.0}) {
+    Specimen s;
+    s.text("*MAT_NULL\n" + fields({1, 1e-9, 0.0, 0.0, terod, cerod}) + "*SECTION_SOLID\n" + fields({1, 1}) +
+           "*PART\nblock\n" + fields({1, 1, 1, 7}) + "*EOS_LINEAR_POLYNOMIAL\n" + fields({7, 0.1, 2000.0}) +
+           fields({0.0, 1.0}));
+    const Grid grid = s.bricks(1, {}, {1.0, 1.0, 1.0}, {1, 1, 1});
+    s.node_set(1, grid.all()).card("BOUNDARY_SPC_SET", {1, 0, 0, 1, 1});
+    s.node_set(2, grid.across(0)).card("BOUNDARY_SPC_SET", {2, 0, 1});
+    s.node_set(3, grid.across(1)).text(constant_curve(1));
+    s.card("BOUNDARY_PRESCRIBED_MOTION_SET", {3, 1, 0, 1, speed}).card("CONTROL_TERMINATION", {end});
+    Experiment experiment(s.deck());
+    double volume = 0.0;
+    run_to_end(experiment, [&](const impact::Snapshot& now) {
+      if (brick_layer(experiment, now, 1).stress[0] != 0.0) volume = experiment.position(now, grid(1, 0)).x;
+    });
+    expect_reference("Erosion by volume",
+                     speed > 0.0 ? "fluid, TEROD 1.3: relative volume" : "fluid, CEROD 0.7: relative volume", volume,
+                     speed > 0.0 ? terod : cerod, 2e-3);
+  }
+}
+
 // A block of copper pulled apart: with SPALL 2 and 3 it breaks at PC, carries pressure again and, pulled to ten times
 // its length, has none of its own; with SPALL 1 it holds PC. Sabotage: a broken point carries tension again once it has
 // been pressed; the energy of a broken point grows by the tension that it would have.

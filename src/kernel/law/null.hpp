@@ -10,7 +10,7 @@ struct Null {
   double nu = 0.0;         ///< Poisson's ratio for the contact stiffness [1]
   double viscosity = 0.0;  ///< MU [stress time]
   double tension = 0.0;    ///< -PC: the pressure falls no further than its opposite [stress]; 0: no limit
-  bool erodes = false;     ///< TEROD, CEROD: by its volume, which is not built
+  double most_volume = 0.0, least_volume = 0.0;  ///< TEROD, CEROD: relative volumes at which it erodes; 0: none
 };
 
 }  // namespace nugget::kernel

@@ -34,7 +34,8 @@ struct Erosion {
   std::optional<double> most_pressure, least_pressure;  ///< MXPRES, MNPRES [stress]
   std::optional<double> least_strain, most_strain;      ///< MNEPS, MXEPS: principal strains [1]
   std::optional<double> effective_strain;               ///< EFFEPS: sqrt(2/3 e:e) of the deviator [1]
-  std::optional<double> volume_strain;                  ///< VOLEPS: reached from 0 on, up or down [1]
+  std::optional<double> most_volume_strain;             ///< VOLEPS above 0, ln of TEROD: reached [1]
+  std::optional<double> least_volume_strain;            ///< VOLEPS below 0, ln of CEROD: fallen to [1]
   std::optional<double> most_stress;                    ///< SIGP1: principal stress [stress]
   std::optional<double> effective_stress;               ///< SIGVM [stress]
   Curve effective_stress_over_rate;                     ///< SIGVM < 0; empty: none

@@ -98,7 +98,6 @@ PointFailure::Bounds::Bounds(const Erosion& erosion, const StrainLimits& limits)
   static constexpr double none = std::numeric_limits<double>::infinity();
   const auto above = [](const std::optional<double>& limit) { return limit.value_or(none); };
   const auto below = [](const std::optional<double>& limit) { return limit ? -*limit : none; };
-  const double volume = erosion.volume_strain.value_or(0.0);
   pressure = above(erosion.most_pressure);
   tension = below(erosion.least_pressure);
   principal_stress = above(erosion.most_stress);
@@ -106,8 +105,8 @@ PointFailure::Bounds::Bounds(const Erosion& erosion, const StrainLimits& limits)
   high = std::min(above(erosion.most_strain), limits.major > 0.0 ? limits.major : none);
   low = below(erosion.least_strain);
   effective_strain = above(erosion.effective_strain);
-  growth = erosion.volume_strain && volume >= 0.0 ? volume : none;
-  shrinkage = erosion.volume_strain && volume <= 0.0 ? -volume : none;
+  growth = above(erosion.most_volume_strain);
+  shrinkage = below(erosion.least_volume_strain);
   shear = above(erosion.shear_strain);
   thinning = above(erosion.thinning);
   age = above(erosion.time);
@@ -159,7 +158,8 @@ bool PointFailure::eroded(const PointNow& now) const {
   if (e.least_strain && strain.low <= *e.least_strain) falls_to(e.least_strain, principal_values(now.strain)[0]);
   if (e.most_strain && strain.high >= *e.most_strain) reaches(e.most_strain, principal_values(now.strain)[2]);
   reaches(e.effective_strain, std::sqrt(2.0 / 3.0 * deviator2(now.strain)));
-  if (e.volume_strain) (*e.volume_strain > 0.0 ? reaches(e.volume_strain, volume) : falls_to(e.volume_strain, volume));
+  reaches(e.most_volume_strain, volume);
+  falls_to(e.least_volume_strain, volume);
   if (e.most_stress && PrincipalRange<double>(now.stress).high >= *e.most_stress)
     reaches(e.most_stress, principal_values(now.stress)[2]);
   const double effective = std::sqrt(1.5 * deviator2(now.stress));

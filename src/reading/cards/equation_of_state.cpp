@@ -159,16 +159,18 @@ kernel::LawComponents components(const Material& material) {
   if (null == nullptr) return *std::get<kernel::ComposedLaw>(material.law).components;
   kernel::LawComponents law{kernel::Fluid{.viscosity = null->viscosity}};
   if (null->tension > 0.0) law.spall = kernel::Spall{kernel::Spall::Form::limited_tension, null->tension};
+  if (null->most_volume > 1.0 || null->least_volume > 0.0) {
+    // The strain of a point is the time integral of its rate: of its trace, ln V.
+    law.erosion.emplace();
+    if (null->most_volume > 1.0) law.erosion->most_volume_strain = std::log(null->most_volume);
+    if (null->least_volume > 0.0) law.erosion->least_volume_strain = std::log(null->least_volume);
+  }
   return law;
 }
 
 /// Gives a material its equation of state; one that is refused too, so that it is not reported as missing.
 void give(Builder& b, const RowOf<PartCard>& part_row, Material& material, bool shells,
           const kernel::EquationOfState& state) {
-  const auto* null = std::get_if<kernel::Null>(&material.law);
-  if (null != nullptr && null->erodes)
-    b.findings.error(material.place, "*MAT_NULL", "erosion of solids by their volume (TEROD, CEROD) is not built",
-                     "leave both 0");
   kernel::LawComponents law = components(material);
   if (law.state)
     return refuse(b, part_row[&PartCard::eosid],

@@ -126,7 +126,8 @@ kernel::Erosion criteria(Builder& b, const ErosionCards& cards) {
   kernel::Erosion e;
   e.most_pressure = one(cards.first->mxpres);
   e.least_strain = one(cards.first->mneps);
-  e.volume_strain = one(cards.first->voleps);
+  const auto volume = one(cards.first->voleps);
+  (volume && *volume < 0.0 ? e.least_volume_strain : e.most_volume_strain) = volume;
   if (const auto strain = one(cards.first->effeps); strain && *strain > 0.0) e.effective_strain = strain;
   e.needed = static_cast<int>(cards.first->ncs);
   e.least_pressure = two(cards.second->mnpres);
@@ -156,9 +157,9 @@ kernel::Erosion criteria(Builder& b, const ErosionCards& cards) {
 /// How many criteria count.
 int number_of(const kernel::Erosion& e) {
   int n = !e.effective_stress_over_rate.empty();
-  for (const auto* one :
-       {&e.most_pressure, &e.least_pressure, &e.least_strain, &e.most_strain, &e.effective_strain, &e.volume_strain,
-        &e.most_stress, &e.effective_stress, &e.shear_strain, &e.impulse, &e.time, &e.thinning})
+  for (const auto* one : {&e.most_pressure, &e.least_pressure, &e.least_strain, &e.most_strain, &e.effective_strain,
+                          &e.most_volume_strain, &e.least_volume_strain, &e.most_stress, &e.effective_stress,
+                          &e.shear_strain, &e.impulse, &e.time, &e.thinning})
     n += one->has_value();
   return n;
 }

@@ -67,9 +67,9 @@ const CardOf<NullCard> null_card{
      real("pc", dimension::stress, 0, any_value, "solids: the pressure falls no further; below 0, or 0: no limit")},
     {&NullCard::mu,
      real("mu", {1, -1, -1}, 0, at_least(0), "solids: viscosity; deviators are 2 MU times those of the strain rate")},
-    {&NullCard::terod, real("terod", dimension::number, 0, any_value,
-                            "solids: relative volume at which they erode in tension: not built")},
-    {&NullCard::cerod, real("cerod", dimension::number, 0, any_value, "the same in compression: not built")},
+    {&NullCard::terod, real("terod", dimension::number, 0, at_least(0),
+                            "solids: relative volume at which they erode in tension, above 1; 0: none")},
+    {&NullCard::cerod, real("cerod", dimension::number, 0, between(0, 1), "the same in compression, below 1; 0: none")},
     {&NullCard::ym, real("ym", dimension::stress, 0, at_least(0), "shells, beams: Young's modulus, for contact only")},
     {&NullCard::pr,
      real("pr", dimension::number, 0, between(0, 0.5), "shells, beams: Poisson's ratio, for contact only")},
@@ -150,8 +150,12 @@ void read_null(Builder& b, const Block& block, const Options& options) {
   if (row->pc > 0.0)
     row[&NullCard::pc].report(b.findings, Severity::warning, "a limit of the pressure is below 0; taken as none",
                               "write a negative pressure");
+  if (row->terod > 0.0 && row->terod <= 1.0)
+    refuse(b, row[&NullCard::terod], "a solid has this volume at the start already", "give a volume above 1, or 0");
+  if (row->cerod == 1.0)
+    refuse(b, row[&NullCard::cerod], "a solid has this volume at the start already", "give a volume below 1, or 0");
   add_material(b, row, std::move(title), "MAT_NULL",
-               kernel::Null{row->ym, row->pr, row->mu, std::max(-row->pc, 0.0), row->terod > 0.0 || row->cerod > 0.0});
+               kernel::Null{row->ym, row->pr, row->mu, std::max(-row->pc, 0.0), row->terod, row->cerod});
 }
 
 /// The third card: LCO, the coordinate system of local motions and output, or two vectors a and v that give the

@@ -192,9 +192,10 @@ TEST(PointFailure, EachErosionCriterion) {
   EXPECT_EQ(after(longest, pull), 10);
   EXPECT_EQ(after(longest, push), 0);
   EXPECT_EQ(after(with(&Erosion::effective_strain, 9.5e-4 * 2.0 / 3.0), pull), 10);
-  EXPECT_EQ(after(with(&Erosion::volume_strain, 9.5e-4), pull), 10);
-  EXPECT_EQ(after(with(&Erosion::volume_strain, 9.5e-4), push), 0);
-  EXPECT_EQ(after(with(&Erosion::volume_strain, -9.5e-4), push), 10);
+  EXPECT_EQ(after(with(&Erosion::most_volume_strain, 9.5e-4), pull), 10);
+  EXPECT_EQ(after(with(&Erosion::most_volume_strain, 9.5e-4), push), 0);
+  EXPECT_EQ(after(with(&Erosion::least_volume_strain, -9.5e-4), push), 10);
+  EXPECT_EQ(after(with(&Erosion::least_volume_strain, -9.5e-4), pull), 0);
   EXPECT_EQ(after(with(&Erosion::most_stress, 9.5e-4 * (lambda + 2 * G)), pull), 10);
   EXPECT_EQ(after(with(&Erosion::effective_stress, 9.5e-4 * 2 * G), push), 10);
   EXPECT_EQ(after(with(&Erosion::shear_strain, 4.75e-4), shear), 10);
