@@ -126,8 +126,8 @@ kernel::Erosion criteria(Builder& b, const ErosionCards& cards) {
   kernel::Erosion e;
   e.most_pressure = one(cards.first->mxpres);
   e.least_strain = one(cards.first->mneps);
-  const auto volume = one(cards.first->voleps);
-  (volume && *volume < 0.0 ? e.least_volume_strain : e.most_volume_strain) = volume;
+  const auto of_volume = one(cards.first->voleps);
+  (of_volume && *of_volume < 0.0 ? e.least_volume_strain : e.most_volume_strain) = of_volume;
   if (const auto strain = one(cards.first->effeps); strain && *strain > 0.0) e.effective_strain = strain;
   e.needed = static_cast<int>(cards.first->ncs);
   e.least_pressure = two(cards.second->mnpres);
