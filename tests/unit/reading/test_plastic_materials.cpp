@@ -230,7 +230,7 @@ TEST(PlasticMaterials, ErosionIsAddedToALaw) {
   const kernel::Erosion& e = *law.erosion;
   EXPECT_DOUBLE_EQ(*e.most_pressure, 1000.0);
   EXPECT_DOUBLE_EQ(*e.least_strain, -0.3);
-  EXPECT_DOUBLE_EQ(*e.volume_strain, 0.1);
+  EXPECT_DOUBLE_EQ(*e.most_volume_strain, 0.1);
   EXPECT_DOUBLE_EQ(*e.least_pressure, -500.0);
   EXPECT_DOUBLE_EQ(*e.most_stress, 800.0);
   EXPECT_FALSE(e.effective_stress);
