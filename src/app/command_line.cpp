@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,17 @@ int nugget::app::command_line(int argc, char** argv) {
                    "a restart file every so often: 500cycles, 10min (of the clock), or a model time such as 1e-3; one "
                    "is written anyway when the run is interrupted")
       ->check(checkpoints());
+  std::string stop_after;
+  run_command
+      ->add_option("--stop-after", stop_after,
+                   "stop so long before a batch system would: 55min, 90s or 2h of the clock; a restart file is written")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return nugget::app::clock_seconds(text)
+                       ? std::string()
+                       : fmt::format("'{}', expected a time of the clock such as 55min, 90s or 2h", text);
+          },
+          ""));
   run_command
       ->add_option("--resume", run.resume,
                    "go on in this folder from its newest restart file; the deck must be as it was, and is named only "
@@ -338,6 +350,7 @@ int nugget::app::command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
   }
+  if (!stop_after.empty()) run.stop_after = *nugget::app::clock_seconds(stop_after);
   if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
   if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));
   if (frf_command->parsed()) return static_cast<int>(nugget::app::frf(frf, direct));

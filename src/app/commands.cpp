@@ -2,6 +2,7 @@
 #include "app/commands.hpp"
 
 #include <fmt/format.h>
+#include <sys/time.h>
 
 #include <algorithm>
 #include <array>
@@ -123,12 +124,27 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .load_case = arguments.load_case};
 }
 
+/// A batch system says by one of these that a job's time is up; all leave a restart file, as Ctrl-C does.
+void interrupt_on_signals(double stop_after) {
+  std::signal(SIGINT, [](int) { impact::Simulation::interrupt(); });
+  std::signal(SIGTERM, [](int) { impact::Simulation::interrupt("SIGTERM"); });
+  std::signal(SIGHUP, [](int) { impact::Simulation::interrupt("SIGHUP"); });
+  std::signal(SIGXCPU, [](int) { impact::Simulation::interrupt("SIGXCPU, the limit of processor time,"); });
+  std::signal(SIGUSR1, [](int) { impact::Simulation::interrupt("SIGUSR1"); });
+  std::signal(SIGALRM, [](int) { impact::Simulation::interrupt("--stop-after"); });
+  if (stop_after <= 0.0) return;
+  itimerval timer{};
+  double seconds = 0.0;
+  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * std::modf(stop_after, &seconds));
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as
 /// far as that can still be done.
 impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directory, const RunArguments& arguments,
                          output::RestartHead head, output::RestartReader* from, Log& log) {
-  std::signal(SIGINT, [](int) { impact::Simulation::interrupt(); });
-  std::signal(SIGTERM, [](int) { impact::Simulation::interrupt(); });
+  interrupt_on_signals(arguments.stop_after);
   ProgressDisplay display;
   try {
     const system::System& system = simulation.system();
@@ -356,6 +372,11 @@ ExitCode run(const RunArguments& arguments) {
     if (!warning.empty())
       fmt::print(stderr, "warning: {}; the one before it is taken, {}\n", warning, from->path().string());
     const RunArguments run = resumed_arguments(arguments, from->head());
+    if (run.until > 0.0 && run.until < from->head().time)
+      throw ArchiveError(
+          fmt::format("--until {:g} lies before the restart file, whose time is {:g}: give a later end, "
+                      "or run the deck again",
+                      run.until, from->head().time));
     return run_in(run.directory, run, from.get());
   });
 }

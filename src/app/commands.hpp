@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,12 @@ struct RunArguments {
   int threads = 0;  ///< 0: all cores
   double until = 0.0;
   long max_cycles = 0;
-  std::string checkpoint;  ///< when restart files are written, see read_checkpoints(); empty: as the deck says
-  std::string weld_law;    ///< shared library with the user's own failure function of welds; empty: none
-  std::string resume;      ///< folder of a run that is resumed; empty: a new run
-  std::string weld_tie;    ///< `area`: how welds are tied to their sheets, whatever the deck says; empty: as it says
-  std::string drop_weld;   ///< welds that are not there: ids separated by commas; `all` or `each:` ids: one run each
+  std::string checkpoint;   ///< when restart files are written, see read_checkpoints(); empty: as the deck says
+  double stop_after = 0.0;  ///< seconds of the clock after which the run is interrupted; 0: never
+  std::string weld_law;     ///< shared library with the user's own failure function of welds; empty: none
+  std::string resume;       ///< folder of a run that is resumed; empty: a new run
+  std::string weld_tie;     ///< `area`: how welds are tied to their sheets, whatever the deck says; empty: as it says
+  std::string drop_weld;    ///< welds that are not there: ids separated by commas; `all` or `each:` ids: one run each
   std::vector<std::string> intrusion;  ///< of those runs: pairs of nodes `A,B`
   int load_case = 0;                   ///< *CASE of the deck; 0: all of them, one after the other
   bool skip_unsupported = false;
@@ -97,6 +99,8 @@ struct CoverageArguments {
 };
 
 ExitCode run(const RunArguments& arguments);
+/// Seconds of `90s`, `55min`, `2h`; nothing where the text is none of these.
+std::optional<double> clock_seconds(const std::string& text);
 /// True where the text says when restart files are written.
 bool says_checkpoints(const std::string& text);
 ExitCode modes(const ModesArguments& arguments);

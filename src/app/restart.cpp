@@ -28,6 +28,17 @@ std::optional<impact::Checkpoints> read_checkpoints(const std::string& text) {
   return every;
 }
 
+std::optional<double> clock_seconds(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || !(value > 0.0) || !std::isfinite(value)) return {};
+  const std::string unit(end);
+  if (unit == "s") return value;
+  if (unit == "min") return 60.0 * value;
+  if (unit == "h") return 3600.0 * value;
+  return {};
+}
+
 bool says_checkpoints(const std::string& text) {
   return read_checkpoints(text).has_value();
 }

@@ -253,6 +253,9 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
   const Value value = evaluate(text, deck_.impl->parameters, block_.scope);
   if (value.fault != Value::Fault::none) {
     report(fault_of(field, text, value));
+  } else if (value.number != 0.0 && std::abs(value.number) < std::numeric_limits<double>::min()) {
+    report(
+        {with_meaning(field, "is closer to 0 than a number of full precision can be"), "write 0, or a larger number"});
   } else if (field.kind == Kind::integer && value.number != std::trunc(value.number)) {
     report({with_meaning(field, "expected a whole number"), {}});
   } else if (field.kind == Kind::integer && std::abs(value.number) > largest_integer) {

@@ -89,7 +89,10 @@ std::uint64_t checksum_of_program() {
 }
 
 RestartWriter::RestartWriter(fs::path folder, const RestartHead& head)
-    : Archive(false), folder_(std::move(folder)), file_(folder_ / "restart.part"), sum_(checksum_of_nothing) {
+    : Archive(false),
+      folder_(std::move(folder)),
+      file_(std::in_place, folder_ / "restart.part", OpenMode::draft),
+      sum_(checksum_of_nothing) {
   const std::string text = to_json(head).dump(-1, ' ', false, Json::error_handler_t::replace);
   put(begin_mark);
   put(raw(text.size()));
@@ -178,9 +181,13 @@ std::unique_ptr<RestartReader> open_restart(const fs::path& folder, std::string&
   try {
     return std::make_unique<RestartReader>(newest);
   } catch (const ArchiveError& error) {
-    auto older = std::make_unique<RestartReader>(before);
-    warning = error.what();
-    return older;
+    try {
+      auto older = std::make_unique<RestartReader>(before);
+      warning = error.what();
+      return older;
+    } catch (const ArchiveError&) {
+      throw error;  // of the two it is the newest that a person goes by
+    }
   }
 }
 

@@ -19,7 +19,8 @@ std::string last_error() {
 }  // namespace
 
 ResultFile::ResultFile(std::filesystem::path path, OpenMode mode) : path_(std::move(path)) {
-  const int how = mode == OpenMode::create ? O_CREAT | O_TRUNC : 0;
+  if (mode == OpenMode::draft) ::unlink(path_.c_str());
+  const int how = mode == OpenMode::create ? O_CREAT | O_TRUNC : mode == OpenMode::draft ? O_CREAT | O_EXCL : 0;
   descriptor_ = ::open(path_.c_str(), O_WRONLY | how | O_CLOEXEC, 0666);
   if (descriptor_ >= 0) return;
   if (mode == OpenMode::append && errno == ENOENT)
@@ -55,6 +56,7 @@ void ResultFile::close() noexcept {
 void ResultFile::commit() {
   write_at(size_, buffer_);
   buffer_.clear();
+  expect_in_place();
 }
 
 void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
@@ -72,6 +74,12 @@ void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
     position += static_cast<std::uint64_t>(written);
   }
   if (position > size_) size_ = position;
+}
+
+void ResultFile::expect_in_place() const {
+  struct stat now {};
+  if (::fstat(descriptor_, &now) != 0) throw WriteError(path_, last_error());
+  if (now.st_nlink == 0) throw WriteError(path_, "the file was removed while the run wrote to it");
 }
 
 void ResultFile::sync() {
@@ -95,7 +103,7 @@ void write_whole_file(const std::filesystem::path& path, std::string_view text) 
   const std::filesystem::path draft = path.string() + ".part";
   std::error_code ignored;
   try {
-    ResultFile file(draft);
+    ResultFile file(draft, OpenMode::draft);
     file.buffer() = text;
     file.commit();
   } catch (const WriteError& error) {

@@ -21,11 +21,15 @@ struct WriteError : std::runtime_error {
 };
 
 /// Whether a result is begun, or one that an interrupted run has left is continued.
-enum class OpenMode { create, append };
+enum class OpenMode {
+  create,
+  draft,  ///< begun anew, whatever stood there; a link there is not followed
+  append
+};
 
 /// A file that grows by whole states. What is put into `buffer()` reaches the disk at `commit()`, at once, so that a
 /// killed run leaves complete states; a commit that fails cuts the file back to the last good one and throws
-/// WriteError.
+/// WriteError; so does one whose file was removed meanwhile, since nobody would find what goes into it.
 class ResultFile {
  public:
   /// Creates the file, or empties the one that is there; throws WriteError. To append, takes it as it is, and `archive`
@@ -55,6 +59,7 @@ class ResultFile {
 
  private:
   void close() noexcept;
+  void expect_in_place() const;
 
   std::filesystem::path path_;
   std::string buffer_;

@@ -10,6 +10,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/programs/started_ranks.hpp"
+#include "app/terminal.hpp"
 
 namespace {
 
@@ -27,5 +28,7 @@ int become_a_rank(char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return nugget::app::started_ranks() > 1 ? become_a_rank(argv) : nugget::app::command_line(argc, argv);
+  if (nugget::app::started_ranks() > 1) return become_a_rank(argv);
+  nugget::app::guard_terminal();
+  return nugget::app::code_after_terminal(nugget::app::command_line(argc, argv));
 }

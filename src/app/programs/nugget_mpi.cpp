@@ -9,6 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/programs/started_ranks.hpp"
+#include "app/terminal.hpp"
 #include "nvh/matrices/ranks.hpp"
 
 // `nugget-mpi`: the same program with MPI. The first rank does what the command line asks for, the others answer its
@@ -49,7 +50,10 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "nugget: the mpirun that started this is not that of the MPI with which nugget-mpi was built\n");
     return static_cast<int>(nugget::app::ExitCode::wrong_command);
   }
-  if (rank == 0) return lead(argc, argv, count, ranks);
+  if (rank == 0) {
+    nugget::app::guard_terminal();
+    return nugget::app::code_after_terminal(lead(argc, argv, count, ranks));
+  }
   nugget::nvh::follow_calls([&] {
     SolverCall call;
     pass_on(call, ranks);

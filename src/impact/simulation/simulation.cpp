@@ -21,7 +21,7 @@
 namespace nugget::impact {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+const char* volatile interrupted_by = nullptr;  ///< by whom; null: not at all
 
 /// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
 /// of a body that nothing can move, none, which counts as held.
@@ -42,8 +42,8 @@ void set_rigid_contact_mass(const system::System& system, std::vector<double>& c
 
 }  // namespace
 
-void Simulation::interrupt() {
-  interrupted = 1;
+void Simulation::interrupt(const char* by) {
+  interrupted_by = by;
 }
 
 Simulation::Simulation(system::System& system, Findings& findings)
@@ -111,7 +111,7 @@ void Simulation::add_time(Phase phase) {
 }
 
 Outcome Simulation::run(const Options& options, Recorder& recorder, const ProgressCallback& progress) {
-  interrupted = 0;
+  interrupted_by = nullptr;
   begin_ = timed_until_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
 
@@ -185,7 +185,7 @@ void Simulation::report_progress(const ProgressCallback& progress, double end_ti
 
 void Simulation::write_checkpoint_if_due(const Options& options) {
   // Asked once a cycle: the run ends in the cycle that begins with the restart file.
-  stop_requested_ = interrupted != 0;
+  stop_requested_ = interrupted_by != nullptr;
   if (!options.write_checkpoint || diverged_) return;
   solve_seconds_ = elapsed();
   const Checkpoints& every = options.checkpoints;
@@ -303,7 +303,7 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
   const double end_time = control.end_time > 0.0 ? control.end_time : std::numeric_limits<double>::infinity();
   for (double next_report = 0.0; !relaxation_.at_rest() && state_.time < end_time;) {
     choose_step(end_time);
-    stop_requested_ = interrupted != 0;
+    stop_requested_ = interrupted_by != nullptr;
     if (stop = reason_to_stop(options, end_time); stop.stops()) break;
     relaxation_.damp(system_, state_);
     update_velocities();
@@ -390,8 +390,8 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
   if (stop_requested_)
     return {Termination::interrupted,
-            fmt::format("interrupted by the user at time {:.6g}, cycle {}; results up to there are kept", state_.time,
-                        state_.cycle)};
+            fmt::format("interrupted by {} at time {:.6g}, cycle {}; results up to there are kept",
+                        static_cast<const char*>(interrupted_by), state_.time, state_.cycle)};
   for (const auto& group : system_.groups) {
     if (group->inverted < 0) continue;
     const model::Index e = group->element[group->inverted];

@@ -44,7 +44,7 @@ class Simulation {
   double solve_seconds() const { return solve_seconds_; }
 
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
-  static void interrupt();
+  static void interrupt(const char* by = "the user");
 
   void archive(Archive& a);
 
