@@ -125,7 +125,7 @@ class BrokenDecks(CommandTest):
             ("     103     104     108     107\n", "     103     104\n"),
         ], [
             "model.k:7:40: error: *CONTROL_TIMESTEP tslimt = x: is not a number (softening of shells to hold a "
-            "time step) [write a number there, or leave the field blank for its default]",
+            "time step: not built; above 0 beside dt2ms: no effect) [write a number there, or leave the field blank for its default]",
             "model.k:108: error: *ELEMENT_SHELL: shell 12: its corners are nodes 103 104 0 0, expected three or "
             "four different ones in sequence [remove it or correct its nodes]",
             "model.k: note: *NODE: node 104 belongs to no element, mass or rigid body",

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a machine does to a run: full disks and terminals, closed streams, signals, files that go; and decks with numbers at
 the edges of what a number can be. It is told, with a code that says so; nothing ends without a word."""
-import json
-import os
 import pathlib
 import re
 import resource
@@ -14,12 +12,12 @@ import unittest
 import lap_joint
 from nugget_command import NUGGET, CommandTest
 
-LONG = "  2.00e-05"
+END = "  2.00e-05"
 
 
 def long_deck():
     """The lap joint to a thousand times its end time, with results as often."""
-    return lap_joint.deck((LONG, "  2.00e-02"), ("*DATABASE_GLSTAT\n  5.00e-06", "*DATABASE_GLSTAT\n  5.00e-06"))
+    return lap_joint.deck((END, "  2.00e-02"))
 
 
 class Hostile(CommandTest):
@@ -54,7 +52,6 @@ class Hostile(CommandTest):
                 run = subprocess.run(["bash", "-c", command], cwd=self.folder, capture_output=True, text=True, timeout=60)
                 self.assertEqual(run.returncode, code, run.stderr)
                 self.assertEqual(self.json("out/summary.json")["termination"], "normal")
-                self.assertNotIn("nugget", self.read("out/glstat")[:200].replace("nugget 0.1", ""))
         run = subprocess.run(f"{NUGGET} run model.k --quiet -o out > /dev/full", shell=True, cwd=self.folder,
                              capture_output=True, text=True, timeout=60)
         self.assertIn("cannot write to standard output: No space left on device", run.stderr)
@@ -73,7 +70,7 @@ class Hostile(CommandTest):
                 self.assertTrue((self.folder / folder / "restart").exists())
 
     def test_stop_after(self):
-        self.write(lap_joint.deck((LONG, "  2.00e+02")))
+        self.write(lap_joint.deck((END, "  2.00e+02")))
         run = self.nugget("run", "model.k", "--quiet", "--stop-after", "0.5s", "-o", "out", expect=130)
         self.assertIn("interrupted by --stop-after at time", run.stderr)
         self.assertTrue((self.folder / "out/restart").exists())

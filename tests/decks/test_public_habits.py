@@ -3,6 +3,7 @@
 *CONTROL_SOLUTION, fields that are zero and fields that have moved, no *DATABASE_GLSTAT. On decks of our own."""
 import unittest
 
+import lap_joint
 from nugget_command import CommandTest
 from test_contact_forms import LOWER, SIDE, UPPER, plates, sliding
 
@@ -103,6 +104,22 @@ class PublicHabits(CommandTest):
         self.assertNotIn("CONTROL_SOLUTION", run.stderr)
         run = self.run_plates(together(contact, words("*CONTROL_SOLUTION", f"{2:10d}")), command="check", expect=1)
         self.assertIn("*CONTROL_SOLUTION soln = 2: only 0 is supported", run.stderr)
+
+    def test_parts_with_the_option_title(self):
+        """It has a title line anyway. Sabotage: the option taken away."""
+        self.write(lap_joint.deck())
+        self.nugget("check", "model.k", "-o", "plain")
+        self.write(lap_joint.deck(("*PART\nlower sheet", "*PART_TITLE\nlower sheet")))
+        self.nugget("check", "model.k", "-o", "titled")
+        self.assertEqual(self.read("titled/welds.csv"), self.read("plain/welds.csv"))
+
+    def test_softening_of_shells_beside_mass_scaling_has_no_effect(self):
+        """As in LS-DYNA, where DT2MS switches a TSLIMT above 0 off; alone, or below 0, it is refused."""
+        for tslimt, dt2ms, code in (("1.0e-07", "-1.0e-07", 0), ("1.0e-07", "0.0", 1), ("-1.0e-07", "-1.0e-07", 1)):
+            self.write(lap_joint.deck(("       0.0       0.9\n", f"       0.0       0.9         0{tslimt:>10}{dt2ms:>10}\n")))
+            run = self.nugget("check", "model.k", expect=code)
+            self.assertIn("no effect beside DT2MS" if code == 0 else "softening of shells to hold a time step is not built",
+                          run.stderr)
 
     def test_zeros_behind_the_last_field_ask_for_nothing(self):
         contact = sliding("AUTOMATIC_SURFACE_TO_SURFACE")

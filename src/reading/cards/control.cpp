@@ -43,7 +43,7 @@ const CardOf<TerminationCard> termination_card{
 struct StepCard {
   double dtinit = 0, tssfac = 0;
   int isdo = 0;
-  double dt2ms = 0;
+  double tslimt = 0, dt2ms = 0;
   int lctm = 0, erode = 0, ms1st = 0;
 };
 const CardOf<StepCard> step_card{
@@ -51,7 +51,8 @@ const CardOf<StepCard> step_card{
     {&StepCard::tssfac, real("tssfac", dimension::number, 0.9, any_value, "factor on the stable time step")},
     {&StepCard::isdo, integer("isdo", 0, between(0, 2),
                               "length of shells: 0 area over longest side, 1 over diagonal, 2 bar wave speed")},
-    real("tslimt", dimension::time, 0, only(0), "softening of shells to hold a time step"),
+    {&StepCard::tslimt, real("tslimt", dimension::time, 0, any_value,
+                             "softening of shells to hold a time step: not built; above 0 beside dt2ms: no effect")},
     {&StepCard::dt2ms, real("dt2ms", dimension::time, 0, any_value,
                             "mass scaling: time step that is to be held; below 0: where needed only")},
     {&StepCard::lctm, id("lctm", IdSpace::function, 0, "curve: largest time step over time")},
@@ -418,6 +419,11 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   const auto second = cursor.read(step_card_2);
   const auto third = cursor.read(step_card_3);
   expect_end(b, cursor);
+  if (row->tslimt > 0.0 && row->dt2ms != 0.0)
+    row[&StepCard::tslimt].report(b.findings, Severity::note, "no effect beside DT2MS, as in LS-DYNA");
+  else if (row->tslimt != 0.0)
+    refuse(b, row[&StepCard::tslimt], "softening of shells to hold a time step is not built",
+           "write 0, and DT2MS below 0 for mass scaling");
   if (row->tssfac < 0.0)
     refuse(b, row[&StepCard::tssfac], "a factor over time (curve) is not supported", "give a number");
   if (row->tssfac > 1.0)

@@ -312,7 +312,7 @@ void read_part(Builder& b, const Block& block, const Options& options) {
 std::vector<Keyword> part_keywords() {
   return {
       {.name = "PART",
-       .options = {"INERTIA", "REPOSITION", "CONTACT", "PRINT", "ATTACHMENT_NODES"},
+       .options = {"INERTIA", "REPOSITION", "CONTACT", "PRINT", "ATTACHMENT_NODES", "TITLE"},  // it has a title anyway
        .layout = {{"", &heading_line},
                   {"", &part_card},
                   {"with _INERTIA", &centre_card},
