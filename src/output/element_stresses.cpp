@@ -11,11 +11,20 @@ namespace {
 
 using ElementLocation = system::System::ElementLocation;
 
-StressRecord record(const model::Model& model, const system::ElementGroup& group, const ElementLocation& location,
+StressRecord record(const system::System& system, const system::ElementGroup& group, const ElementLocation& location,
                     int point, const system::State& state) {
-  const system::ElementGroup::Layer layer = group.layer(at(location.element), point, state);
-  return {by_cmpflg(model, group, at(location.element), point, state, layer.stress), layer.plastic_strain,
+  const system::ElementGroup::Layer layer = shown_layer(system, group, at(location.element), point, state);
+  return {by_cmpflg(system.model, group, at(location.element), point, state, layer.stress), layer.plastic_strain,
           layer.damage};
+}
+
+/// Share of the transverse shear stress of a shell's kernel that carries its shear force; 1 of other elements, and of
+/// layers of several materials, which have a shear of their own.
+double shear_share(const model::Model& model, const system::ElementGroup& group) {
+  const model::Part& part = model.parts[group.part];
+  if (part.kind != model::ElementKind::shell || part.section == model::none || part.material == model::none) return 1.0;
+  if (std::holds_alternative<kernel::Laminate>(model.materials[part.material].law)) return 1.0;
+  return model.shell_sections[part.section].shear_factor;
 }
 
 /// Mx My Mxy Qx Qy Nx Ny Nxy along axes that lie by an angle, given by cosine and sine, from their own.
@@ -52,6 +61,27 @@ std::array<double, 6> along(const Frame3d& axes, const std::array<double, 6>& t)
   return {dot(axes.e1, x), dot(axes.e2, y), dot(axes.e3, z), dot(axes.e1, y), dot(axes.e2, z), dot(axes.e3, x)};
 }
 
+system::ElementGroup::Layer shown_layer(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                        int layer, const system::State& state) {
+  system::ElementGroup::Layer shown = group.layer(e, layer, state);
+  const double share = shear_share(system.model, group);
+  if (share == 1.0) return shown;
+  const auto axes = group.axes(e, state);
+  if (!axes) return shown;
+  std::array<double, 6>& s = shown.stress;
+  const Vec3d n = axes->e3;
+  const Vec3d traction{s[0] * n.x + s[3] * n.y + s[5] * n.z, s[3] * n.x + s[1] * n.y + s[4] * n.z,
+                       s[5] * n.x + s[4] * n.y + s[2] * n.z};
+  const Vec3d t = (1.0 - share) * (traction - dot(traction, n) * n);  // what is taken off the shear across the shell
+  s[0] -= 2.0 * n.x * t.x;
+  s[1] -= 2.0 * n.y * t.y;
+  s[2] -= 2.0 * n.z * t.z;
+  s[3] -= n.x * t.y + n.y * t.x;
+  s[4] -= n.y * t.z + n.z * t.y;
+  s[5] -= n.z * t.x + n.x * t.z;
+  return shown;
+}
+
 std::optional<Frame3d> shell_axes(const system::System& system, const system::ElementGroup& group, std::size_t e,
                                   const system::State& state) {
   std::optional<Frame3d> axes = group.axes(e, state);
@@ -76,7 +106,7 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
   const model::Model& model = system.model;
   s.solids.resize(model.solids.size());
   each_element(system, system.solid_location, [&](std::size_t e, const Group& group, const ElementLocation& location) {
-    static_cast<StressRecord&>(s.solids[e]) = record(model, group, location, 0, state);
+    static_cast<StressRecord&>(s.solids[e]) = record(system, group, location, 0, state);
   });
 
   const auto points = at(model.requests.beam_points);
@@ -86,7 +116,7 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
     const std::array<double, 8> r = group.resultants(at(location.element));
     s.beams[e] = {r[0], r[1], r[2], r[4], r[5], r[3]};
     for (std::size_t k = 0; k < std::min(points, at(group.layers())); ++k) {
-      const StressRecord p = record(model, group, location, static_cast<int>(k), state);
+      const StressRecord p = record(system, group, location, static_cast<int>(k), state);
       s.beam_points[e * points + k] = {p.stress[3], p.stress[5], p.stress[0], p.plastic_strain, 0.0};
     }
   });
@@ -96,14 +126,15 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
   s.shell_layers.resize(model.shells.size() * layers);
   each_element(system, system.shell_location, [&](std::size_t e, const Group& group, const ElementLocation& location) {
     std::vector<StressRecord> through;
-    for (int k = 0; k < group.layers(); ++k) through.push_back(record(model, group, location, k, state));
+    for (int k = 0; k < group.layers(); ++k) through.push_back(record(system, group, location, k, state));
     shell_layers(through, std::span(s.shell_layers).subspan(e * layers, layers));
     std::array<double, 8> r = group.resultants(at(location.element));
     const auto own = group.axes(at(location.element), state),
                axes = shell_axes(system, group, at(location.element), state);
     if (own && axes) r = turned(r, dot(axes->e1, own->e1), dot(axes->e1, own->e2));
     ShellRecord& shell = s.shells[e];
-    shell.mx = r[0], shell.my = r[1], shell.mxy = r[2];
+    // LS-DYNA's are the integrals of -z times the stress (Theory Manual, Belytschko-Lin-Tsay shell).
+    shell.mx = -r[0], shell.my = -r[1], shell.mxy = -r[2];
     shell.qx = r[3], shell.qy = r[4];
     shell.nx = r[5], shell.ny = r[6], shell.nxy = r[7];
   });

@@ -13,6 +13,12 @@ namespace nugget::output {
 /// records; those of elements without a kernel are left as they are.
 void fill_stresses(const system::System& system, const system::State& state, D3plotState& into);
 
+/// A layer as results show it. A shell's kernel has the stress G gamma across it and its force SHRF times the integral
+/// of that; results have the stress SHRF G gamma, whose integral is the force, as LS-DYNA's have
+/// (docs/evidence/decks.md).
+system::ElementGroup::Layer shown_layer(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                        int layer, const system::State& state);
+
 /// Components of a symmetric tensor xx yy zz xy yz zx along other axes.
 std::array<double, 6> along(const Frame3d& axes, const std::array<double, 6>& tensor);
 

@@ -187,7 +187,7 @@ class ExitCodes(CommandTest):
             run.kill()
         self.assertEqual(run.returncode, 130, error)
         self.assertEqual(out, " I n t e r r u p t e d\n")
-        self.assertRegex(error, r"interrupted by the user at time \S+, cycle \d+; results up to there are kept; to go on: "
+        self.assertRegex(error, r"interrupted by (?:the user|SIGTERM) at time \S+, cycle \d+; results up to there are kept; to go on: "
                                 r"nugget run --resume \.\n")
         summary = self.json("summary.json")
         self.assertEqual(summary["termination"], "interrupted")

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/recording/element_histories.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/index.hpp"
 #include "output/element_stresses.hpp"
@@ -21,7 +24,7 @@ std::pair<const system::ElementGroup*, std::size_t> find(const Snapshot& now,
 
 output::EloutPoint point(const system::ElementGroup& group, std::size_t e, int layer, const Snapshot& now) {
   if (!group.alive(e)) return {};
-  const system::ElementGroup::Layer l = group.layer(e, layer, now.state);
+  const system::ElementGroup::Layer l = output::shown_layer(now.system, group, e, layer, now.state);
   return {l.stress, l.plastic_strain};
 }
 
@@ -44,6 +47,20 @@ std::optional<Frame3d> axes_of_layer(const Snapshot& now, const system::ElementG
   return output::shell_axes(now.system, group, e, now.state);
 }
 
+/// As LS-DYNA lists them: of Gauss's rule with an odd number of points the middle one first, then from the bottom up.
+std::vector<int> layers_in_order(const model::Model& model, const system::ElementGroup& group) {
+  std::vector<int> order(at(group.layers()));
+  std::iota(order.begin(), order.end(), 0);
+  const model::Part& part = model.parts[group.part];
+  if (order.size() % 2 == 0 || part.section == model::none) return order;
+  const model::SectionShell& section = model.shell_sections[part.section];
+  const bool is_gauss = !section.trapezoidal && section.rule.empty() &&
+                        !std::holds_alternative<kernel::Laminate>(model.materials[part.material].law);
+  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+  if (is_gauss) std::rotate(order.begin(), middle, middle + 1);
+  return order;
+}
+
 output::EloutShell shell(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
   const model::Model& model = now.system.model;
   output::EloutShell row;
@@ -52,7 +69,7 @@ output::EloutShell shell(const Snapshot& now, model::Index index, const system::
   const auto turn = [&](output::Tensor& tensor, int layer) {
     if (const auto axes = axes_of_layer(now, group, e, layer)) tensor = output::along(*axes, tensor);
   };
-  for (int k = 0; k < group.layers(); ++k) {
+  for (const int k : layers_in_order(model, group)) {
     row.layers.push_back(point(group, e, k, now));
     turn(row.layers.back().stress, k);
   }

@@ -30,7 +30,7 @@ ElasticStresses::ElasticStresses(const system::System& at_rest, const std::vecto
 std::array<double, 6> ElasticStresses::stress(const system::System::ElementLocation& location, int k) const {
   std::array<double, 6> s{};
   if (const system::ElementGroup* group = group_of(*system_, location))
-    s = group->layer(at(location.element), k, state_).stress;
+    s = output::shown_layer(*system_, *group, at(location.element), k, state_).stress;
   for (double& component : s) component /= step;
   return s;
 }
