@@ -50,6 +50,20 @@ void each_element(const system::System& system, const std::vector<ElementLocatio
   });
 }
 
+/// The tensor with its shear along the planes across `n` scaled.
+std::array<double, 6> shear_scaled(std::array<double, 6> s, const Vec3d& n, double factor) {
+  const Vec3d traction{s[0] * n.x + s[3] * n.y + s[5] * n.z, s[3] * n.x + s[1] * n.y + s[4] * n.z,
+                       s[5] * n.x + s[4] * n.y + s[2] * n.z};
+  const Vec3d t = (factor - 1.0) * (traction - dot(traction, n) * n);
+  s[0] += 2.0 * n.x * t.x;
+  s[1] += 2.0 * n.y * t.y;
+  s[2] += 2.0 * n.z * t.z;
+  s[3] += n.x * t.y + n.y * t.x;
+  s[4] += n.y * t.z + n.z * t.y;
+  s[5] += n.z * t.x + n.x * t.z;
+  return s;
+}
+
 }  // namespace
 
 std::array<double, 6> along(const Frame3d& axes, const std::array<double, 6>& t) {
@@ -65,21 +79,16 @@ system::ElementGroup::Layer shown_layer(const system::System& system, const syst
                                         int layer, const system::State& state) {
   system::ElementGroup::Layer shown = group.layer(e, layer, state);
   const double share = shear_share(system.model, group);
-  if (share == 1.0) return shown;
-  const auto axes = group.axes(e, state);
-  if (!axes) return shown;
-  std::array<double, 6>& s = shown.stress;
-  const Vec3d n = axes->e3;
-  const Vec3d traction{s[0] * n.x + s[3] * n.y + s[5] * n.z, s[3] * n.x + s[1] * n.y + s[4] * n.z,
-                       s[5] * n.x + s[4] * n.y + s[2] * n.z};
-  const Vec3d t = (1.0 - share) * (traction - dot(traction, n) * n);  // what is taken off the shear across the shell
-  s[0] -= 2.0 * n.x * t.x;
-  s[1] -= 2.0 * n.y * t.y;
-  s[2] -= 2.0 * n.z * t.z;
-  s[3] -= n.x * t.y + n.y * t.x;
-  s[4] -= n.y * t.z + n.z * t.y;
-  s[5] -= n.z * t.x + n.x * t.z;
+  if (const auto axes = share == 1.0 ? std::nullopt : group.axes(e, state))
+    shown.stress = shear_scaled(shown.stress, axes->e3, share);
   return shown;
+}
+
+std::array<double, 6> stress_of_kernel(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                       const system::State& state, const std::array<double, 6>& shown) {
+  const double share = shear_share(system.model, group);
+  const auto axes = share == 1.0 ? std::nullopt : group.axes(e, state);
+  return axes ? shear_scaled(shown, axes->e3, 1.0 / share) : shown;
 }
 
 std::optional<Frame3d> shell_axes(const system::System& system, const system::ElementGroup& group, std::size_t e,

@@ -19,6 +19,10 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
 system::ElementGroup::Layer shown_layer(const system::System& system, const system::ElementGroup& group, std::size_t e,
                                         int layer, const system::State& state);
 
+/// The stress that a layer has when it is given one as results show it (*INITIAL_STRESS_SHELL).
+std::array<double, 6> stress_of_kernel(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                       const system::State& state, const std::array<double, 6>& shown);
+
 /// Components of a symmetric tensor xx yy zz xy yz zx along other axes.
 std::array<double, 6> along(const Frame3d& axes, const std::array<double, 6>& tensor);
 

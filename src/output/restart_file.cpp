@@ -185,8 +185,8 @@ std::unique_ptr<RestartReader> open_restart(const fs::path& folder, std::string&
       auto older = std::make_unique<RestartReader>(before);
       warning = error.what();
       return older;
-    } catch (const ArchiveError&) {
-      throw error;  // of the two it is the newest that a person goes by
+    } catch (const ArchiveError& of_older) {
+      throw ArchiveError(std::string(error.what()) + "; nor will the one before it do: " + of_older.what());
     }
   }
 }

@@ -88,7 +88,8 @@ class Axes(CommandTest):
         found = lsda.read(self.folder / "binout0000")
         self.assertEqual(found["elout/shell/metadata/system"], "local ")
         cells = self.d3plot()["states"][-1]["blocks"][0]["cell_arrays"]
-        # Mx My Mxy Qx Qy Nx Ny Nxy, LSTC's document says; VTK takes the first three for the normal forces.
+        # Mx My Mxy Qx Qy Nx Ny Nxy, LSTC's document says and LSTC's files bear out (docs/evidence/decks.md); VTK takes
+        # the first three for the normal forces.
         self.close(cells["BendingResultant"][0], [2.0 * a, 2.0 * b, 0.0], 4e-5)
 
     def test_elout_in_global_axes(self):

@@ -177,6 +177,34 @@ class Outputs(CommandTest):
             self.assertAlmostEqual(seen, stress, delta=2e-5)
         self.assertEqual({field for field, _ in self.warnings()} & {"strflg", "intout"}, {"strflg", "intout"})
 
+    def test_moments_and_layers_as_ls_dyna_writes_them(self):
+        """Of Gauss's five layers elout has the middle one first; the moment is the integral of -z times the stress.
+        Sabotage: from the bottom up; z times the stress."""
+        bent = 1e-5
+        last = self.bend(bent, card(1, 2, 1.0, 5), card(0, 0, 3, 0))
+        places = (0.0, -0.9061798459386640, -0.5384693101056831, 0.5384693101056831, 0.9061798459386640)
+        for seen, z in zip(last["sig_xx"], places, strict=True):
+            self.assertAlmostEqual(seen, 1000.0 * bent * z, delta=2e-5)
+        cells = self.d3plot()["states"][-1]["blocks"][0]["cell_arrays"]
+        moment = cells["NormalResultant"][0]  # VTK's word for the first three, which are Mx My Mxy
+        self.assertAlmostEqual(moment[0], -1000.0 * bent * 2.0 ** 3 / 12.0, delta=2e-5)
+
+    def test_shear_across_a_shell_is_what_carries_its_force(self):
+        """Layers of a square that is sheared across by 1e-4: SHRF G gamma, which makes Q. Sabotage: G gamma."""
+        shear = "*ELEMENT_SHELL\n" + "".join(f"{n:8}" for n in (1, 1, 1, 2, 3, 4)) + "\n"
+        self.run_deck(nodes(((0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0))), shear, part(1), "*SECTION_SHELL\n",
+                      card(1, 2, 0.75, 2), card(2.0, 2.0, 2.0, 2.0), "*MAT_ELASTIC\n", card(1, 1e-9, 1000.0, 0.0),
+                      "*BOUNDARY_SPC_SET\n", card(1, 0, 1, 1, 0, 1, 1, 1), card(2, 0, 1, 1, 1, 1, 1, 1),
+                      "*SET_NODE_LIST\n", card(1), card(2, 3), "*SET_NODE_LIST\n", card(2), card(1, 4),
+                      "*BOUNDARY_PRESCRIBED_MOTION_SET\n", card(1, 3, 2, 1, 1e-3), curve(1, (0.0, 0.0), (1e-3, 1.0), (1.0, 1.0)),
+                      "*CONTROL_TERMINATION\n", card(2e-3), "*DATABASE_ELOUT\n", card(1e-3, 3), "*DATABASE_HISTORY_SHELL\n",
+                      card(1), "*DATABASE_BINARY_D3PLOT\n", card(1e-3))
+        for stress in self.states("elout/shell")[-1]["sig_zx"]:
+            self.assertAlmostEqual(stress, 0.75 * 500.0 * 1e-4, delta=2e-5)
+        cells = self.d3plot()["states"][-1]["blocks"][0]["cell_arrays"]
+        self.assertAlmostEqual(cells["ShearResultant"][0][0], 0.75 * 500.0 * 1e-4 * 2.0, delta=4e-5)
+        self.assertAlmostEqual(cells["Stress"][0][5], 0.75 * 500.0 * 1e-4, delta=2e-5)
+
     def test_options_that_are_told(self):
         """DELERES and SIGFLG are not obeyed, and the run says so; nothing is said of LCO and EOCS, which are."""
         self.run_deck(nodes(CORNERS), BRICK, part(1), SOLID, "*MAT_RIGID\n", card(1, 7.8e-9, 2.1e5, 0.3), "\n", card(3),

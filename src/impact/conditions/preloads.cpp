@@ -12,6 +12,7 @@
 #include "impact/conditions/in_force.hpp"
 #include "model/bond.hpp"
 #include "model/lumped_mass.hpp"
+#include "output/element_stresses.hpp"
 #include "system/shell_elements.hpp"
 
 namespace nugget::impact {
@@ -159,8 +160,11 @@ void Preloads::start(const model::InitialStress& stress, const system::System::E
   system::ElementGroup& group = *system_.groups[location.group];
   const std::map<double, Layer> given = by_place(stress.points);
   const std::vector<double> places = shell ? layer_places(system_.model, group) : std::vector<double>{0.0};
-  for (std::size_t k = 0; k < places.size(); ++k)
-    group.set_layer(at(location.element), static_cast<int>(k), between(given, places[k]), state);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    Layer layer = between(given, places[k]);
+    layer.stress = output::stress_of_kernel(system_, group, at(location.element), state, layer.stress);
+    group.set_layer(at(location.element), static_cast<int>(k), layer, state);
+  }
 }
 
 void Preloads::apply(const system::State& state) {

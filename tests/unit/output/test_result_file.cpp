@@ -68,11 +68,6 @@ TEST(ResultFile, FullDiskIsAWriteErrorForEachKindOfFile) {
   expect_disk_full([&] { AsciiHistory(swforc(), scratch / "swforc", {}); });
   expect_disk_full([&] { Binout(scratch.path(), {}); });
   expect_disk_full([&] { D3plot(scratch.path(), {}); });
-  for (const char* name : {"summary.json.part", "welds.csv.part"})
-    std::filesystem::create_symlink("/dev/full", scratch / name);
-  expect_disk_full([&] { write_summary(scratch.path(), {}); });
-  expect_disk_full([&] { write_welds(scratch.path(), {}); });
-  EXPECT_FALSE(std::filesystem::exists(scratch / "summary.json"));
 }
 
 /// Lets files of this process grow to so many bytes, as a quota does.
@@ -106,6 +101,34 @@ TEST(ResultFile, AFailedCommitIsCutBack) {
     EXPECT_THROW(file.commit(), WriteError);
   }
   EXPECT_EQ(content(scratch / "a"), "whole state");
+}
+
+TEST(ResultFile, WholeFilesThatDoNotFitAreNotThere) {
+  Scratch scratch;
+  {
+    FileSizeLimit limit(20);
+    EXPECT_THROW(write_summary(scratch.path(), {}), WriteError);
+    EXPECT_THROW(write_welds(scratch.path(), {}), WriteError);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
+}
+
+// Sabotage: the draft opened like any other file.
+TEST(ResultFile, ADraftIsNotWrittenThroughALink) {
+  Scratch scratch;
+  put(scratch / "precious", "mine");
+  std::filesystem::create_symlink(scratch / "precious", scratch / "a.part");
+  write_whole_file(scratch / "a", "new");
+  EXPECT_EQ(content(scratch / "a"), "new");
+  EXPECT_EQ(content(scratch / "precious"), "mine");
+}
+
+TEST(ResultFile, AFileThatIsRemovedIsAWriteError) {
+  Scratch scratch;
+  ResultFile file(scratch / "a");
+  std::filesystem::remove(scratch / "a");
+  file.buffer() = "state";
+  EXPECT_THROW(file.commit(), WriteError);
 }
 
 TEST(ResultFile, D3plotKeepsItsStatesWhenTheDiskFillsUp) {
