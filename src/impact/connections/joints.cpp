@@ -44,6 +44,15 @@ Joints::Joints(const system::System& system) : system_(system), springs_(system)
       joints_.push_back(std::move(j));
       continue;
     }
+    std::array<double, 2> size{};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const system::RigidBody& body = *j.body[side];
+      const double trace = body.inertia[0] + body.inertia[3] + body.inertia[5];
+      size[side] = std::max(norm(j.arm[side]), body.mass > 0.0 ? std::sqrt(0.5 * trace / body.mass) : 0.0);
+    }
+    // A body that is no more than a point stands for the ground.
+    const auto [small, large] = std::minmax(size[0], size[1]);
+    j.size = small > 0.01 * large ? small : large;
     if (source.kind == Kind::universal)
       j.directions.push_back({j.axis, unit(place(3) - place(1)), true});
     else if (source.kind != Kind::spherical)
@@ -217,6 +226,18 @@ void Joints::apply(Joint& j, system::State& state, double longest_step) {
   }
 }
 
+double Joints::relative_opening() const {
+  double most = 0.0;
+  for (const Joint& j : joints_)
+    if (!j.failed && j.size > 0.0) most = std::max(most, j.opening / j.size);
+  return most;
+}
+
+double Joints::largest_relative_opening(std::size_t joint) const {
+  const Joint& j = joints_[joint];
+  return j.size > 0.0 ? j.largest_opening / j.size : 0.0;
+}
+
 double Joints::energy() const {
   double sum = springs_.energy();
   for (const Joint& j : joints_) sum += j.energy;
@@ -225,7 +246,7 @@ double Joints::energy() const {
 
 void Joints::Joint::archive(Archive& a) {
   a(force, moment, load, slip, energy, opening, largest_opening, failed, failure_time);
-  a.built(source, body, arm, axis, other, constrained, directions, bound, rotary_bound, damping, rotary_damping);
+  a.built(source, body, arm, axis, other, constrained, directions, bound, rotary_bound, damping, rotary_damping, size);
 }
 
 void Joints::archive(Archive& a) {

@@ -129,6 +129,13 @@ template <class R, class Law>
   if constexpr (requires { law.add_viscous_work(work, history); }) law.add_viscous_work(work, history);
 }
 
+/// Books what the pressure of bulk viscosity takes from a volume that changes at the rate `trace`, in field `field`.
+template <class R>
+[[gnu::always_inline]] inline void book_viscosity(const R& pressure, const R& trace, const R& volume, double dt,
+                                                  int field, double* state) {
+  store_field(state, field, load_field<R>(state, field) - dt * (pressure * trace * volume));
+}
+
 /// A step of a brick in patterns: velocities, and the geometry in its middle and at its end. A deleted brick stands
 /// still.
 template <class R>
