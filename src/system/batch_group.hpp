@@ -214,38 +214,44 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     if constexpr (has_own_stiffness) {
       ElementGroup::vibrate(b, now, v, w, dt, slots);
     } else {
-      const int* id = &nodes_[b * width * corners];
-      typename Element::template Motion<R> motion;
       std::fill(slots.begin(), slots.end(), Row{});
       thread_local AlignedReals scratch;
-      for (const double sign : {1.0, -1.0}) {
-        const R small(sign * no_step);
-        for (int a = 0; a < corners; ++a) {
-          motion.x[a] = gather<R>(now.x.data(), id + a * width);
-          motion.v[a] = small * gather<R>(v.data(), id + a * width);
-          if constexpr (Element::rotational) motion.w[a] = small * gather<R>(w.data(), id + a * width);
-        }
+      const auto forces = [&](const Element& kernel, double sign, double step) {
         load_reference(b, scratch);
         for (const int i : {Element::Layout::alive, Element::Layout::density_scale})
           real_store(&scratch[i * width], real_load<R>(state(b * width) + i * width));
-        const auto out = kernel_.template cycle<R>(motion, dt, scratch.data());
-        const bool both = kind == model::ElementKind::solid;  // bulk viscosity acts under compression only
+        return kernel.template cycle<R>(small_motion(b, now, v, w, sign * no_step), step, scratch.data());
+      };
+      const auto add = [&](const auto& out, double share, const std::array<double, width>& stiffer) {
         for (int l = 0; l < width; ++l) {
-          const std::size_t e = b * width + at(l);
-          if (e >= size() || !alive(e)) continue;
-          const double softer = nugget::lane(out.stable_step, l) / step_[e];
-          const double share = sign / no_step * (both ? 0.5 : 1.0) * (both && softer > 0.0 ? softer * softer : 1.0);
+          if (b * width + at(l) >= size() || !alive(b * width + at(l))) continue;
+          const double factor = share * stiffer[l] / no_step;
+          const auto put = [&](Row& slot, const Vec3<R>& f) {
+            nugget::add(slot, factor * Vec3d{nugget::lane(f.x, l), nugget::lane(f.y, l), nugget::lane(f.z, l)});
+          };
           for (int a = 0; a < corners; ++a) {
-            const auto put = [&](Row& slot, const Vec3<R>& f) {
-              add(slot, share * Vec3d{nugget::lane(f.x, l), nugget::lane(f.y, l), nugget::lane(f.z, l)});
-            };
             Row* slot = &slots[at((l * corners + a) * rows)];
             put(slot[0], out.f[a]);
             if constexpr (Element::rotational) put(slot[1], out.m[a]);
           }
         }
-        if (!both) break;
+      };
+      std::array<double, width> stiffer;
+      stiffer.fill(1.0);
+      if (kind != model::ElementKind::solid) {
+        add(forces(kernel_, 1.0, 0.5 * dt), 1.0, stiffer);
+        return;
       }
+      const auto out = forces(kernel_, 1.0, dt);
+      for (int l = 0; l < width; ++l) {
+        const double ratio = nugget::lane(out.stable_step, l) / step_[b * width + at(l)];
+        if (ratio > 0.0 && std::isfinite(ratio)) stiffer[l] = ratio * ratio;
+      }
+      // (dt K + C) v of the whole step, with bulk viscosity, which acts under compression only, as half of both signs;
+      // less half of K.
+      add(out, 0.5, stiffer);
+      add(forces(kernel_, -1.0, dt), -0.5, stiffer);
+      add(forces(*inviscid_, 1.0, dt), -0.5, stiffer);
     }
   }
 
@@ -497,6 +503,17 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       scatter<R>(slot, row, damping(out.f[a]));
       if constexpr (Element::rotational) scatter<R>(slot + 1, row, damping(out.m[a]));
     }
+  }
+  typename Element::template Motion<R> small_motion(std::size_t b, const State& now, std::span<const Row> v,
+                                                    std::span<const Row> w, double factor) const {
+    const int* id = &nodes_[b * width * corners];
+    typename Element::template Motion<R> motion;
+    for (int a = 0; a < corners; ++a) {
+      motion.x[a] = gather<R>(now.x.data(), id + a * width);
+      motion.v[a] = R(factor) * gather<R>(v.data(), id + a * width);
+      if constexpr (Element::rotational) motion.w[a] = R(factor) * gather<R>(w.data(), id + a * width);
+    }
+    return motion;
   }
   /// The state of block b that `store_reference_state` kept.
   void load_reference(std::size_t b, AlignedReals& values) const {

@@ -44,7 +44,7 @@ void ElementGroup::vibrate(std::size_t b, const State& now, std::span<const Row>
       for (std::size_t i = 0; i < per_node; ++i)
         for (std::size_t j = 0; j < size_of_one; ++j) {
           const std::size_t place = (a * per_node + i) * size_of_one + j;
-          f[i] += (dt * k[place] + (viscous ? c[place] : 0.0)) * u[j];
+          f[i] += (0.5 * dt * k[place] + (viscous ? c[place] : 0.0)) * u[j];
         }
       Row* slot = &slots[slot_row(e, static_cast<int>(a)) - slot_row(first, 0)];
       set(slot[0], {f[0], f[1], f[2]});

@@ -69,7 +69,7 @@ class ElementGroup {
   virtual bool viscosity(std::size_t, const State&, std::span<double>) const { return false; }
 
   /// Nodal forces, laid out as the slots of block b, of its elements where they are now, free of stress and elastic,
-  /// after a step dt with small velocities `v` and spins `w`: dt K v + C v. Of C the hourglass viscosity counts whole
+  /// after a step dt with small velocities `v` and spins `w`: dt/2 K v + C v. Of C the hourglass viscosity counts whole
   /// and the linear bulk viscosity of solids half, since it acts under compression only; damping of the part does not.
   /// K grows with the square of the element's stable step over its present one. By `stiffness` and `viscosity`, unless
   /// a group knows better.

@@ -3,6 +3,7 @@
 import math
 import unittest
 
+import lsda
 from nugget_command import CommandTest
 
 LENGTH, GRAVITY, END = 250.0, 9810.0, 6.0
@@ -14,7 +15,7 @@ DECK = """*KEYWORD
 {step}*DATABASE_GLSTAT
 0.05
 *DATABASE_NODOUT
-0.005
+0.005,2
 *DATABASE_HISTORY_NODE
 5
 *DEFINE_CURVE
@@ -59,7 +60,7 @@ rod
 4,0.0,10.0,0.0
 5,250.0,0.0,0.0
 *CONSTRAINED_JOINT_REVOLUTE_ID
-77the hinge
+        77the hinge
 1,2,3,4
 *END
 """
@@ -92,20 +93,17 @@ class Pendulum(CommandTest):
         self.assertNotIn("joint 77 opened", told)
         self.assertLess(self.opening(), 3e-3 * LENGTH)
         self.assertAlmostEqual(self.json("summary.json")["energy"]["ratio"], 1.0, delta=0.01)
-        blocks = self.read("nodout").split(" n o d a l")[1:]
-        for time in (0.1, 0.2, 0.4):
-            block = min(blocks, key=lambda b: abs(float(b.split("at time")[1].split(")")[0]) - time))
-            now = float(block.split("at time")[1].split(")")[0])
-            row = next(line for line in block.splitlines() if line.startswith("         5"))
-            x, z = (float(row[10 + 12 * c : 22 + 12 * c]) for c in (9, 11))
-            expected = angle_at(now)
-            self.assertAlmostEqual(x / LENGTH, math.cos(expected), delta=0.02)
-            self.assertAlmostEqual(abs(z) / LENGTH, abs(math.sin(expected)), delta=0.02)
+        states = lsda.states(lsda.read(self.folder / "binout0000"), "nodout")
+        for time in (0.1, 0.2, 0.4, 1.0):
+            state = min(states, key=lambda s: abs(s["time"][0] - time))
+            expected = angle_at(state["time"][0])
+            self.assertAlmostEqual(state["x_coordinate"][0] / LENGTH, math.cos(expected), delta=0.02)
+            self.assertAlmostEqual(abs(state["z_coordinate"][0]) / LENGTH, abs(math.sin(expected)), delta=0.02)
 
     def test_a_joint_that_opens_far_is_told(self):
         """In a model whose step is the deck's own choice: a mass on a spring sets it, and the hinge is soft at it."""
-        spring = ("*PART\nspring\n5,5,5\n*SECTION_DISCRETE\n5,0\n\n*MAT_SPRING_ELASTIC\n5,1.0e-4\n*NODE\n6,0.0,500.0,0.0\n"
-                  "*ELEMENT_MASS\n1,6,1.0e-3\n*ELEMENT_DISCRETE\n11,5,6,0,0,1.0,0,0.0\n*END\n")
+        spring = ("*PART\nspring\n5,5,5\n*SECTION_DISCRETE\n5,0\n\n*MAT_SPRING_ELASTIC\n5,1.0e-4\n*NODE\n6,0.0,500.0,0.0\n7,0.0,600.0,0.0\n"
+                  "*ELEMENT_MASS\n1,6,1.0e-3\n2,7,1.0e-3\n*ELEMENT_DISCRETE\n11,5,6,7,0,1.0,0,0.0\n*END\n")
         self.write(DECK.format(end=END, gravity=GRAVITY, step="*DEFINE_CURVE\n8\n0.0,0.006\n100.0,0.006\n*CONTROL_TIMESTEP\n0.0,0.9,0,0.0,0.0,8\n")
                    .replace("*END\n", spring))
         told = self.nugget("run", "model.k", "--quiet").stderr

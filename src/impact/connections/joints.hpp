@@ -52,6 +52,9 @@ class Joints {
   double stable_step() const { return springs_.stable_step(); }
   /// From now on the joints are as stiff as a step allows that is shorter than those before.
   void follow(double step) { longest_step_ = std::min(longest_step_, step); }
+  /// The step at which joints open by the share `opening` of their bodies' size under what accelerates the bodies apart
+  /// now: loads, and their spins; infinite where nothing does [time].
+  double step_for(double opening, const system::State& state) const;
   /// The largest opening now over the size of the joint's bodies: the smaller of their levers to the joint, or radii of
   /// gyration where these are more [1]. Joints that transmit do not count.
   double relative_opening() const;

@@ -30,11 +30,11 @@ class AssembledStep {
 
   struct Limit {
     double step = 0.0;  ///< the longest stable one [time]; infinite where nothing can vibrate
-    /// The element with most of the energy of the vibration that grows first; group -1 where `dt` is stable.
+    /// The element with most of the energy of the vibration that grows first; group -1 where `dt` is well below.
     int group = -1;
     std::size_t element = 0;
   };
-  /// `dt`: the step that is asked about. Where that is stable, the limit is right within a few percent only.
+  /// `dt`: the step that is asked about. Where that is well below it, the limit is right within a few percent only.
   Limit limit(const system::State& state, double dt) const;
 
  private:

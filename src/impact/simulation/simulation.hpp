@@ -84,7 +84,8 @@ class Simulation {
   /// program.
   void bound_step_at_start(Findings& findings);
   std::string describe(const AssembledStep::Limit& limit) const;
-  /// Every `cycles_between_bounds` cycles, where elements were deleted or deformed.
+  void remember_bound(double step, double limit);
+  /// Every `cycles_between_looks` cycles, where elements were deformed or nodes released.
   void bound_step_again();
   /// The step by the elements' formulas, mass scaling included; `bound_step_...` may shorten it.
   double step_of_elements() const;
@@ -135,12 +136,15 @@ class Simulation {
   double stable_step_ = 0.0;   ///< of this step, before DTINIT or the end of the run cut it; 0 at the start
   double longest_step_ = 0.0;  ///< of those
   AssembledStep assembled_step_;
-  bool at_rest_ = false;       ///< find_steps_at_rest has been there
-  double step_factor_ = 1.0;   ///< on the step of the elements, by what the bricks allow as they are assembled
-  double bounded_step_ = 0.0;  ///< the elements' step and the number of deletions when it was found
-  long bounded_deletions_ = 0;
-  double bodies_step_ = 0.0;  ///< of a model of rigid bodies, by their joints; 0: not limited
-  long bodies_cycle_ = 0;     ///< when it was found
+  bool at_rest_ = false;          ///< find_steps_at_rest has been there
+  double advised_scale_ = 0.0;    ///< TSSFAC that the deck should give; 0: none
+  double step_factor_ = 1.0;      ///< on the step of the elements, by what the bricks allow as they are assembled
+  double bounded_step_ = 0.0;     ///< the elements' step when it was found
+  double bearable_change_ = 0.0;  ///< of that step, as a share, until it is found anew
+  long looks_ = 0;                ///< how often it was found
+  bool masses_changed_ = false;   ///< nodes were released since then
+  double bodies_step_ = 0.0;      ///< of a model of rigid bodies, by their joints; 0: not limited
+  long bodies_cycle_ = 0;         ///< when it was found
   std::string step_notes_;
   std::string smallest_by_;
   std::array<double, phases> seconds_{};
