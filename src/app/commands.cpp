@@ -162,9 +162,9 @@ std::string energy_warning(const output::Summary& summary) {
   if (error > output::EnergyLimits::error_of_internal * (std::abs(e.internal) + std::abs(e.eroded)) &&
       error > 1e-3 * std::abs(input))
     return fmt::format(
-        "warning: the energy balance is off by {:.3g}, {:.2g} % of the internal energy: results are doubtful (see "
+        "warning: the energy balance is off by {:.3g}, beside an internal energy of {:.3g}: results are doubtful (see "
         "glstat)",
-        error, 100.0 * error / std::max(std::abs(e.internal) + std::abs(e.eroded), 1e-300));
+        error, e.internal);
   // Where a moving wall brings the energy, none is put in from outside; initial stresses give theirs, which is not
   // counted, until the internal energy is below 0.
   const double all = std::max(std::abs(e.initial + e.external), e.kinetic + std::abs(e.internal));
@@ -173,9 +173,10 @@ std::string energy_warning(const output::Summary& summary) {
       std::abs(e.step_change) > 1e-2 * all;
   if (std::abs(e.step_change) <= doubtful * all && !much_of_internal) return {};
   return fmt::format(
-      "warning: the change of the time step took {:.2g} % of the energy: much of it is in vibrations that the step "
+      "warning: the change of the time step took {:.2g} % of the energy{}: much of it is in vibrations that the step "
       "hardly resolves [a smaller TSSFAC shows whether they matter]",
-      100.0 * e.step_change / all);
+      100.0 * e.step_change / all,
+      much_of_internal ? fmt::format(", {:.3g} beside an internal energy of {:.3g}", e.step_change, e.internal) : "");
 }
 
 /// Hourglass energy is work that no material did. Where all flies or swings and little is internal, it says little.

@@ -106,7 +106,7 @@ QuadraticTetrahedronForces<R> quadratic_tetrahedron_cycle(const HexahedronProper
   const BulkViscosity<R> bulk(solid, wave, density, length, trace);
   R all = R(0.0);
   for (const R& share : volume) all += share;
-  book_viscosity(bulk.pressure, trace, all, dt, L::bulk_viscosity_work, state);
+  book_viscosity<L>(bulk.pressure, trace, all, dt, state);
 
   if (law.can_fail()) alive = alive && failed < R(points_to_delete(law));
   if (law.deletion_step() > 0.0) alive = alive && bulk.step >= law.deletion_step();

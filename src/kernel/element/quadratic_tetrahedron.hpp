@@ -12,7 +12,8 @@ struct QuadraticTetrahedronLayout {
   static constexpr int hourglass_energy = -1;    ///< there is none
   static constexpr int volume = 2;               ///< at the start [length^3]
   static constexpr int bulk_viscosity_work = 3;  ///< done against the bulk viscosity so far [energy]
-  static constexpr int first_point = 4;
+  static constexpr int bulk_pressure = 4;        ///< of the last cycle [stress]
+  static constexpr int first_point = 5;
   static constexpr int points = 4;
 
   int history = 0;

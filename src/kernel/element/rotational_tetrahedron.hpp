@@ -15,7 +15,8 @@ struct RotationalTetrahedronLayout {
   static constexpr int dilation = 6;             ///< against the divergence of the rotations [force length^2]
   static constexpr int edge2 = 7;                ///< mean square of the edges at the start [length^2]
   static constexpr int bulk_viscosity_work = 8;  ///< done against the bulk viscosity so far [energy]
-  static constexpr int first_point = 9;
+  static constexpr int bulk_pressure = 9;        ///< of the last cycle [stress]
+  static constexpr int first_point = 10;
   static constexpr int points = 4;
 
   int history = 0;

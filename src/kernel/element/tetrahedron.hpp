@@ -12,7 +12,8 @@ struct TetrahedronLayout {
   static constexpr int hourglass_energy = -1;    ///< there is none
   static constexpr int stress = 2;               ///< xx yy zz xy yz zx, global axes, without bulk viscosity
   static constexpr int bulk_viscosity_work = 8;  ///< done against the bulk viscosity so far [energy]
-  static constexpr int first_history = 9;
+  static constexpr int bulk_pressure = 9;        ///< of the last cycle [stress]
+  static constexpr int first_history = 10;
 
   int history = 0;
   bool nodal_pressure = false;  ///< the mean stress comes from outside
