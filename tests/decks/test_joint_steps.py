@@ -100,6 +100,15 @@ class Pendulum(CommandTest):
             self.assertAlmostEqual(state["x_coordinate"][0] / LENGTH, math.cos(expected), delta=0.02)
             self.assertAlmostEqual(abs(state["z_coordinate"][0]) / LENGTH, abs(math.sin(expected)), delta=0.02)
 
+    def test_a_load_that_comes_later(self):
+        """Gravity from 0.5 on, when the step is a thousandth of ENDTIM still: the joint opens by its first swing on the soft spring, and
+        closes again. Sabotage: joints that stay as soft as they were."""
+        late = DECK.format(end=END, gravity=GRAVITY, step="").replace("0.0,1.0\n100.0,1.0", "0.0,0.0\n0.5,0.0\n0.501,1.0\n100.0,1.0")
+        self.write(late)
+        self.nugget("run", "model.k", "--quiet", "--max-cycles", 100000)
+        self.assertLess(self.opening(), 0.02 * LENGTH)
+        self.assertEqual(self.json("summary.json")["time"], END)
+
     def test_a_joint_that_opens_far_is_told(self):
         """In a model whose step is the deck's own choice: a mass on a spring sets it, and the hinge is soft at it."""
         spring = ("*PART\nspring\n5,5,5\n*SECTION_DISCRETE\n5,0\n\n*MAT_SPRING_ELASTIC\n5,1.0e-4\n*NODE\n6,0.0,500.0,0.0\n7,0.0,600.0,0.0\n"
