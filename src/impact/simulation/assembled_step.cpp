@@ -30,7 +30,7 @@ double scattered(std::uint64_t i) {
 }
 
 constexpr std::size_t least_iterations = 24, most_iterations = 200, looked_back = 8;
-constexpr double settled = 2e-4;  // change of the eigenvalue in so many iterations
+constexpr double settled = 2e-4, roughly_settled = 0.05;  // change of the eigenvalue in so many iterations
 
 }  // namespace
 
@@ -103,8 +103,11 @@ class AssembledStep::Vibration {
     begin();
     for (std::size_t k = 0; k < most_iterations && advance(dt); ++k) {
       values_.push_back(found_.largest());
-      if (values_.size() > least_iterations &&
-          values_.back() - values_[values_.size() - 1 - looked_back] <= settled * values_.back())
+      // Far from 4 less will do: what could still bring it there would have shown.
+      const bool far = values_.back() < 1.0;
+      if (values_.size() > (far ? looked_back : least_iterations) &&
+          values_.back() - values_[values_.size() - 1 - looked_back] <=
+              (far ? roughly_settled : settled) * values_.back())
         break;
     }
     const double value = values_.empty() ? 0.0 : values_.back();
