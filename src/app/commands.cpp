@@ -27,7 +27,6 @@
 #include "base/parallel.hpp"
 #include "impact/recording/result_files.hpp"
 #include "impact/recording/weld_results.hpp"
-#include "impact/simulation/free_bricks.hpp"
 #include "impact/simulation/simulation.hpp"
 #include "nvh/matrices/ranks.hpp"
 #include "output/results.hpp"
@@ -72,7 +71,8 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
               e.step_change,
               e.initial,
               e.ratio(),
-              e.ratio_without_step_change()};
+              e.ratio_without_step_change(),
+              e.bulk_viscosity};
   s.seconds.read = p.read_seconds;
   s.seconds.setup = setup_seconds;
   s.seconds.solve = run.solve_seconds();
@@ -177,20 +177,32 @@ std::string energy_warning(const output::Summary& summary) {
         "warning: the energy ratio ended at {:.4g}, expected 1: results are doubtful from the time on when it left 1 "
         "(see glstat)",
         e.ratio);
+  // A striker that hardly slows down hides an error that is large beside the work on the structure.
+  const double input = e.initial + e.external, error = std::abs((e.ratio - 1.0) * input);
+  if (error > output::EnergyLimits::error_of_internal * (std::abs(e.internal) + std::abs(e.eroded)) &&
+      error > 1e-3 * std::abs(input))
+    return fmt::format(
+        "warning: the energy balance is off by {:.3g}, beside an internal energy of {:.3g}: results are doubtful (see "
+        "glstat)",
+        error, e.internal);
   // Where a moving wall brings the energy, none is put in from outside; initial stresses give theirs, which is not
   // counted, until the internal energy is below 0.
   const double all = std::max(std::abs(e.initial + e.external), e.kinetic + std::abs(e.internal));
-  if (std::abs(e.step_change) <= doubtful * all) return {};
+  const bool much_of_internal =
+      std::abs(e.step_change) > output::EnergyLimits::error_of_internal * (std::abs(e.internal) + std::abs(e.eroded)) &&
+      std::abs(e.step_change) > 1e-2 * all;
+  if (std::abs(e.step_change) <= doubtful * all && !much_of_internal) return {};
   return fmt::format(
-      "warning: the change of the time step took {:.2g} % of the energy: much of it is in vibrations that the step "
+      "warning: the change of the time step took {:.2g} % of the energy{}: much of it is in vibrations that the step "
       "hardly resolves [a smaller TSSFAC shows whether they matter]",
-      100.0 * e.step_change / all);
+      100.0 * e.step_change / all,
+      much_of_internal ? fmt::format(", {:.3g} beside an internal energy of {:.3g}", e.step_change, e.internal) : "");
 }
 
 /// Hourglass energy is work that no material did. Where all flies or swings and little is internal, it says little.
 std::string hourglass_warning(const output::Summary& summary) {
   const output::Summary::Energies& e = summary.energy;
-  if (summary.termination == "error" || e.hourglass <= 0.1 * e.internal ||
+  if (summary.termination == "error" || e.hourglass <= output::EnergyLimits::hourglass * e.internal ||
       e.hourglass <= 0.01 * std::abs(e.initial + e.external))
     return {};
   return fmt::format(
@@ -217,18 +229,20 @@ std::string loose_weld_warning(const output::Summary& summary) {
       summary.welds.size());
 }
 
-/// Why a run that went wrong may have been unstable, as far as that can be known.
-std::string instability_hint(const impact::Simulation& run, const output::Summary& summary) {
-  const double ratio = summary.energy.ratio;
-  if (summary.termination != "error" && std::abs(ratio - 1.0) <= doubtful) return {};
-  const auto free = impact::free_brick_step(run.system());
-  if (!free || run.first_step() <= free->step) return {};
-  const model::Model& model = run.system().model;
+/// Joints are springs; one that opens far has let its bodies go where they cannot be.
+std::string joint_warning(const impact::Simulation& run, const output::Summary& summary) {
+  constexpr double bearable = 0.01;
+  const impact::Joints& joints = run.components().joints;
+  if (summary.termination == "error") return {};
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (joints.largest_relative_opening(i) > joints.largest_relative_opening(worst)) worst = i;
+  if (joints.size() == 0 || joints.largest_relative_opening(worst) <= bearable) return {};
   return fmt::format(
-      "warning: brick {} of part {} stands alone or in a row with free sides, and breathes faster than the formula of "
-      "its step knows: stable is {:.4g}, the run began with {:.4g} [write TSSFAC {:.2g} or less]",
-      model.solids.id[free->element], model.parts[free->part].id, free->step, run.first_step(),
-      std::floor(100.0 * model.control.step_scale * free->step / run.first_step()) / 100.0);
+      "warning: joint {} opened by {:.3g}, {:.2g} % of its bodies' size: the step is too long for its forces [give a "
+      "smaller step: curve LCTM of *CONTROL_TIMESTEP, or TSSFAC]",
+      run.system().model.joints[worst].id, joints.largest_opening(worst),
+      100.0 * joints.largest_relative_opening(worst));
 }
 
 /// Modes of the state in which a run has ended, into a folder of their own (IMFLAG 6).
@@ -273,7 +287,7 @@ void report_end(const RunArguments& arguments, const fs::path& directory, const 
   log.add(log_mass(simulation.system()));
   log.add(log_run(simulation, summary));
   const std::array<std::string, 5> warnings{idle_warning(summary), loose_weld_warning(summary), energy_warning(summary),
-                                            hourglass_warning(summary), instability_hint(simulation, summary)};
+                                            hourglass_warning(summary), joint_warning(simulation, summary)};
   for (const std::string& line : warnings) log.add(line.empty() ? "" : ' ' + line + "\n\n");
   log.add(log_termination(outcome));
   if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);

@@ -174,8 +174,13 @@ std::string log_mass(const system::System& system) {
 std::string log_run(const impact::Simulation& run, const output::Summary& summary) {
   std::string s = fmt::format(
       "Run\n\n first step     {:.6e}\n smallest step  {:.6e}, controlled by {}\n cycles         {}\n time           "
-      "{:.6e}\n\n",
+      "{:.6e}\n",
       summary.time_step.first, summary.time_step.smallest, summary.time_step.controlling, summary.cycles, summary.time);
+  for (std::size_t begin = 0, end = 0; begin < run.step_notes().size(); begin = end + 1) {
+    end = run.step_notes().find('\n', begin);
+    s += ' ' + run.step_notes().substr(begin, end - begin) + '\n';
+  }
+  s += '\n';
   if (const auto& r = summary.relaxation)
     s += fmt::format(
         "Dynamic relaxation before the run: {} cycles, time {:.6e}, kinetic energy over the largest {:.3e}: {}\n\n",
@@ -185,9 +190,9 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       "Energy at the end\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  "
       "eroded "
       "{:.5e}  change of step {:.5e}\n initial {:.5e}  ratio {:.5f}, without change of step {:.5f}\n hourglass / "
-      "internal {:.3f} %\n\n",
+      "internal {:.3f} %, of the internal energy by bulk viscosity {:.5e}\n\n",
       e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.step_change, e.initial, e.ratio,
-      e.ratio_without_step_change, e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0);
+      e.ratio_without_step_change, e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0, e.bulk_viscosity);
   std::string events;
   run.components().for_each([&](const auto& component) {
     if constexpr (requires { component.events(); })

@@ -69,6 +69,8 @@ struct Control {
   // *CONTROL_TIMESTEP
   double first_step = 0.0;                  ///< DTINIT; 0: computed
   double step_scale = 0.9;                  ///< TSSFAC
+  bool step_scale_given = false;            ///< TSSFAC is a number of the deck
+  Place step_scale_place;                   ///< where it stands; no line: nowhere
   int length_basis = 0;                     ///< ISDO
   double mass_step = 0.0;                   ///< DT2MS, sign as in the deck; 0: none
   double weight_of_added_mass = 0.0;        ///< EMSCL, share of the mass added by scaling on which body loads act [1]

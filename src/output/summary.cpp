@@ -87,7 +87,8 @@ Json to_json(const Summary::Energies& e) {
           {"step_change", e.step_change},
           {"initial", e.initial},
           {"ratio", e.ratio},
-          {"ratio_without_step_change", e.ratio_without_step_change}};
+          {"ratio_without_step_change", e.ratio_without_step_change},
+          {"bulk_viscosity", e.bulk_viscosity}};
 }
 
 Json to_json(const Summary& s) {

@@ -129,6 +129,7 @@ struct Summary {
   struct Energies {
     double kinetic = 0.0, internal = 0.0, hourglass = 0.0, contact = 0.0, damping = 0.0, external = 0.0, eroded = 0.0,
            step_change = 0.0, initial = 0.0, ratio = 1.0, ratio_without_step_change = 1.0;
+    double bulk_viscosity = 0.0;  ///< of `internal` and `eroded` what went against it
   } energy;
   struct Seconds {
     double read = 0.0, setup = 0.0, solve = 0.0, output = 0.0;
@@ -140,6 +141,12 @@ struct Summary {
   std::vector<ModeReport> modes;
   std::vector<ResponseReport> responses;
   std::vector<WeldDropReport> weld_drops;  ///< those that matter most first
+};
+
+/// Shares beyond which a run is doubted, on the terminal and in the report.
+struct EnergyLimits {
+  static constexpr double hourglass = 0.1;          ///< hourglass energy over internal energy
+  static constexpr double error_of_internal = 0.1;  ///< energy made or lost over internal energy
 };
 
 /// Each writes one file into `directory`, all at once. NaN and infinity become null in JSON and an empty cell in CSV;

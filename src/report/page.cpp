@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "output/result_file.hpp"
+#include "output/summary.hpp"
 #include "report/plot.hpp"
 #include "report/response_page.hpp"
 
@@ -123,7 +124,12 @@ std::string soundness(const RunData& run) {
       {"energy", "total energy made or lost, of what came in", std::abs(number_of(energy, "ratio") - 1.0), 0.02}};
   if (const double internal = largest_internal(run); internal != 0.0) {
     checks.push_back({"hourglass", "largest hourglass energy, of the largest internal energy",
-                      range(run, "hourglass energy", "hourglass").second / internal, 0.05});
+                      range(run, "hourglass energy", "hourglass").second / internal, output::EnergyLimits::hourglass});
+    checks.push_back(
+        {"energy-of-internal", "total energy made or lost, of the largest internal energy",
+         std::abs((number_of(energy, "ratio") - 1.0) * (number_of(energy, "initial") + number_of(energy, "external"))) /
+             internal,
+         output::EnergyLimits::error_of_internal});
     checks.push_back({"contact", "energy that contact gave, of the largest internal energy",
                       std::max(0.0, -range(run, "sliding interface energy", "contact").first) / internal, 0.01});
   }

@@ -61,6 +61,11 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   /// A step that moves nothing.
   static constexpr double no_step = 0x1p-100;
   static constexpr bool is_weld = requires(Element & kernel) { kernel.freeze_yield(nullptr, 0); };
+  /// Its kernel's own derivative is not exact.
+  static constexpr bool has_own_stiffness =
+      requires(const Element& kernel, double (*field)(int), std::array<Vec3d, corners> x, std::span<double> k) {
+    kernel.stiffness(field, x, k);
+  };
 
   /// `connectivity`: system nodes of each element.
   BatchGroup(Element kernel, model::ElementKind k, model::Index p, std::vector<model::Index> elements,
@@ -203,7 +208,55 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       return false;
   }
 
+  /// So small velocities that nothing moves and nothing yields: a power of two, as for `stiffness`.
+  void vibrate(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
+               std::span<Row> slots) const override {
+    if constexpr (has_own_stiffness) {
+      ElementGroup::vibrate(b, now, v, w, dt, slots);
+    } else {
+      std::fill(slots.begin(), slots.end(), Row{});
+      thread_local AlignedReals scratch;
+      const auto forces = [&](const Element& kernel, double sign, double step) {
+        load_reference(b, scratch);
+        for (const int i : {Element::Layout::alive, Element::Layout::density_scale})
+          real_store(&scratch[i * width], real_load<R>(state(b * width) + i * width));
+        return kernel.template cycle<R>(small_motion(b, now, v, w, sign * no_step), step, scratch.data());
+      };
+      const auto add = [&](const auto& out, double share, const std::array<double, width>& stiffer) {
+        for (int l = 0; l < width; ++l) {
+          if (b * width + at(l) >= size() || !alive(b * width + at(l))) continue;
+          const double factor = share * stiffer[l] / no_step;
+          const auto put = [&](Row& slot, const Vec3<R>& f) {
+            nugget::add(slot, factor * Vec3d{nugget::lane(f.x, l), nugget::lane(f.y, l), nugget::lane(f.z, l)});
+          };
+          for (int a = 0; a < corners; ++a) {
+            Row* slot = &slots[at((l * corners + a) * rows)];
+            put(slot[0], out.f[a]);
+            if constexpr (Element::rotational) put(slot[1], out.m[a]);
+          }
+        }
+      };
+      std::array<double, width> stiffer;
+      stiffer.fill(1.0);
+      if (kind != model::ElementKind::solid) {
+        add(forces(kernel_, 1.0, 0.5 * dt), 1.0, stiffer);
+        return;
+      }
+      const auto out = forces(kernel_, 1.0, dt);
+      for (int l = 0; l < width; ++l) {
+        const double ratio = nugget::lane(out.stable_step, l) / step_[b * width + at(l)];
+        if (ratio > 0.0 && std::isfinite(ratio)) stiffer[l] = ratio * ratio;
+      }
+      // (dt K + C) v of the whole step, with bulk viscosity, which acts under compression only, as half of both signs;
+      // less half of K.
+      add(out, 0.5, stiffer);
+      add(forces(kernel_, -1.0, dt), -0.5, stiffer);
+      add(forces(*inviscid_, 1.0, dt), -0.5, stiffer);
+    }
+  }
+
   void store_reference_state() override {
+    if (inviscid_) return;
     for (int i = 0; i < kernel_.state_size(); ++i) {
       const auto holds = [this, i](std::size_t b) {
         const double* values = state(b * width) + i * width;
@@ -250,6 +303,12 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   double hourglass_energy(std::size_t e) const override {
     if constexpr (Element::Layout::hourglass_energy < 0) return 0.0;
     return field(e, Element::Layout::hourglass_energy);
+  }
+  double bulk_viscosity_work(std::size_t e) const override {
+    if constexpr (requires { Element::Layout::bulk_viscosity_work; })
+      return field(e, Element::Layout::bulk_viscosity_work);
+    else
+      return 0.0;
   }
   double mass(std::size_t e) const override { return mass_[e]; }
   double nodal_inertia(std::size_t e) const override { return inertia_[e]; }
@@ -422,14 +481,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   /// Stiffness-proportional damping of a block. In the middle of the step the velocities, which are chords, of a steady
   /// turning strain nothing; at its end they would stretch, by dt/2 times the centripetal acceleration.
   void damp(std::size_t b, typename Element::template Motion<R> motion, double dt, std::span<Row> slots) const {
-    const std::size_t fields = reference_fields_.size();
-    const double* reference = &reference_state_[b * fields * width];
     Row* slot = &slots[slot_row(b * width, 0)];
     for (int row = 0; row < width * corners * rows; row += 2) __builtin_prefetch(slot + row, 1);
     thread_local AlignedReals scratch;
-    scratch.assign(at(kernel_.state_size() * width), 0.0);
-    for (std::size_t i = 0; i < fields; ++i)
-      real_store(&scratch[reference_fields_[i] * width], real_load<R>(reference + i * width));
+    load_reference(b, scratch);
     const R alive_field = real_load<R>(state(b * width) + Element::Layout::alive * width);
     real_store(&scratch[Element::Layout::alive * width], alive_field);
     for (int a = 0; a < corners; ++a) motion.x[a] = motion.x[a] - R(0.5 * dt) * motion.v[a];
@@ -448,6 +503,25 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       scatter<R>(slot, row, damping(out.f[a]));
       if constexpr (Element::rotational) scatter<R>(slot + 1, row, damping(out.m[a]));
     }
+  }
+  typename Element::template Motion<R> small_motion(std::size_t b, const State& now, std::span<const Row> v,
+                                                    std::span<const Row> w, double factor) const {
+    const int* id = &nodes_[b * width * corners];
+    typename Element::template Motion<R> motion;
+    for (int a = 0; a < corners; ++a) {
+      motion.x[a] = gather<R>(now.x.data(), id + a * width);
+      motion.v[a] = R(factor) * gather<R>(v.data(), id + a * width);
+      if constexpr (Element::rotational) motion.w[a] = R(factor) * gather<R>(w.data(), id + a * width);
+    }
+    return motion;
+  }
+  /// The state of block b that `store_reference_state` kept.
+  void load_reference(std::size_t b, AlignedReals& values) const {
+    const std::size_t fields = reference_fields_.size();
+    const double* reference = &reference_state_[b * fields * width];
+    values.assign(at(kernel_.state_size() * width), 0.0);
+    for (std::size_t i = 0; i < fields; ++i)
+      real_store(&values[reference_fields_[i] * width], real_load<R>(reference + i * width));
   }
   static void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
     set_lane(to.x, l, nugget::lane(from.x, l));

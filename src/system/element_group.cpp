@@ -21,6 +21,38 @@ double ElementGroup::wanted_mass_scale(std::size_t e) {
   return raised(wanted, mass_step);
 }
 
+void ElementGroup::vibrate(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
+                           std::span<Row> slots) const {
+  const std::size_t nodes_of_one = at(nodes_per_element), per_node = at(freedoms()),
+                    size_of_one = nodes_of_one * per_node;
+  std::vector<double> k(size_of_one * size_of_one), c(k.size()), u(size_of_one);
+  std::fill(slots.begin(), slots.end(), Row{});
+  const std::size_t first = b * block_width();
+  for (std::size_t e = first; e < std::min(size(), first + block_width()); ++e) {
+    if (!alive(e)) continue;
+    stiffness(e, now, k);
+    const bool viscous = viscosity(e, now, c);
+    const ElementNodes node = nodes(e);
+    for (std::size_t a = 0; a < nodes_of_one; ++a) {
+      const Vec3d velocity = node[a] >= 0 ? vec(v[node[a]]) : Vec3d{};
+      const Vec3d spin = rotational && node[a] >= 0 ? vec(w[node[a]]) : Vec3d{};
+      const std::array<double, 6> all{velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z};
+      std::copy_n(all.begin(), per_node, u.begin() + static_cast<std::ptrdiff_t>(a * per_node));
+    }
+    for (std::size_t a = 0; a < nodes_of_one; ++a) {
+      std::array<double, 6> f{};
+      for (std::size_t i = 0; i < per_node; ++i)
+        for (std::size_t j = 0; j < size_of_one; ++j) {
+          const std::size_t place = (a * per_node + i) * size_of_one + j;
+          f[i] += (0.5 * dt * k[place] + (viscous ? c[place] : 0.0)) * u[j];
+        }
+      Row* slot = &slots[slot_row(e, static_cast<int>(a)) - slot_row(first, 0)];
+      set(slot[0], {f[0], f[1], f[2]});
+      if (rotational) set(slot[1], {f[3], f[4], f[5]});
+    }
+  }
+}
+
 void ElementGroup::archive(Archive& a) {
   a(deletions, inverted, block_step, step_share, physical_mass_scale_);
   a.built(kind, part, element, nodes_per_element, weld, rotational, first_slot, damping_share, damping_time,

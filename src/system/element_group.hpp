@@ -68,6 +68,14 @@ class ElementGroup {
   /// Likewise d f_i / d v_j of the dashpots in element e; false, and `c` as it was, where there is none.
   virtual bool viscosity(std::size_t, const State&, std::span<double>) const { return false; }
 
+  /// Nodal forces, laid out as the slots of block b, of its elements where they are now, free of stress and elastic,
+  /// after a step dt with small velocities `v` and spins `w`: dt/2 K v + C v. Of C the hourglass viscosity counts whole
+  /// and the linear bulk viscosity of solids half, since it acts under compression only; damping of the part does not.
+  /// K grows with the square of the element's stable step over its present one. By `stiffness` and `viscosity`, unless
+  /// a group knows better.
+  virtual void vibrate(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
+                       std::span<Row> slots) const;
+
   // What is known of element e of the group.
   virtual ElementNodes nodes(std::size_t e) const = 0;
   virtual bool alive(std::size_t e) const = 0;
@@ -78,6 +86,8 @@ class ElementGroup {
   virtual double stable_step(std::size_t e) const = 0;      ///< before TSSFAC, mass scaling included; of the last cycle
   virtual double internal_energy(std::size_t e) const = 0;  ///< hourglass work not included
   virtual double hourglass_energy(std::size_t e) const = 0;
+  /// Work done against bulk viscosity so far; a part of the internal energy.
+  virtual double bulk_viscosity_work(std::size_t) const { return 0.0; }
   virtual double mass(std::size_t e) const = 0;  ///< physical, of the whole element
   /// Its share at node a, physical.
   double nodal_mass(std::size_t e, int a) const { return model::mass_at(mass(e), at(nodes_per_element), at(a)); }
@@ -99,7 +109,7 @@ class ElementGroup {
     const double beta = damping_time_at(s);
     return std::sqrt(s * s + beta * beta) - beta;
   }
-  /// Keeps the state as it is, free of stress, for stiffness-proportional damping.
+  /// Keeps the state as it is, free of stress, for stiffness-proportional damping and `vibrate`. Once is enough.
   virtual void store_reference_state() = 0;
 
   // Damage of a weld as a whole, from outside its elements. Elements of other kinds are always undamaged.

@@ -89,6 +89,11 @@ double beam_area(const model::Model& model, model::Index beam) {
   return model::beam_area(section);
 }
 
+bool Preloads::empty() const {
+  const model::InitialState& given = system_.model.initial_state;
+  return given.shells.empty() && given.solids.empty() && given.axial_forces.empty() && given.section_stresses.empty();
+}
+
 Preloads::Preloads(system::System& system, Findings& findings) : system_(system) {
   using Others = system::ImposedStress::Others;
   const model::Model& model = system.model;

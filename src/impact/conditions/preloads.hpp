@@ -23,6 +23,9 @@ class Preloads {
   /// Elements that cannot take a stress become findings.
   Preloads(system::System& system, Findings& findings);
 
+  /// No stresses are given.
+  bool empty() const;
+
   /// Stresses of time 0, before the first internal forces.
   void start(const system::State& state);
   /// Before the internal forces at state.time: imposes stresses that follow a curve, as long as it lasts. It lasts to

@@ -235,6 +235,18 @@ void Supports::constrain_at_start(system::State& state) {
   }
 }
 
+void Supports::hold_for_good(std::span<Row> v, std::span<Row> w) const {
+  const double end = system_.model.control.end_time;
+  const auto hold = [&](const ConstrainedDof& dof) {
+    if (dof.birth > 0.0 || dof.death < end) return;
+    Row& row = dof.rotation ? w[dof.node] : v[dof.node];
+    add(row, -dot(dof.axis, vec(row)) * dof.axis);
+  };
+  for (const ConstrainedDof& h : constrained_dofs_) hold(h);
+  for (const PrescribedDof& d : prescribed_dofs_)
+    if (!d.motion->circular && d.oblique_to.empty() && !(d.body >= 0 && d.rotation)) hold(d);
+}
+
 double Supports::target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
                         double velocity_interval) const {
   if (prescribed.motion->circular) return circular_target(prescribed, state, old_velocity, velocity_interval);

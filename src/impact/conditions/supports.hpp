@@ -19,6 +19,9 @@ class Supports {
 
   /// Components of v and w that the supports hold at time 0 are set to zero (fixed ones only).
   void constrain_at_start(system::State& state);
+  /// Takes out of velocities and spins, by node, what is held or driven from the start to the end of the run. Bodies
+  /// that are driven keep their spins.
+  void hold_for_good(std::span<Row> v, std::span<Row> w) const;
   /// After `accelerate`: replaces prescribed components, keeps the reactions, books the closing half of their work.
   /// `velocity_interval` is the time by which the velocities were advanced.
   void prescribe(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/index.hpp"
 #include "impact/conditions/axes_now.hpp"
@@ -44,6 +45,17 @@ Joints::Joints(const system::System& system) : system_(system), springs_(system)
       joints_.push_back(std::move(j));
       continue;
     }
+    std::array<double, 2> size{};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const system::RigidBody& body = *j.body[side];
+      const double trace = body.inertia[0] + body.inertia[3] + body.inertia[5];
+      size[side] = std::max(norm(j.arm[side]), body.mass > 0.0 ? std::sqrt(0.5 * trace / body.mass) : 0.0);
+    }
+    // What cannot move, or is no more than a point, stands for the ground.
+    for (std::size_t side = 0; side < 2; ++side)
+      if ((j.body[side]->fixed & 7u) == 7u) size[side] = 0.0;
+    const double small = std::min(size[0], size[1]), large = std::max(size[0], size[1]);
+    j.size = small > 0.01 * large ? small : large;
     if (source.kind == Kind::universal)
       j.directions.push_back({j.axis, unit(place(3) - place(1)), true});
     else if (source.kind != Kind::spherical)
@@ -217,6 +229,36 @@ void Joints::apply(Joint& j, system::State& state, double longest_step) {
   }
 }
 
+double Joints::step_for(double opening, const system::State& state) const {
+  // The way that a load opens a joint is load over stiffness, some tens of acceleration times dt^2 with the traces that
+  // find_bounds takes.
+  constexpr double ways = 100.0;
+  double step = std::numeric_limits<double>::infinity();
+  for (const Joint& j : joints_)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const system::RigidBody& body = *j.body[side];
+      if (!(j.size > 0.0) || !(body.mass > 0.0) || (body.fixed & 7u) == 7u) continue;
+      const std::size_t n = at(body.node);
+      const Vec3d arm = body.axes.global(j.arm[side]), spin = vec(state.w[n]);
+      const Vec3d apart = (1.0 / body.mass) * vec(state.f[n]) + cross(body.spin(vec(state.m[n]), body.axes), arm);
+      const double acceleration = norm(apart) + dot(spin, spin) * norm(arm);
+      if (acceleration > 0.0) step = std::min(step, std::sqrt(opening * j.size / (ways * acceleration)));
+    }
+  return step;
+}
+
+double Joints::relative_opening() const {
+  double most = 0.0;
+  for (const Joint& j : joints_)
+    if (!j.failed && j.size > 0.0) most = std::max(most, j.opening / j.size);
+  return most;
+}
+
+double Joints::largest_relative_opening(std::size_t joint) const {
+  const Joint& j = joints_[joint];
+  return j.size > 0.0 ? j.largest_opening / j.size : 0.0;
+}
+
 double Joints::energy() const {
   double sum = springs_.energy();
   for (const Joint& j : joints_) sum += j.energy;
@@ -225,7 +267,7 @@ double Joints::energy() const {
 
 void Joints::Joint::archive(Archive& a) {
   a(force, moment, load, slip, energy, opening, largest_opening, failed, failure_time);
-  a.built(source, body, arm, axis, other, constrained, directions, bound, rotary_bound, damping, rotary_damping);
+  a.built(source, body, arm, axis, other, constrained, directions, bound, rotary_bound, damping, rotary_damping, size);
 }
 
 void Joints::archive(Archive& a) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -36,7 +37,8 @@ namespace nugget::impact {
 /// Stiffness: with G the inverse mass that a piece's relative motion meets, when each body shares its mass evenly among
 /// the pieces at it, k = RPS beta / (dt^2 tr(G)), beta = 1/4: all pieces together have omega dt <= 1/2, well
 /// inside the 2 of central differences. dt is the longest step so far, so k never rises in a run. Damping ratio 0.1
-/// DAMP. Both are ours: LS-DYNA documents that its stiffness follows from masses and step, not how.
+/// DAMP. Both are ours: LS-DYNA documents that its stiffness follows from masses and step, not how. In a model without
+/// deformable elements the step is shortened while joints open too far (`follow`), and their stiffness rises with it.
 class Joints {
  public:
   explicit Joints(const system::System& system);
@@ -48,6 +50,16 @@ class Joints {
   double energy() const;
   /// The longest step at which stiffnesses of joints are stable; the joints themselves follow the step [time].
   double stable_step() const { return springs_.stable_step(); }
+  /// From now on the joints are as stiff as a step allows that is shorter than those before.
+  void follow(double step) { longest_step_ = std::min(longest_step_, step); }
+  /// The step at which joints open by the share `opening` of their bodies' size under what accelerates the bodies apart
+  /// now: loads, and their spins; infinite where nothing does [time].
+  double step_for(double opening, const system::State& state) const;
+  /// The largest opening now over the size of the joint's bodies: the smaller of their levers to the joint, or radii of
+  /// gyration where these are more [1]. Joints that transmit do not count.
+  double relative_opening() const;
+  /// The same of one joint, its largest so far.
+  double largest_relative_opening(std::size_t joint) const;
 
   std::size_t size() const { return joints_.size(); }
   /// On body B at the joint, global axes.
@@ -91,6 +103,7 @@ class Joints {
     double damping = 0.0, rotary_damping = 0.0;  ///< c dt
     Vec3d force, moment;                         ///< on B, at its point
     std::array<Load, 2> load;                    ///< on the bodies' centres
+    double size = 0.0;                           ///< of the smaller body; 0 of joints that transmit
     double slip = 0.0;                           ///< phi of a joint that transmits
     double energy = 0.0, opening = 0.0, largest_opening = 0.0;
     bool failed = false;

@@ -120,6 +120,7 @@ struct Carrier {
     PartEnergy part;
     for (std::size_t e = begin; e < end; ++e) {
       const double internal = group.internal_energy(e), hourglass = group.hourglass_energy(e);
+      part.bulk_viscosity += group.bulk_viscosity_work(e);
       if (group.alive(e)) {
         part.internal += internal;
         part.hourglass += hourglass;
@@ -165,6 +166,7 @@ PartEnergy& PartEnergy::operator+=(const PartEnergy& other) {
   internal += other.internal;
   kinetic += other.kinetic;
   hourglass += other.hourglass;
+  bulk_viscosity += other.bulk_viscosity;
   eroded += other.eroded;
   eroded_kinetic += other.eroded_kinetic;
   mass += other.mass;
@@ -198,7 +200,7 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
                       std::vector<PartEnergy>& parts) {
-  energy.internal = energy.hourglass = energy.eroded = energy.eroded_kinetic = 0.0;
+  energy.internal = energy.hourglass = energy.bulk_viscosity = energy.eroded = energy.eroded_kinetic = 0.0;
   energy.lumped = {};
   parts.assign(system.model.parts.size(), {});
   const Carrier carrier(system, state, v_before, w_before);
@@ -225,6 +227,7 @@ void element_energies(const system::System& system, const system::State& state, 
     parts[s.group->part] += s.found;
     energy.internal += s.found.internal;
     energy.hourglass += s.found.hourglass;
+    energy.bulk_viscosity += s.found.bulk_viscosity;
     energy.eroded += s.found.eroded;
     energy.eroded_kinetic += s.found.eroded_kinetic;
   }

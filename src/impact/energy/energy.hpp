@@ -13,6 +13,7 @@ namespace nugget::impact {
 /// element, or never had one of their own; `eroded_kinetic` of those that have lost all of theirs.
 struct PartEnergy {
   double internal = 0.0, kinetic = 0.0, hourglass = 0.0, eroded = 0.0, eroded_kinetic = 0.0, mass = 0.0;
+  double bulk_viscosity = 0.0;  ///< the part of `internal`, and of `eroded`, that went against bulk viscosity
   Vec3d momentum;
 
   PartEnergy& operator+=(const PartEnergy& other);
@@ -26,6 +27,7 @@ struct Energy {
                          ///< interface energy)
   double wall = 0.0;     ///< taken out by rigid walls (stonewall energy)
   double damping = 0.0;
+  double bulk_viscosity = 0.0;  ///< work done against it; a part of `internal` and `eroded`
   double eroded = 0.0;          ///< internal and hourglass energy of deleted elements
   double eroded_kinetic = 0.0;  ///< of nodes that have lost all their elements; not in `kinetic`
   double external = 0.0;        ///< work of loads and supports
@@ -66,10 +68,10 @@ double share_before_now(const system::State& state);
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before);
 
-/// Adds up the elements' energies: internal, hourglass, eroded and eroded kinetic of `energy`, and all of `parts`
-/// (size: number of parts). A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the momentum
-/// of the body. Point masses and nodal rigid bodies with masses of their own belong to no part: they are `lumped`, so
-/// that the parts' kinetic energies, eroded ones too, and theirs are `kinetic_energy`.
+/// Adds up the elements' energies: internal, hourglass, bulk viscosity, eroded and eroded kinetic of `energy`, and all
+/// of `parts` (size: number of parts). A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the
+/// momentum of the body. Point masses and nodal rigid bodies with masses of their own belong to no part: they are
+/// `lumped`, so that the parts' kinetic energies, eroded ones too, and theirs are `kinetic_energy`.
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
                       std::vector<PartEnergy>& parts);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "impact/simulation/assembled_step.hpp"
 #include "impact/simulation/options.hpp"
 #include "impact/simulation/relaxation.hpp"
 #include "impact/simulation/snapshot.hpp"
@@ -34,6 +35,8 @@ class Simulation {
   /// also where none is; welds have their own account), a line each, for run.log.
   std::vector<std::string> events() const;
   double first_step() const { return first_step_; }
+  /// What else the run tells of its step, in lines.
+  const std::string& step_notes() const { return step_notes_; }
   double smallest_step() const { return smallest_step_; }
   const std::string& smallest_by() const { return smallest_by_; }
 
@@ -75,6 +78,19 @@ class Simulation {
   /// At the start, and where nodes were released: bounds that follow from nodal masses.
   void update_mass_bounds();
   void report_weak_ties(Findings& findings);
+  /// Stable steps and scaled masses of the undeformed mesh, before the run.
+  void find_steps_at_rest();
+  /// What bricks allow as they are assembled: a finding, and a shorter step where the deck leaves TSSFAC to the
+  /// program.
+  void bound_step_at_start(Findings& findings);
+  std::string describe(const AssembledStep::Limit& limit) const;
+  void remember_bound(double step, double limit);
+  /// Every `cycles_between_looks` cycles, where elements were deformed or nodes released.
+  void bound_step_again();
+  /// The step by the elements' formulas, mass scaling included; `bound_step_...` may shorten it.
+  double step_of_elements() const;
+  /// Without deformable elements nothing but the joints says how long a step may be.
+  double step_of_bodies(double end_time);
   /// Stores the velocities at t(n-1/2), before `update_velocities`.
   void store_velocities();
   void write_results(Recorder& recorder, bool last);
@@ -119,6 +135,17 @@ class Simulation {
   double first_step_ = 0.0, smallest_step_ = 0.0;
   double stable_step_ = 0.0;   ///< of this step, before DTINIT or the end of the run cut it; 0 at the start
   double longest_step_ = 0.0;  ///< of those
+  AssembledStep assembled_step_;
+  bool at_rest_ = false;          ///< find_steps_at_rest has been there
+  double advised_scale_ = 0.0;    ///< TSSFAC that the deck should give; 0: none
+  double step_factor_ = 1.0;      ///< on the step of the elements, by what the bricks allow as they are assembled
+  double bounded_step_ = 0.0;     ///< the elements' step when it was found
+  double bearable_change_ = 0.0;  ///< of that step, as a share, until it is found anew
+  long looks_ = 0;                ///< how often it was found
+  bool masses_changed_ = false;   ///< nodes were released since then
+  double bodies_step_ = 0.0;      ///< of a model of rigid bodies, by their joints; 0: not limited
+  long bodies_cycle_ = 0;         ///< when it was found
+  std::string step_notes_;
   std::string smallest_by_;
   std::array<double, phases> seconds_{};
   std::chrono::steady_clock::time_point begin_, timed_until_;

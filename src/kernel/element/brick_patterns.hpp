@@ -129,6 +129,17 @@ template <class R, class Law>
   if constexpr (requires { law.add_viscous_work(work, history); }) law.add_viscous_work(work, history);
 }
 
+/// Books what bulk viscosity takes from a volume that changes at the rate `trace`, as the work of nodal forces is
+/// booked: by the mean of its pressures before and after the step.
+template <class Layout, class R>
+[[gnu::always_inline]] inline void book_viscosity(const R& pressure, const R& trace, const R& volume, double dt,
+                                                  double* state) {
+  const R both = load_field<R>(state, Layout::bulk_pressure) + pressure;
+  store_field(state, Layout::bulk_pressure, pressure);
+  store_field(state, Layout::bulk_viscosity_work,
+              load_field<R>(state, Layout::bulk_viscosity_work) - (0.5 * dt) * (both * trace * volume));
+}
+
 /// A step of a brick in patterns: velocities, and the geometry in its middle and at its end. A deleted brick stands
 /// still.
 template <class R>

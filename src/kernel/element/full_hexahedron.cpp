@@ -178,6 +178,7 @@ template <class R, class Law, class FieldOn>
   const R pressure = weld ? weld_integrity * left * bulk.pressure : bulk.pressure;
   mean -= pressure;
   for (int p = 0; p < points; ++p) heat_by_viscosity(law, pressure, trace, dt, state + layout.history_of(p) * lanes<R>);
+  book_viscosity<L>(pressure, trace, end_volume, dt, state);
 
   if (law.can_fail()) alive = alive && failed < R(points_to_delete(law));
   if (law.deletion_step() > 0.0) alive = alive && bulk.step >= law.deletion_step();

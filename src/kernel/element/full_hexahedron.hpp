@@ -12,7 +12,9 @@ struct FullHexahedronLayout {
   static constexpr int hourglass_energy = -1;  ///< there is none
   static constexpr int integrity = 2;    ///< share of the forces that the damage of a weld as a whole has left [1]
   static constexpr int strain_rate = 3;  ///< of a weld: effective, mean of the points [1/time]
-  static constexpr int first_point = 4;
+  static constexpr int bulk_viscosity_work = 4;  ///< done against the bulk viscosity so far [energy]
+  static constexpr int bulk_pressure = 5;        ///< of the last cycle [stress]
+  static constexpr int first_point = 6;
   static constexpr int points = 8;
 
   int history = 0;

@@ -193,6 +193,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKern
   const BulkViscosity<R> bulk(brick, law.template wave_modulus<R>(history), density, length, l.x.x + l.y.y + l.z.z);
   const R pressure = integrity * bulk.pressure;
   heat_by_viscosity(law, pressure, l.x.x + l.y.y + l.z.z, dt, history);
+  book_viscosity<L>(pressure, l.x.x + l.y.y + l.z.z, g_end.volume, dt, state);
   if constexpr (LawOfWelds<Law>) s = weld_integrity * s;
   s.xx -= pressure;
   s.yy -= pressure;

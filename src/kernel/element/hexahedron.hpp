@@ -27,7 +27,9 @@ struct HexahedronLayout {
   static constexpr int stress = 16;            ///< xx yy zz xy yz zx, global axes, without bulk viscosity
   static constexpr int integrity = 22;    ///< share of the forces that the damage of a weld as a whole has left [1]
   static constexpr int strain_rate = 23;  ///< of a weld: effective [1/time]
-  static constexpr int first_history = 24;
+  static constexpr int bulk_viscosity_work = 24;  ///< done against the bulk viscosity so far [energy]
+  static constexpr int bulk_pressure = 25;        ///< of the last cycle [stress]
+  static constexpr int first_history = 26;
 
   int history = 0;
 

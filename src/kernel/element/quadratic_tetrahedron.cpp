@@ -104,6 +104,9 @@ QuadraticTetrahedronForces<R> quadratic_tetrahedron_cycle(const HexahedronProper
   const double modulus = std::max(e.E / (1.0 - 2.0 * e.nu), 2.0 * e.shear);  // 3 K, 2 G
   const R length = sqrt(load_field<R>(state, L::volume) * R(e.bulk_wave() / (modulus * most)) / stiffest);
   const BulkViscosity<R> bulk(solid, wave, density, length, trace);
+  R all = R(0.0);
+  for (const R& share : volume) all += share;
+  book_viscosity<L>(bulk.pressure, trace, all, dt, state);
 
   if (law.can_fail()) alive = alive && failed < R(points_to_delete(law));
   if (law.deletion_step() > 0.0) alive = alive && bulk.step >= law.deletion_step();

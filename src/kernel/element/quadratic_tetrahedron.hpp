@@ -7,11 +7,13 @@ namespace nugget::kernel {
 
 /// Fields of the state of a tetrahedron of ten nodes. Field i of lane l stands at state[i * lanes + l].
 struct QuadraticTetrahedronLayout {
-  static constexpr int alive = 0;              ///< 1, or 0 once the element is deleted
-  static constexpr int density_scale = 1;      ///< factor on the density by mass scaling [1]
-  static constexpr int hourglass_energy = -1;  ///< there is none
-  static constexpr int volume = 2;             ///< at the start [length^3]
-  static constexpr int first_point = 3;
+  static constexpr int alive = 0;                ///< 1, or 0 once the element is deleted
+  static constexpr int density_scale = 1;        ///< factor on the density by mass scaling [1]
+  static constexpr int hourglass_energy = -1;    ///< there is none
+  static constexpr int volume = 2;               ///< at the start [length^3]
+  static constexpr int bulk_viscosity_work = 3;  ///< done against the bulk viscosity so far [energy]
+  static constexpr int bulk_pressure = 4;        ///< of the last cycle [stress]
+  static constexpr int first_point = 5;
   static constexpr int points = 4;
 
   int history = 0;

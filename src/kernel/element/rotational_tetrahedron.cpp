@@ -206,6 +206,7 @@ RotationalTetrahedronForces<R> rotational_tetrahedron_cycle(const HexahedronProp
   const BulkViscosity<R> bulk(solid, wave, density, length, trace);
   for (int p = 0; p < points; ++p)
     heat_by_viscosity(law, bulk.pressure, trace, dt, state + layout.history_of(p) * lanes<R>);
+  book_viscosity<L>(bulk.pressure, trace, end.volume, dt, state);
   mean -= bulk.pressure;
   for (SolidTensor<R>& s : stress) {
     const R change = mean - third * (s.xx + s.yy + s.zz);

@@ -8,13 +8,15 @@ namespace nugget::kernel {
 
 /// Fields of the state of a tetrahedron with nodal rotations. Field i of lane l stands at state[i * lanes + l].
 struct RotationalTetrahedronLayout {
-  static constexpr int alive = 0;             ///< 1, or 0 once the element is deleted
-  static constexpr int density_scale = 1;     ///< factor on the density by mass scaling [1]
-  static constexpr int hourglass_energy = 2;  ///< work done against the two stabilising forces [energy]
-  static constexpr int moment = 3;            ///< against the mean rotation, global axes [force length]
-  static constexpr int dilation = 6;          ///< against the divergence of the rotations [force length^2]
-  static constexpr int edge2 = 7;             ///< mean square of the edges at the start [length^2]
-  static constexpr int first_point = 8;
+  static constexpr int alive = 0;                ///< 1, or 0 once the element is deleted
+  static constexpr int density_scale = 1;        ///< factor on the density by mass scaling [1]
+  static constexpr int hourglass_energy = 2;     ///< work done against the two stabilising forces [energy]
+  static constexpr int moment = 3;               ///< against the mean rotation, global axes [force length]
+  static constexpr int dilation = 6;             ///< against the divergence of the rotations [force length^2]
+  static constexpr int edge2 = 7;                ///< mean square of the edges at the start [length^2]
+  static constexpr int bulk_viscosity_work = 8;  ///< done against the bulk viscosity so far [energy]
+  static constexpr int bulk_pressure = 9;        ///< of the last cycle [stress]
+  static constexpr int first_point = 10;
   static constexpr int points = 4;
 
   int history = 0;

@@ -47,6 +47,7 @@ TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const 
   const R length = sqrt(R(e.bulk_wave() / stiffest) / end.largest());
   const BulkViscosity<R> bulk(solid, law.template wave_modulus<R>(history), density, length, trace);
   heat_by_viscosity(law, bulk.pressure, trace, dt, history);
+  book_viscosity<L>(bulk.pressure, trace, end.volume, dt, state);
   s.xx -= bulk.pressure;
   s.yy -= bulk.pressure;
   s.zz -= bulk.pressure;

@@ -7,11 +7,13 @@ namespace nugget::kernel {
 
 /// Fields of the state of a tetrahedron. Field i of lane l stands at state[i * lanes + l].
 struct TetrahedronLayout {
-  static constexpr int alive = 0;              ///< 1, or 0 once the element is deleted
-  static constexpr int density_scale = 1;      ///< factor on the density by mass scaling [1]
-  static constexpr int hourglass_energy = -1;  ///< there is none
-  static constexpr int stress = 2;             ///< xx yy zz xy yz zx, global axes, without bulk viscosity
-  static constexpr int first_history = 8;
+  static constexpr int alive = 0;                ///< 1, or 0 once the element is deleted
+  static constexpr int density_scale = 1;        ///< factor on the density by mass scaling [1]
+  static constexpr int hourglass_energy = -1;    ///< there is none
+  static constexpr int stress = 2;               ///< xx yy zz xy yz zx, global axes, without bulk viscosity
+  static constexpr int bulk_viscosity_work = 8;  ///< done against the bulk viscosity so far [energy]
+  static constexpr int bulk_pressure = 9;        ///< of the last cycle [stress]
+  static constexpr int first_history = 10;
 
   int history = 0;
   bool nodal_pressure = false;  ///< the mean stress comes from outside

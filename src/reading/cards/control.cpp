@@ -432,6 +432,10 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   Control& c = b.model.control;
   c.first_step = row->dtinit;
   c.step_scale = row->tssfac;
+  const auto tssfac = row[&StepCard::tssfac];
+  // A written 0 is the default, too.
+  c.step_scale_given = !tssfac.blank && tssfac.text.find_first_of("123456789&") != std::string::npos;
+  c.step_scale_place = tssfac.place;
   c.length_basis = row->isdo;
   c.mass_step = row->dt2ms;
   c.erode_small_steps = row->erode;
