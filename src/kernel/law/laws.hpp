@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "kernel/law/anisotropic_sheet.hpp"
 #include "kernel/law/elastic_kernel.hpp"
 #include "kernel/law/fluid.hpp"
 #include "kernel/law/foam.hpp"
@@ -34,6 +35,7 @@ using Flow = std::variant<  //
     CrushableFoam,          //
     RateFoam,               //
     Orthotropic,            //
+    AnisotropicSheet,       //
     Honeycomb,              //
     Fluid>;
 

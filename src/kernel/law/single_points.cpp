@@ -11,7 +11,7 @@ using namespace tensor;
 namespace {
 
 /// c b c, both symmetric.
-Tensor between(const Tensor& c, const Tensor& b) {
+Tensor congruent(const Tensor& c, const Tensor& b) {
   const Frame3d rows{{c.xx, c.xy, c.zx}, {c.xy, c.yy, c.yz}, {c.zx, c.yz, c.zz}};
   return rotated(rows, b);
 }
@@ -70,7 +70,7 @@ void stretch(Tensor& b_less_one, const Tensor& d, double dt) {
   // the smallest steps count (docs/decisions/0017).
   const Tensor change = dt * tensorial(d);
   const Tensor g = times(inverse(plus(-0.5 * change, 1.0)), change);
-  b_less_one = 2.0 * g + times(g, g) + between(plus(g, 1.0), b_less_one);
+  b_less_one = 2.0 * g + times(g, g) + congruent(plus(g, 1.0), b_less_one);
 }
 
 }  // namespace nugget::kernel

@@ -215,7 +215,7 @@ Keyword not_built(std::string_view name, std::string_view number, std::string_vi
           .why = why};
 }
 
-constexpr std::string_view use_024 = "this law is not built; MAT_024 with a yield curve (LCSS) comes nearest";
+constexpr std::string_view use_036 = "this law is not built; *MAT_3-PARAMETER_BARLAT comes nearest";
 
 }  // namespace
 
@@ -338,7 +338,7 @@ std::vector<Keyword> material_keywords() {
        .options = {"TITLE", "LOG_INTERPOLATION"},
        .layout = {{"", &plastic_card}, {"", &plastic_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
        .read = read_plastic},
-      not_built("MAT_3-PARAMETER_BARLAT", "MAT_036", use_024),
+      not_built("MAT_BARLAT_YLD2000", "MAT_133", use_036),
   };
 }
 
