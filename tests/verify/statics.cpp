@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "statics.hpp"
-#include "base/index.hpp"
 
 #include <Eigen/Sparse>
+#include <algorithm>
 #include <stdexcept>
 
+#include "element_stiffness.hpp"
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/full_shell.hpp"
 #include "kernel/law/elastic_kernel.hpp"
@@ -15,32 +16,18 @@ namespace nugget::verify {
 Eigen::Matrix<double, 24, 24> shell_stiffness(ShellKind kind, const kernel::ShellProperties& shell,
                                               const kernel::Elastic& elastic, double thickness,
                                               const std::array<Vec3d, 4>& x) {
-  using R = Dual<24>;
   const kernel::LawKernel<kernel::Elastic> law(elastic);
   const kernel::ShellLayout layout =
       kind == ShellKind::full ? kernel::full_shell_layout(shell, law) : kernel::shell_layout(shell, law);
-  std::vector<double> state(static_cast<std::size_t>(layout.size()));
-  kernel::start_shell(layout, thickness, state.data(), 1, 0);
-  kernel::NodalMotion<R, 4> nodes;
-  const auto vary = [](Vec3<R>& a, int first) {
-    a = {R::variable(0.0, first), R::variable(0.0, first + 1), R::variable(0.0, first + 2)};
-  };
-  for (int i = 0; i < 4; ++i) {
-    vary(nodes.v[i], 6 * i);
-    vary(nodes.w[i], 6 * i + 3);
-    const Vec3d& at = x[i];
-    nodes.x[i] = Vec3<R>{R(at.x), R(at.y), R(at.z)} + nodes.v[i];
-  }
-  const auto force = kind == ShellKind::full ? kernel::full_shell_cycle<R>(shell, law, nodes, 1.0, state.data())
-                                             : kernel::shell_cycle<R>(shell, law, nodes, 1.0, state.data());
-  Eigen::Matrix<double, 24, 24> k;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 24; ++j) {
-      const auto column = at(j);
-      const R* rows[6] = {&force.f[i].x, &force.f[i].y, &force.f[i].z, &force.m[i].x, &force.m[i].y, &force.m[i].z};
-      for (int c = 0; c < 6; ++c) k(6 * i + c, j) = rows[c]->d[column];
-    }
-  return k;
+  kernel::NodalMotion<double, 4> rest;
+  std::copy(x.begin(), x.end(), rest.x);
+  const std::vector<double> k = element_stiffness(rest, [&](const kernel::NodalMotion<double, 4>& motion, double step) {
+    std::vector<double> state(static_cast<std::size_t>(layout.size()));
+    kernel::start_shell(layout, thickness, state.data(), 1, 0);
+    return kind == ShellKind::full ? kernel::full_shell_cycle<double>(shell, law, motion, step, state.data())
+                                   : kernel::shell_cycle<double>(shell, law, motion, step, state.data());
+  });
+  return Eigen::Map<const Eigen::Matrix<double, 24, 24, Eigen::RowMajor>>(k.data());
 }
 
 Statics::Statics(const kernel::Elastic& elastic, double t) : law(elastic), thickness(t) {

@@ -10,8 +10,7 @@
 #include "kernel/element/shell.hpp"
 #include "kernel/law/elastic.hpp"
 
-// Linear statics of a few shells, for verification: the tangent of the explicit kernels by Dual, a sparse
-// factorisation.
+// Linear statics of a few shells, for verification: the stiffness of the explicit kernels, a sparse factorisation.
 namespace nugget::verify {
 
 enum class ShellKind { one_point, full };  ///< ELFORM 2, 16

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/index.hpp"
+#include "element_stiffness.hpp"
 #include "experiment.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/law/elastic_kernel.hpp"
@@ -152,31 +154,29 @@ using Stiffness = Eigen::Matrix<double, 6, 6>;
 /// Stiffness of one brick between two rigid faces, 1-2-3-4 and 5-6-7-8, against their motion relative to each other:
 /// shifts, and rotations of each face about its own centre, half of it on each.
 Stiffness between_rigid_faces(const Corners& x, double poisson) {
-  using R = Dual<24>;
   const kernel::LawKernel<kernel::Elastic> law({E, poisson});
   kernel::HexahedronProperties brick;
   brick.density = 7.85e-9;
   brick.hourglass = 6;
   brick.hourglass_coefficient = 1.0;
+  brick.bulk_linear = brick.bulk_quadratic = 0.0;
   const kernel::HexahedronLayout layout = kernel::hexahedron_layout(law);
-  std::vector<double> state(at(layout.size()));
-  kernel::start_hexahedron(layout, x, state.data(), 1, 0);
-  kernel::SolidMotion<R> nodes;
-  for (int i = 0; i < 8; ++i) {
-    nodes.x[i] = {x[i].x, x[i].y, x[i].z};
-    nodes.v[i] = {R::variable(0.0, 3 * i), R::variable(0.0, 3 * i + 1), R::variable(0.0, 3 * i + 2)};
-  }
-  const auto f = kernel::hexahedron_cycle<R>(brick, law, nodes, 1.0, state.data());
-  Eigen::Matrix<double, 24, 24> k;
+  kernel::SolidMotion<double> rest;
+  std::copy(x.begin(), x.end(), rest.x);
+  const std::vector<double> entries =
+      element_stiffness(rest, [&](const kernel::SolidMotion<double>& moved, double step) {
+        std::vector<double> state(at(layout.size()));
+        kernel::start_hexahedron(layout, x, state.data(), 1, 0);
+        return kernel::hexahedron_cycle<double>(brick, law, moved, step, state.data());
+      });
+  const Eigen::Map<const Eigen::Matrix<double, 24, 24, Eigen::RowMajor>> k(entries.data());
   Eigen::Matrix<double, 24, 6> motion = Eigen::Matrix<double, 24, 6>::Zero();
   Vec3d centre[2];
   for (int i = 0; i < 8; ++i) centre[i / 4] += 0.25 * x[i];
   for (int i = 0; i < 8; ++i) {
-    const R* rows[3] = {&f.f[i].x, &f.f[i].y, &f.f[i].z};
     const double half = i < 4 ? -0.5 : 0.5;
     const Vec3d arm = x[i] - centre[i / 4];
     for (int c = 0; c < 3; ++c) {
-      for (int j = 0; j < 24; ++j) k(3 * i + c, j) = rows[c]->d[j];
       motion(3 * i + c, c) = half;
       const Vec3d axis{c == 0 ? half : 0.0, c == 1 ? half : 0.0, c == 2 ? half : 0.0}, way = cross(axis, arm);
       motion(3 * i, 3 + c) = way.x;

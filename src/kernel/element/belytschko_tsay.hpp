@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/batch.hpp"
-#include "base/dual.hpp"
 #include "kernel/element/shell.hpp"
 
 namespace nugget::kernel {
@@ -23,7 +22,7 @@ namespace nugget::kernel {
 /// (1984); LS-DYNA Theory Manual; docs/theory/shell.md.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw; Dual<24> with Elastic.
+/// ComposedLaw.
 template <class R, class Law>
 NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
                               double dt, double* state);

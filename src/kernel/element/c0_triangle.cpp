@@ -168,7 +168,5 @@ template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, cons
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<Dual<18>, 3> triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
-                                                 const NodalMotion<Dual<18>, 3>&, double, double*);
 
 }  // namespace nugget::kernel

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/batch.hpp"
-#include "base/dual.hpp"
 #include "kernel/element/shell.hpp"
 
 namespace nugget::kernel {
@@ -15,7 +14,7 @@ namespace nugget::kernel {
 /// docs/theory/shell.md#c0-triangle.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw; Dual<18> with Elastic.
+/// ComposedLaw.
 template <class R, class Law>
 NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                  const NodalMotion<R, 3>& nodes, double dt, double* state);

@@ -258,8 +258,5 @@ template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperti
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
                                                         const LawKernel<ComposedLaw>&, const SolidMotion<NativeBatch>&,
                                                         double, double*);
-template SolidForces<Dual<24>> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                     const LawKernel<Elastic>&, const SolidMotion<Dual<24>>&, double,
-                                                     double*);
 
 }  // namespace nugget::kernel

@@ -339,7 +339,5 @@ template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, co
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
-template NodalForces<Dual<24>, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
-                                                   const NodalMotion<Dual<24>, 4>&, double, double*);
 
 }  // namespace nugget::kernel

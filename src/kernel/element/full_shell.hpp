@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/batch.hpp"
-#include "base/dual.hpp"
 #include "kernel/element/shell.hpp"
 
 namespace nugget::kernel {
@@ -38,7 +37,7 @@ ShellLayout full_shell_layout(const ShellProperties& shell, const LawKernel<Law>
 /// Belytschko, Bachrach, CMAME 54 (1986); Hughes, Brezzi, CMAME 72 (1989); docs/theory/shell.md#fully-integrated-shell.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw; Dual<24> with Elastic.
+/// ComposedLaw.
 template <class R, class Law>
 NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                    const NodalMotion<R, 4>& nodes, double dt, double* state);

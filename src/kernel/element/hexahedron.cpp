@@ -263,7 +263,5 @@ template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, 
                                                    const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<ComposedLaw>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
-template SolidForces<Dual<24>> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
-                                                const SolidMotion<Dual<24>>&, double, double*);
 
 }  // namespace nugget::kernel

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "base/batch.hpp"
-#include "base/dual.hpp"
 #include "kernel/law/law_kernel.hpp"
 
 namespace nugget::kernel {
@@ -78,7 +77,7 @@ struct SolidForces {
 /// docs/theory/brick.md.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
-/// ComposedLaw; Dual<24> with Elastic.
+/// ComposedLaw.
 template <class R, class Law>
 SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKernel<Law>& law,
                                 const SolidMotion<R>& nodes, double dt, double* state);

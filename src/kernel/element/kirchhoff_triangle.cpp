@@ -202,7 +202,5 @@ template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellPropert
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
-template NodalForces<Dual<18>, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
-                                                           const NodalMotion<Dual<18>, 3>&, double, double*);
 
 }  // namespace nugget::kernel

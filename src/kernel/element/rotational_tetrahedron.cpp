@@ -281,9 +281,5 @@ template RotationalTetrahedronForces<NativeBatch> rotational_tetrahedron_cycle(c
                                                                                const LawKernel<ComposedLaw>&,
                                                                                const NodalMotion<NativeBatch, 4>&,
                                                                                double, double*);
-template RotationalTetrahedronForces<Dual<24>> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                            const LawKernel<Elastic>&,
-                                                                            const NodalMotion<Dual<24>, 4>&, double,
-                                                                            double*);
 
 }  // namespace nugget::kernel

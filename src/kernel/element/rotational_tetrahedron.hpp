@@ -63,7 +63,7 @@ struct RotationalTetrahedronForces {
 /// (all four points) and stable step otherwise as in tetrahedron_cycle.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw; Dual<24> with Elastic. Hourglass data of `solid` are not used.
+/// ComposedLaw. Hourglass data of `solid` are not used.
 template <class R, class Law>
 RotationalTetrahedronForces<R> rotational_tetrahedron_cycle(const HexahedronProperties& solid,
                                                             const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,

@@ -243,7 +243,5 @@ template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, 
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PiecewiseLinear>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
-template NodalForces<Dual<12>, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Elastic>&,
-                                                  const NodalMotion<Dual<12>, 2>&, double, double*);
 
 }  // namespace nugget::kernel

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "base/batch.hpp"
-#include "base/dual.hpp"
 #include "kernel/element/shell.hpp"
 
 namespace nugget::kernel {
@@ -80,8 +79,7 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 /// are, are left in the state for the weld's failure function. The stable step is L / sqrt(E / rho). Source:
 /// docs/theory/beam.md#weld-beam.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, Spotweld, PlasticKinematic and PiecewiseLinear; Dual<12> with
-/// Elastic.
+/// Instantiated for R = double, NativeBatch with Elastic, Spotweld, PlasticKinematic and PiecewiseLinear.
 template <class R, class Law>
 NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKernel<Law>& law,
                                   const NodalMotion<R, 2>& nodes, double dt, double* state);

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/index.hpp"
+#include "element_stiffness.hpp"
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/full_shell.hpp"
@@ -270,25 +271,15 @@ void expect_balance(const Driven<Law, Kind>& d, double forces, double moments) {
   EXPECT_LT(norm(moment), moments * largest_force(d.force));
 }
 
-/// The elastic stiffness as the derivative of the forces, row by row.
+/// The elastic stiffness, row by row.
 template <class Kind = OnePoint>
-std::vector<double> stiffness_by_dual(const ShellProperties& shell, const NodalMotion<double, Kind::corners>& m) {
-  using D = Dual<6 * Kind::corners>;
-  NodalMotion<D, Kind::corners> nodes;
+std::vector<double> shell_stiffness(const ShellProperties& shell, const NodalMotion<double, Kind::corners>& m) {
   const LawKernel<Elastic> law(steel);
-  std::vector<double> state(static_cast<std::size_t>(Kind::layout(shell, law).size()));
-  start_shell(Kind::layout(shell, law), 1.2, state.data(), 1, 0);
-  for (int i = 0; i < Kind::corners; ++i) {
-    nodes.x[i] = {m.x[i].x, m.x[i].y, m.x[i].z};
-    nodes.v[i] = {D::variable(0, 6 * i), D::variable(0, 6 * i + 1), D::variable(0, 6 * i + 2)};
-    nodes.w[i] = {D::variable(0, 6 * i + 3), D::variable(0, 6 * i + 4), D::variable(0, 6 * i + 5)};
-  }
-  const auto force = Kind::template cycle<D>(shell, law, nodes, 1.0, state.data());
-  std::vector<double> K;
-  for (int i = 0; i < Kind::corners; ++i)
-    for (const auto* row : {&force.f[i], &force.m[i]})
-      for (const D* f : {&row->x, &row->y, &row->z}) K.insert(K.end(), f->d.begin(), f->d.end());
-  return K;
+  return element_stiffness(m, [&](const auto& motion, double step) {
+    std::vector<double> state(static_cast<std::size_t>(Kind::layout(shell, law).size()));
+    start_shell(Kind::layout(shell, law), 1.2, state.data(), 1, 0);
+    return Kind::template cycle<double>(shell, law, motion, step, state.data());
+  });
 }
 
 /// The stiffness is symmetric and lets `free` motions go.

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "driven_solid.hpp"
+#include "element_stiffness.hpp"
 #include "kernel/element/full_hexahedron.hpp"
 
 namespace nugget::kernel {
@@ -191,18 +192,12 @@ TEST(FullHexahedron, RigidRotationStrainsNothing) {
 
 template <BrickStrains strains>
 std::vector<double> stiffness(const Corners& x) {
-  Driven<Elastic, strains> d(inviscid(), steel, x);
-  SolidMotion<Dual<24>> nodes;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const int j = 3 * static_cast<int>(i);
-    nodes.x[i] = {x[i].x, x[i].y, x[i].z};
-    nodes.v[i] = {Dual<24>::variable(0, j), Dual<24>::variable(0, j + 1), Dual<24>::variable(0, j + 2)};
-  }
-  const auto f = full_hexahedron_cycle<Dual<24>>(d.properties, strains, d.law, nodes, 1.0, d.state.data());
-  std::vector<double> K;
-  for (const auto& a : f.f)
-    for (const Dual<24>* c : {&a.x, &a.y, &a.z}) K.insert(K.end(), c->d.begin(), c->d.end());
-  return K;
+  SolidMotion<double> rest;
+  std::copy(x.begin(), x.end(), rest.x);
+  return element_stiffness(rest, [&](const SolidMotion<double>& motion, double step) {
+    Driven<Elastic, strains> d(inviscid(), steel, x);
+    return full_hexahedron_cycle<double>(d.properties, strains, d.law, motion, step, d.state.data());
+  });
 }
 
 template <BrickStrains strains>

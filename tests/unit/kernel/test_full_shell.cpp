@@ -98,10 +98,10 @@ TEST(FullShell, OnlyRigidMotionIsFree) {
   for (const double warp : {0.0, 0.2, 1.0}) {
     Motion m = square();
     for (Vec3d& x : m.x) x += Vec3d{random(), random(), warp * random()};
-    expect_free_motions(stiffness_by_dual<Full>(drilled(), m), 24, 6);
+    expect_free_motions(shell_stiffness<Full>(drilled(), m), 24, 6);
   }
   ShellProperties free = section();
-  EXPECT_EQ(zero_modes(stiffness_by_dual<Full>(free, square()), 24), 10);  // and the drilling of four nodes
+  EXPECT_EQ(zero_modes(shell_stiffness<Full>(free, square()), 24), 10);  // and the drilling of four nodes
 }
 
 // 0.1 G t min(t^2, A) / 4 a node. Sabotage: t^2 alone.
@@ -124,7 +124,7 @@ TEST(FullShell, NoModeIsFasterThanTheStableStep) {
     for (Vec3d& x : m.x) x += Vec3d{0.8 * random(), 0.8 * random(), 0.3 * random()};
     if (trial % 2 == 0)
       for (Vec3d& x : m.x) x.y *= 0.4;
-    std::vector<double> K = stiffness_by_dual<Full>(drilled(), m);
+    std::vector<double> K = shell_stiffness<Full>(drilled(), m);
     const NodalMass mass = shell_nodal_mass(positions(m), 1.2, steel_density);
     for (std::size_t i = 0; i < 24; ++i)
       for (std::size_t j = 0; j < 24; ++j)

@@ -5,6 +5,7 @@
 
 #include "base/index.hpp"
 #include "driven_solid.hpp"
+#include "element_stiffness.hpp"
 #include "kernel/element/hexahedron.hpp"
 
 namespace nugget::kernel {
@@ -376,19 +377,18 @@ TEST(Hexahedron, Mass) {
 
 using Dense = std::vector<std::vector<double>>;
 
-Dense stiffness(const HexahedronProperties& b, const Corners& x) {
-  Driven<Elastic> d(b, steel, x);
-  SolidMotion<Dual<24>> nodes;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const int j = 3 * static_cast<int>(i);
-    nodes.x[i] = {x[i].x, x[i].y, x[i].z};
-    nodes.v[i] = {Dual<24>::variable(0, j), Dual<24>::variable(0, j + 1), Dual<24>::variable(0, j + 2)};
-  }
-  const auto f = hexahedron_cycle<Dual<24>>(b, d.law, nodes, 1.0, d.state.data());
-  Dense K;
-  for (const auto& a : f.f)
-    for (const Dual<24>* c : {&a.x, &a.y, &a.z}) K.emplace_back(c->d.begin(), c->d.end());
-  return K;
+/// Without bulk viscosity, which does not go with the step.
+Dense stiffness(HexahedronProperties b, const Corners& x) {
+  b.bulk_linear = b.bulk_quadratic = 0.0;
+  SolidMotion<double> rest;
+  std::copy(x.begin(), x.end(), rest.x);
+  const std::vector<double> k = element_stiffness(rest, [&](const SolidMotion<double>& motion, double step) {
+    Driven<Elastic> d(b, steel, x);
+    return hexahedron_cycle<double>(b, d.law, motion, step, d.state.data());
+  });
+  Dense rows;
+  for (std::size_t i = 0; i < 24; ++i) rows.emplace_back(&k[24 * i], &k[24 * i] + 24);
+  return rows;
 }
 
 std::vector<double> solved(Dense a, std::vector<double> b) {

@@ -58,7 +58,7 @@ TEST(KirchhoffTriangle, ForcesDoTheWorkOfTheStresses) {
 
 /// Stiffness of w and the rotations about x and y of the three nodes of a triangle in the plane of x and y.
 std::array<std::array<double, 9>, 9> bending_stiffness(const Triangle& m) {
-  const std::vector<double> K = stiffness_by_dual<Kirchhoff>(section(2), m);
+  const std::vector<double> K = shell_stiffness<Kirchhoff>(section(2), m);
   const std::size_t freedom[3] = {2, 3, 4};
   std::array<std::array<double, 9>, 9> k{};
   for (std::size_t i = 0; i < 9; ++i)
@@ -166,8 +166,8 @@ TEST(KirchhoffTriangle, OnlyRigidMotionsAreFree) {
   const Triangle m = triangle(random);
   ShellProperties drilled = section();
   drilled.drilling = usual_drilling;
-  expect_free_motions(stiffness_by_dual<Kirchhoff>(drilled, m), 18, 6);
-  expect_free_motions(stiffness_by_dual<Kirchhoff>(section(), m), 18, 9);
+  expect_free_motions(shell_stiffness<Kirchhoff>(drilled, m), 18, 6);
+  expect_free_motions(shell_stiffness<Kirchhoff>(section(), m), 18, 9);
 }
 
 // No element, however thick or flat, vibrates faster than its step allows: the lowest limit 2 / omega of elements

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "element_stiffness.hpp"
 #include "kernel/element/rotational_tetrahedron.hpp"
 #include "kernel/element/tetrahedron.hpp"
 #include "motion.hpp"
@@ -214,20 +215,10 @@ TEST(RotationalTetrahedron, IsTheOneOfTenNodes) {
 }
 
 std::vector<double> stiffness(const Motion& m) {
-  using R = Dual<24>;
-  Driven<Elastic> d(steel, m);
-  NodalMotion<R, 4> nodes;
-  for (int i = 0; i < 4; ++i) {
-    nodes.x[i] = {m.x[i].x, m.x[i].y, m.x[i].z};
-    nodes.v[i] = {R::variable(0, 6 * i), R::variable(0, 6 * i + 1), R::variable(0, 6 * i + 2)};
-    nodes.w[i] = {R::variable(0, 6 * i + 3), R::variable(0, 6 * i + 4), R::variable(0, 6 * i + 5)};
-  }
-  const auto force = rotational_tetrahedron_cycle<R>(d.solid, d.law, nodes, 1.0, d.state.data());
-  std::vector<double> k;
-  for (int i = 0; i < 4; ++i)
-    for (const auto* f : {&force.f[i], &force.m[i]})
-      for (const R* c : {&f->x, &f->y, &f->z}) k.insert(k.end(), c->d.begin(), c->d.end());
-  return k;
+  return element_stiffness(m, [&](const Motion& motion, double step) {
+    Driven<Elastic> d(steel, m);
+    return rotational_tetrahedron_cycle<double>(d.solid, d.law, motion, step, d.state.data());
+  });
 }
 
 TEST(RotationalTetrahedron, OnlyRigidMotionsAreFree) {

@@ -63,14 +63,14 @@ TEST(Triangle, MembraneAndBendingPatch) {
   }
 }
 
-TEST(Triangle, DualGivesTheStiffness) {
+TEST(Triangle, StepsThatMoveNothingGiveTheStiffness) {
   Random random;
   const Triangle m = triangle(random);
   ShellProperties complete = section();
   complete.drilling = usual_drilling;
-  expect_free_motions(stiffness_by_dual<C0>(complete, m), 18, 6);
+  expect_free_motions(shell_stiffness<C0>(complete, m), 18, 6);
   // Without completion the drilling of three nodes is free, and a mode that bends and shears nothing at the point.
-  expect_free_motions(stiffness_by_dual<C0>(section(), m), 18, 10);
+  expect_free_motions(shell_stiffness<C0>(section(), m), 18, 10);
 }
 
 TEST(Triangle, CompletionDoesNotDependOnTheFirstNode) {
@@ -80,7 +80,7 @@ TEST(Triangle, CompletionDoesNotDependOnTheFirstNode) {
   for (int i = 0; i < 3; ++i) shifted.x[i] = m.x[(i + 1) % 3];
   ShellProperties complete = section();
   complete.drilling = usual_drilling;
-  const std::vector<double> a = stiffness_by_dual<C0>(complete, m), b = stiffness_by_dual<C0>(complete, shifted);
+  const std::vector<double> a = shell_stiffness<C0>(complete, m), b = shell_stiffness<C0>(complete, shifted);
   double largest = 0.0;
   for (double k : a) largest = std::max(largest, std::abs(k));
   for (std::size_t i = 0; i < 18; ++i)

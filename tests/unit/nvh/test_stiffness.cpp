@@ -84,56 +84,72 @@ void expect_equal(const std::vector<double>& k, const std::vector<double>& refer
   double largest = 0.0;
   for (const double v : reference) largest = std::max(largest, std::abs(v));
   ASSERT_GT(largest, 0.0);
-  for (std::size_t i = 0; i < k.size(); ++i) EXPECT_NEAR(k[i], reference[i], 1e-13 * largest) << "entry " << i;
+  for (std::size_t i = 0; i < k.size(); ++i) EXPECT_NEAR(k[i], reference[i], 1e-9 * largest) << "entry " << i;
 }
 
-TEST(Stiffness, OfABrickIsTheDerivativeByDualNumbers) {
+/// Forces over displacements by central differences of whole steps: of a law without memory exact to the square of
+/// `size` over the element's length.
+template <class Motion, class Cycle>
+std::vector<double> by_differences(const Motion& rest, double size, Cycle&& cycle) {
+  constexpr bool turns = requires {
+    rest.w;
+  };
+  constexpr std::size_t per_node = turns ? 6 : 3;
+  const std::size_t all = per_node * std::size(rest.x);
+  double Vec3d::*const axis[3] = {&Vec3d::x, &Vec3d::y, &Vec3d::z};
+  std::vector<double> k(all * all);
+  for (std::size_t j = 0; j < all; ++j)
+    for (const double way : {-size, size}) {
+      Motion motion = rest;
+      Vec3d* moved = &motion.v[j / per_node];
+      if constexpr (turns)
+        if (j % 6 > 2) moved = &motion.w[j / 6];
+      moved->*axis[j % 3] = way;
+      for (std::size_t i = 0; i < std::size(rest.x); ++i) motion.x[i] += motion.v[i];
+      const auto out = cycle(motion);
+      for (std::size_t i = 0; i < all; ++i) {
+        const Vec3d* force = &out.f[i / per_node];
+        if constexpr (turns)
+          if (i % 6 > 2) force = &out.m[i / 6];
+        k[all * i + j] += 0.5 * (force->*axis[i % 3]) / way;
+      }
+    }
+  return k;
+}
+
+TEST(Stiffness, OfABrickIsTheDerivativeOfItsForces) {
   const Assembled a(deck_text);
   ASSERT_EQ(a.findings.errors(), 0);
-  using D = Dual<24>;
   const kernel::LawKernel<kernel::Elastic> law(kernel::Elastic{210000.0, 0.3});
   const kernel::HexahedronProperties brick{7.85e-9, 6, 1.0, 0.0, 0.0};
   std::array<Vec3d, 8> x;
-  kernel::SolidMotion<D> motion;
-  for (int i = 0; i < 8; ++i) {
-    x[i] = a.model.nodes.x[i];
-    motion.x[i] = {D(x[i].x), D(x[i].y), D(x[i].z)};
-    motion.v[i] = {D::variable(0.0, 3 * i), D::variable(0.0, 3 * i + 1), D::variable(0.0, 3 * i + 2)};
-  }
+  kernel::SolidMotion<double> rest;
+  for (int i = 0; i < 8; ++i) x[i] = rest.x[i] = a.model.nodes.x[i];
   const kernel::HexahedronLayout layout = kernel::hexahedron_layout(law);
-  std::vector<double> state(at(layout.size()));
-  kernel::start_hexahedron(layout, x, state.data(), 1, 0);
-  const auto out = kernel::hexahedron_cycle(brick, law, motion, 1.0, state.data());
-  std::vector<double> k;
-  for (const Vec3<D>& f : out.f)
-    for (const D* c : {&f.x, &f.y, &f.z}) k.insert(k.end(), c->d.begin(), c->d.end());
-  expect_equal(stiffness(a, *a.system.groups[a.system.solid_location[0].group]), k);
+  expect_equal(stiffness(a, *a.system.groups[a.system.solid_location[0].group]),
+               by_differences(rest, 1e-5, [&](const kernel::SolidMotion<double>& motion) {
+                 std::vector<double> state(at(layout.size()));
+                 kernel::start_hexahedron(layout, x, state.data(), 1, 0);
+                 return kernel::hexahedron_cycle<double>(brick, law, motion, 1.0, state.data());
+               }));
 }
 
-TEST(Stiffness, OfAWeldBeamIsTheDerivativeByDualNumbers) {
+TEST(Stiffness, OfAWeldBeamIsTheDerivativeOfItsForces) {
   const Assembled a(deck_text);
   ASSERT_EQ(a.findings.errors(), 0);
-  using D = Dual<12>;
   const kernel::LawKernel<kernel::Elastic> law(kernel::Elastic{210000.0, 0.3});
   kernel::WeldBeamProperties beam;
   beam.density = 7.85e-9;
   beam.fibres = kernel::disc_fibres(6.0, 0.0, 2);
-  kernel::NodalMotion<D, 2> motion;
-  for (int i = 0; i < 2; ++i) {
-    const Vec3d x = a.model.nodes.x[8 + i];
-    motion.x[i] = {D(x.x), D(x.y), D(x.z)};
-    motion.v[i] = {D::variable(0.0, 6 * i), D::variable(0.0, 6 * i + 1), D::variable(0.0, 6 * i + 2)};
-    motion.w[i] = {D::variable(0.0, 6 * i + 3), D::variable(0.0, 6 * i + 4), D::variable(0.0, 6 * i + 5)};
-  }
+  kernel::NodalMotion<double, 2> rest;
+  for (int i = 0; i < 2; ++i) rest.x[i] = a.model.nodes.x[8 + i];
   const kernel::WeldBeamLayout layout = kernel::weld_beam_layout(beam, law);
-  std::vector<double> state(at(layout.size()));
-  kernel::start_weld_beam(layout, a.model.nodes.x[8], a.model.nodes.x[9], {}, state.data(), 1, 0);
-  const auto out = kernel::weld_beam_cycle(beam, law, motion, 1.0, state.data());
-  std::vector<double> k;
-  for (int i = 0; i < 2; ++i)
-    for (const Vec3<D>& f : {out.f[i], out.m[i]})
-      for (const D* c : {&f.x, &f.y, &f.z}) k.insert(k.end(), c->d.begin(), c->d.end());
-  expect_equal(stiffness(a, *a.system.groups[a.system.beam_location[0].group]), k);
+  expect_equal(stiffness(a, *a.system.groups[a.system.beam_location[0].group]),
+               by_differences(rest, 1e-5, [&](const kernel::NodalMotion<double, 2>& motion) {
+                 std::vector<double> state(at(layout.size()));
+                 kernel::start_weld_beam(layout, rest.x[0], rest.x[1], {}, state.data(), 1, 0);
+                 return kernel::weld_beam_cycle<double>(beam, law, motion, 1.0, state.data());
+               }));
 }
 
 // The brick and the beam are free: T^t K T has no force for any rigid motion of either.
