@@ -52,6 +52,24 @@ std::string add_holds(PreparedDeck& p) {
       least[0], most[0], by_area ? "" : ", as here", least[1], most[1], by_area ? ", as here" : " (--weld-tie area)");
 }
 
+/// Of a run that leaves nothing behind.
+class NoResults final : public impact::Recorder {
+ public:
+  bool due(const system::State&) override { return false; }
+  void write(const impact::Snapshot&, bool) override {}
+};
+
+/// Many faults of a model show in the first forces: an element inside out, a contact that throws, a step of nothing.
+/// What ends a run there is an error of the check. A dynamic relaxation is not tried: it is a whole run.
+void try_first_cycles(const model::Model& model, impact::Simulation& simulation, Findings& findings) {
+  if (model.implicit.active || model.control.relaxation.on()) return;
+  NoResults nothing;
+  const impact::Outcome outcome = simulation.run({.max_cycles = 2}, nothing, {});
+  if (outcome.termination == impact::Termination::error)
+    findings.error({model.deck, 0, 0}, {}, "a run ends at its start: " + outcome.message,
+                   "look at this place of the model, and at what was reported above");
+}
+
 ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   use_threads(arguments.deck.threads);
   Findings findings;
@@ -61,7 +79,10 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   Log log(directory / "check.log");
   if (findings.errors() == 0) {
     system::System system(p.model, p.ties, findings);
-    if (findings.errors() == 0) impact::Simulation simulation(system, findings);
+    if (findings.errors() == 0) {
+      impact::Simulation simulation(system, findings);
+      if (findings.errors() == 0) try_first_cycles(p.model, simulation, findings);
+    }
   }
   const std::string refused = findings.errors() > 0 ? report_refused_welds(p, findings) : std::string();
   start_log(log, arguments.deck, p, findings);

@@ -120,6 +120,17 @@ class ExitCodes(CommandTest):
     def test_3_negative_volume(self):
         self.error_termination(edited(BLOCK, SPEED), r"negative volume in solid 1 of part 1 at time \S+, cycle \d+")
 
+    def test_1_check_tries_the_first_cycles(self):
+        """A run that would end at its start is refused by the check, which says what the run would; other decks pass."""
+        self.write(edited(BLOCK, SPEED))
+        told = self.nugget("run", "model.k", "--quiet", "-o", "of_run", expect=3).stderr.splitlines()[-1]
+        self.assertRegex(told, r"^negative volume in solid 1 of part 1 at time \S+, cycle [12]$")
+        check = self.nugget("check", "model.k", "-o", "of_check", expect=1)
+        self.assertIn(f"model.k: error: a run ends at its start: {told} [", check.stderr)
+        self.assertEqual(self.files("of_check"), ["check.log", "findings.json"])
+        self.write(BLOCK)
+        self.nugget("check", "model.k", "-o", "slow")
+
     def test_3_time_step_below_dtmin(self):
         self.error_termination(edited(BLOCK, (LIMITS, "  1.00e-03         0       0.5       0.0\n")),
                                r"the time step \S+ of solid 1 of part 1 fell below DTMIN times the first step, \S+")
