@@ -472,10 +472,12 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   // before, or comes from a change of the surface, and is an offset too.
   const Pair* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
   const double approach = -dot(velocity, direction);
+  const bool inside =
+      candidate.gap < 0.0 || candidate.over_an_edge || (candidate.foot.boundary == 0 && dot(r, direction) < 0.0);
   double offset = 0.0;
   if (before == nullptr)
     offset = std::max(0.0, overlap - step.dt * std::max(0.0, approach));
-  else if (before == &candidate.before)
+  else if (before == &candidate.before && (inside == before->inside || inner_[pair.segment] == 0.0))
     offset = before->offset;
   else  // the way out is another one
     offset = std::max(before->offset, overlap - before->depth - step.dt * norm(velocity));
@@ -483,8 +485,7 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
   if (before != nullptr) pair.memory = before->memory;
   pair.touching = true;
-  pair.inside =
-      candidate.gap < 0.0 || candidate.over_an_edge || (candidate.foot.boundary == 0 && dot(r, direction) < 0.0);
+  pair.inside = inside;
   pair.side = static_cast<signed char>(side);
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;
