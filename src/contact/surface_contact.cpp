@@ -455,7 +455,8 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   } else if (candidate.gap < 0.0) {
     side = 1;
   } else if (candidate.foot.boundary == 0) {
-    if (side == 0) side = dot(r - step.dt * velocity, candidate.foot.normal) < 0.0 ? -1 : 1;
+    const bool from_behind = dot(r - step.dt * velocity, candidate.foot.normal) < 0.0;
+    if (side == 0) side = from_behind && inner_[pair.segment] == 0.0 ? -1 : 1;  // a brick holds nothing inside
     direction = static_cast<double>(side) * candidate.foot.normal;
   } else {
     if (side == 0) side = side_over_edge(candidate, r - step.dt * velocity, step);

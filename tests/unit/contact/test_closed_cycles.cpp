@@ -333,22 +333,18 @@ TEST(ClosedCycles, SlidAndBack) {
 // Sabotage: no round edge of a brick (0 %), of a sheet behind its mid-surface (0.4 %).
 TEST(ClosedCycles, OffTheEdge) {
   for (const double depth : {0.4, 1.4, 2.5}) {
-    expect_returned(
-        "sheets " + text(depth) + " mm, off the end", [] { return two_sheets(); }, slide(depth, off_x, off_y),
-        Way::straight_home);
-    expect_returned(
-        "sheet on block " + text(depth) + " mm, off the edge", [] { return sheet_on_block(); },
-        slide(depth, off_x, off_y), Way::straight_home);
+    expect_returned("sheets " + text(depth) + " mm, off the end", [] { return two_sheets(); },
+                    slide(depth, off_x, off_y), Way::straight_home, {}, {Form::single, Form::by_nodes});
+    expect_returned("sheet on block " + text(depth) + " mm, off the edge", [] { return sheet_on_block(); },
+                    slide(depth, off_x, off_y), Way::straight_home, {}, {Form::single, Form::by_nodes});
     expect_returned("blocks " + text(depth) + " mm, off the edge", [] { return two_blocks(); },
                     slide(depth, off_x, off_y), Way::straight_home, {}, {Form::by_nodes});
   }
   for (const double depth : {0.4, 1.0}) {
-    expect_returned(
-        "blocks " + text(depth) + " mm, off the edge", [] { return two_blocks(); }, slide(depth, off_x, off_y),
-        Way::straight_home);
-    expect_returned(
-        "blocks " + text(depth) + " mm, round a corner", [] { return two_blocks(); }, slide(depth, 25.7, 24.9),
-        Way::straight_home);
+    expect_returned("blocks " + text(depth) + " mm, off the edge", [] { return two_blocks(); },
+                    slide(depth, off_x, off_y), Way::straight_home, {}, {Form::single, Form::by_nodes});
+    expect_returned("blocks " + text(depth) + " mm, round a corner", [] { return two_blocks(); },
+                    slide(depth, 25.7, 24.9), Way::straight_home, {}, {Form::single, Form::by_nodes});
   }
 }
 
