@@ -63,8 +63,9 @@ bool has_boundary_at(const Segment& segment, unsigned boundary, int node) {
 void SurfaceContact::stay_inside(Block& block, int node, const Step& step) const {
   const Vec3d p = vec(step.x[node]);
   for (Candidate& c : block.candidates) {
+    if (c.foot.boundary != 0 || c.gap <= 0.0) continue;
     const Candidate* from = c.before.touching ? &c : predecessor(block, c);
-    if (from == nullptr || !from->before.pressed_inside() || c.foot.boundary != 0 || c.gap <= 0.0) continue;
+    if (from == nullptr || !from->before.pressed_inside()) continue;
     if (inner_[c.pair->segment] > 0.0) {
       // Not one that was run over and came in from the side.
       if (around_.at(node).empty() || faces(node, c.foot.normal, step) < -clearly_more)
