@@ -289,15 +289,18 @@ void SurfaceContact::check_node(Block& block, int tracked, const Step& step) con
   }
   if (step.dt > 0.0) drop_stray_candidates(block, node, step);
   double ahead = 0.0;  // a pair that became softer reaches beyond the contact distance
-  for (const Candidate& c : block.candidates)
-    if (c.before.pressed()) ahead = std::max(ahead, -c.before.offset);
+  bool matters = false;
+  for (const Candidate& c : block.candidates) {
+    const bool pressed = c.before.pressed();
+    if (pressed) ahead = std::max(ahead, -c.before.offset);
+    matters = matters || pressed || c.gap < c.contact_distance;
+  }
+  if (!matters) return;
   const auto close = [&](const Candidate& c) {
     if (c.gap < c.contact_distance || ahead == 0.0) return c.gap < c.contact_distance;
     const Candidate* from = c.before.pressed() ? &c : predecessor(block, c);
     return from != nullptr && from->before.pressed() && c.gap < c.contact_distance - from->before.offset;
   };
-  const auto matters = [&close](const Candidate& c) { return close(c) || c.before.pressed(); };
-  if (std::none_of(block.candidates.begin(), block.candidates.end(), matters)) return;
   if (!node_alive(node, step.element_alive)) {
     for (const Candidate& c : block.candidates)
       if (c.before.pressed()) block.energies.deleted += c.before.held();
@@ -498,18 +501,22 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   const double inverse_node_mass = step.mass[node] > 0.0 ? 1.0 / step.mass[node] : 0.0;
   const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_node_mass,
                                          pair.depth, approach, step.dt);
-  const double damping = before != nullptr ? before->memory.damping() + pair.memory.damping() : pair.memory.damping();
-  block.energies.damping += 0.5 * damping * approach * step.dt;
+  if (setup_.law.damping > 0.0) {
+    const double was = before != nullptr ? before->memory.damping() : 0.0;
+    block.energies.damping += 0.5 * (was + pair.memory.damping()) * approach * step.dt;
+  }
   if (!(size > 0.0)) return;
   block.energies.springs += pair.held();
+  double& first_check_travel = block.next_check_travel[tracked - block.begin];
   if (pair.inside) {
     double& deep = block.deep[tracked - block.begin];
     deep = std::max(deep, overlap);
   }
-  // A pair that became softer may be farther apart than those are that can touch.
-  pair.next_check_travel = std::min(pair.next_check_travel, travelled_);
-  double& first_check_travel = block.next_check_travel[tracked - block.begin];
-  first_check_travel = std::min(first_check_travel, pair.next_check_travel);
+  if (pair.inside || pair.offset < 0.0) {
+    // It may be farther apart than those are that can touch.
+    pair.next_check_travel = std::min(pair.next_check_travel, travelled_);
+    first_check_travel = std::min(first_check_travel, pair.next_check_travel);
+  }
   Vec3d force = size * direction;
   const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
   if (rough.any()) {

@@ -84,7 +84,8 @@ void SurfaceContact::go_over_edges(Block& block, int node, const Step& step) con
   const Vec3d p = vec(step.x[node]);
   for (std::size_t i = 0; i < block.candidates.size(); ++i) {
     Candidate& left = block.candidates[i];
-    if (!left.before.pressed_inside() || !round_edge(left, left.before.side, p, step)) continue;
+    if (left.foot.boundary == 0 || !left.before.pressed_inside() || !round_edge(left, left.before.side, p, step))
+      continue;
     // Along the edge the next face has it.
     const Segment& segment = setup_.segments[left.pair->segment];
     for (Candidate& next : block.candidates)
