@@ -190,9 +190,11 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
       "Energy at the end\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  "
       "eroded "
       "{:.5e}  change of step {:.5e}\n initial {:.5e}  ratio {:.5f}, without change of step {:.5f}\n hourglass / "
-      "internal {:.3f} %, of the internal energy by bulk viscosity {:.5e}\n\n",
+      "internal {:.3f} %, of the internal energy by bulk viscosity {:.5e}\n of contact: springs {:.5e}  friction "
+      "{:.5e}  damping {:.5e}  lost {:.5e}\n\n",
       e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.step_change, e.initial, e.ratio,
-      e.ratio_without_step_change, e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0, e.bulk_viscosity);
+      e.ratio_without_step_change, e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0, e.bulk_viscosity,
+      e.contact_springs, e.contact_friction, e.contact_damping, e.contact_lost);
   std::string events;
   run.components().for_each([&](const auto& component) {
     if constexpr (requires { component.events(); })

@@ -195,13 +195,15 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
     parallel_for(close_.size(), 64, [this, &step](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) close_[i]->pair->touching = presses(*close_[i], step.x);
     });
+    energies_.springs = 0.0;
     for (const Candidate* candidate : close_)
       if (candidate->pair->touching) press(*candidate, step);
+    book_drops(step);
     forces_.add_to(force);
   }
   const std::array<double, 2> work = forces_.work(step.dt, step.v);
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
-  if (setup_.law.friction.any()) friction_energy_ -= frictions_.work(step.dt, step.v)[0];
+  if (setup_.law.friction.any()) energies_.friction -= frictions_.work(step.dt, step.v)[0];
 }
 
 // ---- search
@@ -303,7 +305,8 @@ void EdgeContact::find_close(Block& block, const Step& step) const {
       if (norm(pair.direction) == 0.0) continue;
       pair.next_check_travel = approach_.travelled();
       block.close.push_back({&pair, before});
-    } else if (gap < 0.0) {
+    } else if (gap < std::max(0.0, -before.offset)) {
+      pair.next_check_travel = std::min(pair.next_check_travel, approach_.travelled());
       block.close.push_back({&pair, before});
     }
   }
@@ -560,15 +563,12 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   // What the motion of this step cannot have made was there before, or comes from an edge newly exposed.
   const double approach = -dot(velocity, pair.direction);
   const double explained = before.depth + step.dt * (before.touching ? norm(velocity) : std::max(0.0, approach));
-  double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
+  const double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
   pair.share = before.touching ? std::max(before.share, share(pair, step)) : share(pair, step);
   if (pair.share == 0.0) {
     pair.touching = false;
     return;
   }
-  // Stiffness that grows with the share would give energy if it found the depth as it was.
-  if (before.touching && pair.share > before.share)
-    offset = overlap - std::max(0.0, overlap - offset) * std::sqrt(before.share / pair.share);
   pair.touching = true;
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;
@@ -584,10 +584,16 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const double stiffness =
       pair.share * kernel::pair_stiffness(setup_.law, penalty(e, f, step), greatest, step.stable_dt);
   pair.memory = before.memory;
+  if (const double depth = kernel::depth_of_same_energy(pair.memory, pair.depth, stiffness); depth != pair.depth) {
+    pair.depth = depth;
+    pair.offset = overlap - depth;
+  }
   const double inverse_own_mass =
       kernel::inverse_pair_mass(0.0, {weight[0], weight[1], 0.0, 0.0}, {node_mass[0], node_mass[1], 0.0, 0.0});
   const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_own_mass, pair.depth,
                                          approach, step.dt);
+  energies_.springs += pair.held();
+  energies_.damping += 0.5 * (before.memory.damping() + pair.memory.damping()) * approach * step.dt;
   if (size > 0.0) {
     if (const kernel::Friction& law = setup_.law.friction.between(e.kind, f.kind); law.any())
       pair.friction = friction(law, pair, before, stiffness, size, step);
@@ -601,6 +607,21 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
     deepest_ = std::max(deepest_, pair.depth);
   }
   touches_.push_back(pair);
+}
+
+/// As SurfaceContact::book_drop(), of the pairs that touched in the cycle before and have no successor.
+void EdgeContact::book_drops(const Step& step) {
+  for (const Pair& pair : touched_before_) {
+    if (!pair.touching || !(pair.held() > 0.0)) continue;
+    if (!active_[pair.a] || !active_[pair.b]) {
+      energies_.deleted += pair.held();
+      continue;
+    }
+    if (const Pair* const now = close_pair(pair.a, pair.b); now != nullptr && now->touching) continue;
+    const Edge &e = setup_.edges[pair.a], &f = setup_.edges[pair.b];
+    const Vec3d velocity = point_of(e, pair.feet.s, step.v) - point_of(f, pair.feet.t, step.v);
+    if (pair.depth > step.dt * norm(velocity)) energies_.drops.add(pair.held(), e.node[0], f.node[0], step.time);
+  }
 }
 
 /// Friction acts on the axes of both bars, which lie beside each other. Of that couple each bar takes what friction
@@ -643,7 +664,7 @@ void EdgeContact::Block::archive(Archive& a) {
 void EdgeContact::archive(Archive& a) {
   a.section("contact of edges");
   a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, energy_, resultant_,
-    deepest_, frictions_, friction_energy_);
+    deepest_, frictions_, energies_);
   a.built(setup_, first_at_, edge_at_, margin_, close_);
 }
 

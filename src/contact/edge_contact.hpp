@@ -9,6 +9,7 @@
 #include "base/bvh.hpp"
 #include "base/row.hpp"
 #include "contact/approach.hpp"
+#include "contact/contact_energies.hpp"
 #include "contact/nodal_forces.hpp"
 #include "contact/step.hpp"
 #include "contact/surface.hpp"
@@ -97,7 +98,7 @@ class EdgeContact {
 
   double energy() const { return energy_[0] + energy_[1]; }  ///< as SurfaceContact::energy()
   const std::array<double, 2>& energy_of_sides() const { return energy_; }
-  double friction_energy() const { return friction_energy_; }  ///< as SurfaceContact::friction_energy()
+  const ContactEnergies& energies() const { return energies_; }  ///< as SurfaceContact::energies()
   /// Force on the tracked side as a whole; zero where there are not two sides [force].
   const Vec3d& resultant() const { return resultant_; }
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
@@ -121,6 +122,8 @@ class EdgeContact {
     double share = 1.0;              // of its stiffness, see share()
     Vec3d force;                     // on a, friction included
     double next_check_travel = 0.0;  // before the approach gets here the two cannot touch
+
+    double held() const { return 0.5 * memory.force * depth; }  // by the spring
   };
   /// A pair that is close enough to touch, with what it was in the cycle before.
   struct Candidate {
@@ -163,6 +166,7 @@ class EdgeContact {
   Vec3d friction(const kernel::Friction& law, const Pair& pair, const Pair& before, double stiffness,
                  double normal_force, const Step& step) const;
   void press(const Candidate& candidate, const Step& step);
+  void book_drops(const Step& step);
   void balance(const Pair& pair, const Step& step);
   void add(int node, const Vec3d& force, const Vec3d& friction);
 
@@ -178,7 +182,7 @@ class EdgeContact {
   std::vector<Pair> touches_, touched_before_;  // pairs that touch, in this order
   NodalForces forces_, frictions_;              // frictions_ as in SurfaceContact
   std::array<double, 2> energy_{};
-  double friction_energy_ = 0.0;
+  ContactEnergies energies_;
   Vec3d resultant_;
   double deepest_ = 0.0;
 };

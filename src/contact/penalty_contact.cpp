@@ -43,9 +43,11 @@ std::array<double, 2> PenaltyContact::energy_of_sides() const {
   return energy;
 }
 
-double PenaltyContact::friction_energy() const {
-  return surface_.friction_energy() + (edges_ ? edges_->friction_energy() : 0.0) +
-         (glue_ ? glue_->friction_energy() : 0.0);
+ContactEnergies PenaltyContact::energies() const {
+  ContactEnergies all = surface_.energies();
+  if (edges_) all.add(edges_->energies());
+  if (glue_) all.friction += glue_->friction_energy();
+  return all;
 }
 
 Vec3d PenaltyContact::resultant() const {

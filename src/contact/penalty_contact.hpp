@@ -27,8 +27,8 @@ class PenaltyContact {
 
   double energy() const;  ///< see SurfaceContact::energy
   std::array<double, 2> energy_of_sides() const;
-  double friction_energy() const;  ///< see SurfaceContact::friction_energy
-  Vec3d resultant() const;         ///< see SurfaceContact::resultant
+  ContactEnergies energies() const;  ///< see SurfaceContact::energies; of glue friction alone
+  Vec3d resultant() const;           ///< see SurfaceContact::resultant
   Vec3d force_on(std::span<const unsigned char> marked) const;
   Vec3d force_between(const TwoBodies& bodies) const;  ///< see SurfaceContact::force_between
   const SurfaceContact& surface() const { return surface_; }

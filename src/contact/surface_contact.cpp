@@ -65,6 +65,7 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
     block.first.assign(block.end - begin + 1, 0);
     block.old_first = block.first;
     block.next_check_travel.assign(block.end - block.begin, 0.0);
+    block.deep = block.next_check_travel;
     blocks_.push_back(std::move(block));
   }
 }
@@ -171,15 +172,20 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
     const std::size_t start = block.pairs.size();
     block.first[t - block.begin] = static_cast<int>(start);
     const TrackedNode& tracked = setup_.nodes[t];
-    if (!finite(x[tracked.node]) || !node_alive(tracked.node, element_alive)) continue;
+    if (!finite(x[tracked.node]) || !node_alive(tracked.node, element_alive)) {
+      for (int i = block.old_first[t - block.begin]; i < block.old_first[t - block.begin + 1]; ++i)
+        if (block.old_pairs[i].pressed()) block.energies.deleted += block.old_pairs[i].held();
+      continue;
+    }
     const Vec3d p = vec(x[tracked.node]);
     Box box;
     box.add(p);
-    tree_.overlapping(box.grown(0.5 * tracked.thickness + margin_), [&](int item) {
+    const double around = 0.5 * tracked.thickness + margin_ + block.deep[t - block.begin];
+    tree_.overlapping(box.grown(around), [&](int item) {
       Pair pair;
       pair.segment = active_segments_[item];
       const Segment& segment = setup_.segments[pair.segment];
-      const double far = contact_distance(t, pair.segment) + inner_[pair.segment] + margin_;
+      const double far = contact_distance(t, pair.segment) + reach(block, t, pair.segment) + margin_;
       if (!(segment.side & tracked.against) || segment.has(tracked.node)) return;
       const kernel::Corners corners = corners_of(segment, x);
       if (kernel::least_distance(corners, p) > far) return;
@@ -187,7 +193,7 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
       if (foot.distance > far) return;
       pair.xi = foot.xi;
       pair.eta = foot.eta;
-      pair.next_check_travel = travelled_ + (foot.distance - (widest(t) + inner_[pair.segment]));
+      pair.next_check_travel = travelled_ + (foot.distance - (widest(t) + reach(block, t, pair.segment)));
       block.pairs.push_back(pair);
     });
     const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
@@ -199,6 +205,17 @@ void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
       const auto old = std::lower_bound(old_begin, old_end, *pair, by_segment);
       if (old != old_end && old->segment == pair->segment) *pair = *old;
     }
+    const auto end = static_cast<std::ptrdiff_t>(block.pairs.size());
+    for (auto old = old_begin; old != old_end; ++old) {
+      const auto known = block.pairs.begin() + static_cast<std::ptrdiff_t>(start);
+      if (!old->pressed() || std::binary_search(known, block.pairs.begin() + end, *old, by_segment)) continue;
+      if (alive(old->segment, element_alive))
+        block.pairs.push_back(*old);
+      else
+        block.energies.deleted += old->held();
+    }
+    if (static_cast<std::ptrdiff_t>(block.pairs.size()) > end)
+      std::sort(block.pairs.begin() + static_cast<std::ptrdiff_t>(start), block.pairs.end(), by_segment);
     longest = std::max(longest, block.pairs.size() - start);
   }
   block.first.back() = static_cast<int>(block.pairs.size());
@@ -265,15 +282,38 @@ void SurfaceContact::check_node(Block& block, int tracked, const Step& step) con
   if (excluded_ != nullptr && (*excluded_)[tracked]) return;
   gather_candidates(block, tracked, step);
   const int node = setup_.nodes[tracked].node;
+  if (block.deep[tracked - block.begin] > 0.0) {
+    stay_inside(block, node, step);
+    go_over_edges(block, node, step);
+    block.deep[tracked - block.begin] = 0.0;
+  }
   if (step.dt > 0.0) drop_stray_candidates(block, node, step);
-  const auto close = [](const Candidate& c) { return c.gap < c.contact_distance; };
-  const auto matters = [&close](const Candidate& c) { return close(c) || c.before.pressed(); };
-  if (std::none_of(block.candidates.begin(), block.candidates.end(), matters)) return;
-  if (!node_alive(node, step.element_alive)) return;
+  double ahead = 0.0;  // a pair that became softer reaches beyond the contact distance
+  bool matters = false;
+  for (const Candidate& c : block.candidates) {
+    const bool pressed = c.before.pressed();
+    if (pressed) ahead = std::max(ahead, -c.before.offset);
+    matters = matters || pressed || c.gap < c.contact_distance;
+  }
+  if (!matters) return;
+  const auto close = [&](const Candidate& c) {
+    if (c.gap < c.contact_distance || ahead == 0.0) return c.gap < c.contact_distance;
+    const Candidate* from = c.before.pressed() ? &c : predecessor(block, c);
+    return from != nullptr && from->before.pressed() && c.gap < c.contact_distance - from->before.offset;
+  };
+  if (!node_alive(node, step.element_alive)) {
+    for (const Candidate& c : block.candidates)
+      if (c.before.pressed()) block.energies.deleted += c.before.held();
+    return;
+  }
   for (Candidate& candidate : block.candidates)
     if (close(candidate) && presses(block, candidate, node, step)) press(block, candidate, tracked, step);
-  for (const Candidate& candidate : block.candidates)
-    if (!close(candidate) && has_parted(block, candidate)) part(block, candidate, tracked, step);
+  for (const Candidate& candidate : block.candidates) {
+    if (!candidate.before.pressed() || candidate.pair->touching) continue;
+    const double given_back =
+        !close(candidate) && has_parted(block, candidate) ? part(block, candidate, tracked, step) : 0.0;
+    book_drop(block, candidate, tracked, given_back, step);
+  }
 }
 
 void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& step) const {
@@ -291,6 +331,7 @@ void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& st
       continue;
     }
     if (!alive(pair.segment, step.element_alive)) {
+      if (pair.pressed()) block.energies.deleted += pair.held();
       pair.release();
       continue;
     }
@@ -324,7 +365,7 @@ void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, i
   for (std::size_t l = 0; l < near.size(); ++l) {
     Pair& pair = *near[l];
     const Segment& segment = setup_.segments[pair.segment];
-    const double far = widest(tracked) + inner_[pair.segment], least = lane(clear, static_cast<int>(l));
+    const double far = widest(tracked) + reach(block, tracked, pair.segment), least = lane(clear, static_cast<int>(l));
     if (least >= far && !pair.pressed()) {
       pair.release();
       pair.next_check_travel = travelled_ + (least - far);
@@ -354,7 +395,7 @@ void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, i
       else if (inner_[pair.segment] == 0.0 && dot(c.away, out) <= -side_change_cosine)
         c.away = -c.away;
     }
-    if (inner_[pair.segment] > 0.0) measure_inside_brick(c, p, step);
+    if (inner_[pair.segment] > 0.0) measure_inside_brick(c, inner_[pair.segment], p, step);
   }
 }
 
@@ -370,20 +411,35 @@ SurfaceContact::Spring SurfaceContact::spring(const Candidate& candidate, int tr
 }
 
 /// Gives back what a pair that came apart still holds, along the normal of a brick's face: the way from an edge that is
-/// level with the node leads anywhere.
-void SurfaceContact::part(Block& block, const Candidate& candidate, int tracked, const Step& step) const {
+/// level with the node leads anywhere. Returns how much that is [energy].
+double SurfaceContact::part(Block& block, const Candidate& candidate, int tracked, const Step& step) const {
   const Segment& segment = setup_.segments[candidate.pair->segment];
-  const Vec3d direction = segment.volume > 0.0 ? candidate.foot.normal : candidate.away;
+  const Vec3d direction = segment.volume > 0.0 && !candidate.over_an_edge ? candidate.foot.normal : candidate.away;
   const Vec3d velocity = vec(step.v[setup_.nodes[tracked].node]) - interpolate(segment, candidate.foot.weight, step.v);
   const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
+  const double way = dot(velocity, direction) * step.dt;
   const double size =
       kernel::separation_force(candidate.before.memory, stiffness, inverse_mass, -dot(velocity, direction), step.dt);
-  if (!(size > 0.0)) return;
+  const double given_back = 0.5 * (candidate.before.memory.force + size) * way;
+  if (!(size > 0.0)) return given_back;
   Vec3d along;
   const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
   if (rough.any()) along = friction(rough, candidate, &candidate.before, direction, stiffness, size, step);
   const Vec3d force = size * direction + along;
   block.hits.push_back({tracked, candidate.pair->segment, candidate.foot.weight, force, along, 0.0});
+  return given_back;
+}
+
+/// Books what the spring of a pair still held that came to an end while it was pressed farther than the motion of the
+/// step can have undone.
+void SurfaceContact::book_drop(Block& block, const Candidate& candidate, int tracked, double given_back,
+                               const Step& step) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const int node = setup_.nodes[tracked].node;
+  const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
+  const double held = candidate.before.held() - given_back;
+  if (!(held > 0.0) || candidate.before.depth <= step.dt * norm(velocity) || is_handed_on(block, candidate)) return;
+  block.energies.drops.add(held, node, segment.node[0], step.time);
 }
 
 void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
@@ -397,10 +453,13 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
 
   Vec3d direction = candidate.away;
   int side = remembered_side(candidate, from);
-  if (candidate.gap < 0.0) {
+  if (candidate.over_an_edge) {
+    if (side == 0) side = 1;
+  } else if (candidate.gap < 0.0) {
     side = 1;
   } else if (candidate.foot.boundary == 0) {
-    if (side == 0) side = dot(r - step.dt * velocity, candidate.foot.normal) < 0.0 ? -1 : 1;
+    const bool from_behind = dot(r - step.dt * velocity, candidate.foot.normal) < 0.0;
+    if (side == 0) side = from_behind && inner_[pair.segment] == 0.0 ? -1 : 1;  // a brick holds nothing inside
     direction = static_cast<double>(side) * candidate.foot.normal;
   } else {
     if (side == 0) side = side_over_edge(candidate, r - step.dt * velocity, step);
@@ -410,32 +469,54 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
     else if (up < side_change_cosine)
       side = 0;  // beyond an edge lies the other face of a free edge, the next one of a fold
   }
-  const double overlap = candidate.contact_distance - dot(r, direction);
+  const double overlap = candidate.contact_distance - (candidate.over_an_edge ? candidate.gap : dot(r, direction));
   if (too_deep(overlap, pair.segment)) return;
 
   // An offset goes with the node over the edges of the surface. What the motion of this step cannot have made was there
   // before, or comes from a change of the surface, and is an offset too.
   const Pair* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
   const double approach = -dot(velocity, direction);
+  const bool inside =
+      candidate.gap < 0.0 || candidate.over_an_edge || (candidate.foot.boundary == 0 && dot(r, direction) < 0.0);
   double offset = 0.0;
   if (before == nullptr)
     offset = std::max(0.0, overlap - step.dt * std::max(0.0, approach));
-  else if (before == &candidate.before)
+  else if (before == &candidate.before && (inside == before->inside || inner_[pair.segment] == 0.0))
     offset = before->offset;
   else  // the way out is another one
     offset = std::max(before->offset, overlap - before->depth - step.dt * norm(velocity));
 
+  const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
+  if (before != nullptr) pair.memory = before->memory;
   pair.touching = true;
+  pair.inside = inside;
   pair.side = static_cast<signed char>(side);
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;
+  if (const double depth = kernel::depth_of_same_energy(pair.memory, pair.depth, stiffness); depth != pair.depth) {
+    pair.depth = depth;
+    pair.offset = overlap - depth;
+  }
 
-  const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
-  if (before != nullptr) pair.memory = before->memory;
   const double inverse_node_mass = step.mass[node] > 0.0 ? 1.0 / step.mass[node] : 0.0;
   const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_node_mass,
                                          pair.depth, approach, step.dt);
+  if (setup_.law.damping > 0.0) {
+    const double was = before != nullptr ? before->memory.damping() : 0.0;
+    block.energies.damping += 0.5 * (was + pair.memory.damping()) * approach * step.dt;
+  }
   if (!(size > 0.0)) return;
+  block.energies.springs += pair.held();
+  double& first_check_travel = block.next_check_travel[tracked - block.begin];
+  if (pair.inside) {
+    double& deep = block.deep[tracked - block.begin];
+    deep = std::max(deep, overlap);
+  }
+  if (pair.inside || pair.offset < 0.0) {
+    // It may be farther apart than those are that can touch.
+    pair.next_check_travel = std::min(pair.next_check_travel, travelled_);
+    first_check_travel = std::min(first_check_travel, pair.next_check_travel);
+  }
   Vec3d force = size * direction;
   const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
   if (rough.any()) {
@@ -494,6 +575,8 @@ void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
     deepest_ = std::max(deepest_, block.deepest);
     touching_ += static_cast<int>(block.hits.size());
   }
+  energies_.springs = 0.0;
+  for (Block& block : blocks_) energies_.add(std::exchange(block.energies, {}));
   const auto spread = [this, &step](Vec3d Hit::*which) {
     return [this, &step, which](NodalForces::Part& part) {
       for (const int b : active_blocks_) {
@@ -521,27 +604,45 @@ void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
 void SurfaceContact::update_energy(double dt, std::span<const Row> v) {
   const std::array<double, 2> work = forces_.work(dt, v);
   for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
-  if (setup_.law.friction.any()) friction_energy_ -= frictions_.work(dt, v)[0];
+  if (setup_.law.friction.any()) energies_.friction -= frictions_.work(dt, v)[0];
 }
 
 // ---- initial penetrations
 
-std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std::span<const Row> x) {
-  SurfaceContact contact(setup, x);
-  contact.search(x, {});
+std::vector<Penetration> SurfaceContact::penetrations(std::span<const Row> x) {
+  search(x, {});
   std::vector<Penetration> found;
   Step step;
   step.x = x;
-  for (int b : contact.active_blocks_) {
-    SurfaceContact::Block& block = contact.blocks_[b];
+  for (const int b : active_blocks_) {
+    Block& block = blocks_[b];
     for (int t = block.begin; t < block.end; ++t) {
-      contact.gather_candidates(block, t, step);
-      const int node = setup.nodes[t].node;
-      for (const SurfaceContact::Candidate& c : block.candidates)
-        if (c.gap < c.contact_distance && contact.presses(block, c, node, step))
+      gather_candidates(block, t, step);
+      const int node = setup_.nodes[t].node;
+      for (const Candidate& c : block.candidates)
+        if (c.gap < c.contact_distance && presses(block, c, node, step))
           found.push_back({node, c.pair->segment, c.contact_distance - c.gap, c.away});
     }
   }
+  return found;
+}
+
+std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std::span<const Row> x) {
+  return SurfaceContact(setup, x).penetrations(x);
+}
+
+std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup& setup, std::span<const Row> x) {
+  SurfaceContact contact(setup, x);
+  const std::vector<double> reached = contact.inner_;
+  if (std::none_of(reached.begin(), reached.end(), [](double inner) { return inner > 0.0; })) return {};
+  for (double& inner : contact.inner_) inner /= pressing_depth;
+  std::vector<Penetration> found = contact.penetrations(x);
+  std::erase_if(found, [&](const Penetration& p) {
+    const auto tracked =
+        std::find_if(setup.nodes.begin(), setup.nodes.end(), [&p](const TrackedNode& t) { return t.node == p.node; });
+    return reached[p.segment] == 0.0 || p.depth <= reached[p.segment] + 0.5 * tracked->thickness;
+  });
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
   return found;
 }
 
@@ -573,8 +674,8 @@ Vec3d SurfaceContact::force_between(const TwoBodies& bodies) const {
 }
 
 void SurfaceContact::Block::archive(Archive& a) {
-  a(first, next_check_travel, pairs, hits);
-  a.built(begin, end, old_first, old_pairs, candidates, resultant, deepest, lowest, highest);
+  a(first, next_check_travel, deep, pairs, hits);
+  a.built(begin, end, old_first, old_pairs, candidates, resultant, deepest, lowest, highest, energies);
 }
 
 /// With the search lists: a pair remembers on which side it stands, and a search at another cycle would give other
@@ -582,7 +683,7 @@ void SurfaceContact::Block::archive(Archive& a) {
 void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_,
-    active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, frictions_, friction_energy_);
+    active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, frictions_, energies_);
   a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, excluded_, stays_active_,
           thickest_segment_, pressing_, margin_, boxes_, tree_);
 }

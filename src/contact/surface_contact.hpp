@@ -7,6 +7,7 @@
 #include "base/archive.hpp"
 #include "base/bvh.hpp"
 #include "base/row.hpp"
+#include "contact/contact_energies.hpp"
 #include "contact/nodal_forces.hpp"
 #include "contact/step.hpp"
 #include "contact/surface.hpp"
@@ -39,6 +40,10 @@ struct Penetration {
 /// All overlaps of tracked nodes and segments at the coordinates `x`, by node in the order of the setup.
 std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std::span<const Row> x);
 
+/// Tracked nodes that stand deeper in a brick than its faces reach (pressing_depth), farthest in first: nothing presses
+/// them.
+std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup& setup, std::span<const Row> x);
+
 /// IGNORE = 0: moves tracked nodes out of the segments that they penetrate, in passes of half the depth each (the other
 /// half is done by the nodes of the other side, or by the next pass), until none is deeper than 1e-3 of the thickness
 /// or `passes` are done. Returns what find_penetrations() found before; what is still left the contact keeps as an
@@ -57,7 +62,9 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 ///
 /// Bricks. The face of a brick has no skin; a node behind it is inside, down to 0.3 of the brick's depth, and is
 /// pressed out along the normal. Of the faces around an edge the closest counts; for a node that came in through a
-/// body's side, being run over, the one that its own surface faces; see resolve_swept_nodes().
+/// body's side, being run over, the one that its own surface faces; see resolve_swept_nodes(). A node that is pressed
+/// and slides out of the brick over an edge of the face gives its energy back on the way: it goes down a round edge,
+/// see go_over_edges().
 ///
 /// Edges. Where edges are checked against each other, a node of a free edge that comes to the free edge of another
 /// sheet across it is left to these edges.
@@ -117,8 +124,8 @@ class SurfaceContact {
   /// Its shares: what the tracked side (SURFA) and what the reference side gave. In a single surface contact all is of
   /// the first.
   const std::array<double, 2>& energy_of_sides() const { return energy_; }
-  /// What of it friction has taken: minus the work of its forces [energy].
-  double friction_energy() const { return friction_energy_; }
+  /// What became of it.
+  const ContactEnergies& energies() const { return energies_; }
   /// Force on the tracked side (SURFA) as a whole. In a single surface contact, where that is zero: the sum over the
   /// tracked nodes as such, without the reactions on segments [force].
   const Vec3d& resultant() const { return resultant_; }
@@ -146,6 +153,7 @@ class SurfaceContact {
     int segment = 0;
     signed char side = 0;   ///< +1, -1: on which side of the segment's normal the node is kept; 0: not known
     bool touching = false;  ///< did so in the cycle before
+    bool inside = false;    ///< behind a brick's face or a sheet's mid-surface then, or going out over its edge
     double xi = 0.0, eta = 0.0;
     double offset = 0.0;  ///< overlap that the pair came with and that gives no force [length]
     double depth = 0.0;   ///< overlap that does [length]
@@ -154,9 +162,12 @@ class SurfaceContact {
     double next_check_travel = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
 
     bool pressed() const { return touching && memory.force > 0.0; }
+    bool pressed_inside() const { return inside && pressed(); }
+    /// What the spring holds [energy].
+    double held() const { return 0.5 * memory.force * depth; }
 
     void release() {
-      touching = false;
+      touching = inside = false;
       side = 0;
       offset = depth = 0.0;
       friction = {};
@@ -172,6 +183,7 @@ class SurfaceContact {
     double gap = 0.0;               ///< from the foot to the node, negative inside a brick [length]
     bool extended = false;          ///< behind the extension of a brick's face beyond its border
     bool to_an_edge = false;        ///< inside a brick, and an edge of the face is the closest way out
+    bool over_an_edge = false;      ///< went from inside over an edge of the face, see go_over_edges()
     double came_from = 0.0;         ///< height above the brick's face at the start of the step [length]
     bool came_through = false;      ///< came through the brick's face in this step, from clearly before it, or under it
     double contact_distance = 0.0;  ///< distance at which the two touch
@@ -181,6 +193,7 @@ class SurfaceContact {
     int begin = 0, end = 0;                 // tracked nodes
     std::vector<int> first;                 // of the pairs of each node
     std::vector<double> next_check_travel;  // of each node: the first of its pairs'
+    std::vector<double> deep;               // of each node: how deep it was inside in the cycle before, if it was
     std::vector<Pair> pairs;                // by node, then by segment
     std::vector<int> old_first;             // the lists before the search
     std::vector<Pair> old_pairs;
@@ -190,11 +203,14 @@ class SurfaceContact {
     Vec3d resultant;
     double deepest = 0.0;
     int lowest = 0, highest = -1;
+    ContactEnergies energies;  // what this cycle adds; of springs: what they hold
     void sum_up(const SurfaceContactSetup& setup, unsigned pressing);
     void archive(Archive& a);
   };
   static constexpr double side_change_cosine = 0.5;  // cosine from the side that is remembered, over an edge
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
+  friend std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup&, std::span<const Row>);
+  std::vector<Penetration> penetrations(std::span<const Row> x);
 
   bool alive(int segment, std::span<const unsigned char> element_alive) const {
     return is_exposed(setup_.segments[segment], element_alive);
@@ -221,10 +237,18 @@ class SurfaceContact {
   void prefetch_corners(const Block& block, int tracked, const Step& step) const;
   void gather_candidates(Block& block, int tracked, const Step& step) const;
   void add_candidates(Block& block, std::span<Pair* const> near, int tracked, const Step& step) const;
+  double reach(const Block& block, int tracked, int segment) const {
+    return inner_[segment] + block.deep[tracked - block.begin];
+  }
+  void stay_inside(Block& block, int node, const Step& step) const;
+  void go_over_edges(Block& block, int node, const Step& step) const;
+  bool round_edge(Candidate& candidate, int side, const Vec3d& p, const Step& step) const;
+  bool is_beyond(const Candidate& candidate, const Vec3d& r, const Step& step) const;
+  bool is_free_edge(const Segment& segment, int corner, const Step& step) const;
   void drop_stray_candidates(Block& block, int node, const Step& step) const;
   void resolve_swept_nodes(Block& block, int node, const Step& step) const;
   double faces(int node, const Vec3d& normal, const Step& step) const;
-  void measure_inside_brick(Candidate& candidate, const Vec3d& p, const Step& step) const;
+  void measure_inside_brick(Candidate& candidate, double deepest, const Vec3d& p, const Step& step) const;
   bool outside_adjacent_face(const Candidate& candidate, const Vec3d& p, const Step& step) const;
   bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
   bool is_own_neighbourhood(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
@@ -243,7 +267,9 @@ class SurfaceContact {
   Spring spring(const Candidate& candidate, int tracked, const Step& step) const;
   void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
   bool has_parted(const Block& block, const Candidate& candidate) const;
-  void part(Block& block, const Candidate& candidate, int tracked, const Step& step) const;
+  double part(Block& block, const Candidate& candidate, int tracked, const Step& step) const;
+  bool is_handed_on(const Block& block, const Candidate& candidate) const;
+  void book_drop(Block& block, const Candidate& candidate, int tracked, double given_back, const Step& step) const;
   void add_forces(const Step& step, std::span<Row> force);
   void update_energy(double dt, std::span<const Row> v);
   void next_cycle();
@@ -277,7 +303,7 @@ class SurfaceContact {
   std::vector<int> active_blocks_;  // blocks that have pairs
 
   std::array<double, 2> energy_{};
-  double friction_energy_ = 0.0;
+  ContactEnergies energies_;
   Vec3d resultant_;
   int touching_ = 0;
   double deepest_ = 0.0;

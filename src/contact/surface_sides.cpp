@@ -12,7 +12,7 @@ namespace {
 constexpr double extension = 0.025;   // of a brick's face beyond its border, in sides
 constexpr double round_off = 1e-6;    // in sides or thicknesses: no farther from a border is on it
 constexpr double level = 0.1;         // sine below which the way from an edge to a node lies in the face
-constexpr double clearly_more = 0.5;  // between the cosines of two faces
+constexpr double clearly_more = 0.5;  // between the cosines of two faces, or between that of one and 0
 constexpr double on_the_face = 1e-6;  // of the depth down to which a brick presses: what round-off makes of 0
 
 /// Changes the weights of the corners as little as can be so that their point moves by `way`, in the plane with
@@ -57,6 +57,102 @@ bool has_boundary_at(const Segment& segment, unsigned boundary, int node) {
 }
 
 }  // namespace
+
+/// A node that is pressed stays so through the whole brick, and behind the mid-surface of a sheet, as long as it is
+/// over a face of that surface; one that was not is pressed down to `inner_` alone.
+void SurfaceContact::stay_inside(Block& block, int node, const Step& step) const {
+  const Vec3d p = vec(step.x[node]);
+  for (Candidate& c : block.candidates) {
+    if (c.foot.boundary != 0 || c.gap <= 0.0) continue;
+    const Candidate* from = c.before.touching ? &c : predecessor(block, c);
+    if (from == nullptr || !from->before.pressed_inside()) continue;
+    if (inner_[c.pair->segment] > 0.0) {
+      // Not one that was run over and came in from the side.
+      if (around_.at(node).empty() || faces(node, c.foot.normal, step) < -clearly_more)
+        measure_inside_brick(c, inner_[c.pair->segment] / pressing_depth, p, step);
+    } else if (const double beyond = -remembered_side(c, from) * dot(p - c.foot.point, c.foot.normal);
+               beyond > 0.0 && beyond < std::sqrt(area(setup_.segments[c.pair->segment], step.x))) {
+      c.gap = 0.0;
+    }
+  }
+}
+
+/// Nodes that were pressed inside and left the face over an edge or a corner. There the face goes on as one that is
+/// round, with a centre below the edge: what the spring holds comes back as the node goes over it. Only for those that
+/// were pressed: what comes from the side finds no round edge beside the brick.
+void SurfaceContact::go_over_edges(Block& block, int node, const Step& step) const {
+  const Vec3d p = vec(step.x[node]);
+  for (std::size_t i = 0; i < block.candidates.size(); ++i) {
+    Candidate& left = block.candidates[i];
+    if (left.foot.boundary == 0 || !left.before.pressed_inside() || !round_edge(left, left.before.side, p, step))
+      continue;
+    // Along the edge the next face has it.
+    const Segment& segment = setup_.segments[left.pair->segment];
+    for (Candidate& next : block.candidates)
+      if (!next.before.touching && (inner_[next.pair->segment] > 0.0) == (inner_[left.pair->segment] > 0.0) &&
+          share_a_node(setup_.segments[next.pair->segment], segment) &&
+          std::abs(dot(next.foot.normal, left.foot.normal)) > 0.5)
+        round_edge(next, dot(next.foot.normal, left.foot.normal) > 0.0 ? left.before.side : -left.before.side, p, step);
+  }
+}
+
+/// Makes the gap and the way out of a node that is beyond an edge of the surface those from a round edge; whether it is
+/// beyond. `side`: of the face on which the node belongs. The force on the face acts where its line meets the plane of
+/// the face.
+bool SurfaceContact::round_edge(Candidate& candidate, int side, const Vec3d& p, const Step& step) const {
+  if ((candidate.gap < 0.0 && !candidate.extended) || candidate.foot.boundary == 0 || side == 0) return false;
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const double inner = inner_[candidate.pair->segment], size = std::sqrt(area(segment, step.x));
+  const double radius = inner > 0.0 ? inner / pressing_depth : size;
+  const Vec3d r = p - candidate.foot.point, out = static_cast<double>(side) * candidate.foot.normal;
+  const Vec3d from_centre = r + radius * out;
+  const double distance = norm(from_centre), up = dot(from_centre, out);
+  if (!(up > 0.0) || !is_beyond(candidate, r, step)) return false;
+  const Vec3d way = (radius / up) * (from_centre - up * out);
+  const double longest = 0.5 * size, length = norm(way);
+  candidate.foot.weight = kernel::shape_functions(segment.triangle(), candidate.foot.xi, candidate.foot.eta);
+  shift(candidate.foot.weight, segment, (length > longest ? longest / length : 1.0) * way, candidate.foot.normal,
+        step.x);
+  candidate.over_an_edge = true;
+  candidate.gap = distance - radius;
+  candidate.away = (1.0 / distance) * from_centre;
+  return true;
+}
+
+/// Whether the way `r` from the foot leads beyond the surface: in front of another face of the brick that is not much
+/// the same, or off the end of a sheet.
+bool SurfaceContact::is_beyond(const Candidate& candidate, const Vec3d& r, const Step& step) const {
+  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const int corners = segment.corners();
+  const auto in_front_of = [&](int s) {
+    const Segment& other = setup_.segments[s];
+    if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) return false;
+    const kernel::Corners k = corners_of(other, step.x);
+    const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
+    return dot(n, candidate.foot.normal) <= 0.5 * norm(n) && dot(r, n) > 0.0;
+  };
+  for (int c = 0; c < corners; ++c) {
+    if (!(candidate.foot.boundary >> c & 1u)) continue;
+    const std::span<const int> around = around_.at(segment.node[c]);
+    if (segment.volume > 0.0) {
+      if (std::any_of(around.begin(), around.end(), in_front_of)) return true;
+      continue;
+    }
+    const int next = (c + 1) % corners, last = (c + corners - 1) % corners;
+    const bool corner = candidate.foot.boundary == 1u << c;
+    if ((corner || candidate.foot.boundary >> next & 1u) && is_free_edge(segment, c, step)) return true;
+    if (corner && is_free_edge(segment, last, step)) return true;
+  }
+  return false;
+}
+
+/// Whether the edge of a shell from a corner to the next is on no other one.
+bool SurfaceContact::is_free_edge(const Segment& segment, int corner, const Step& step) const {
+  const int end = segment.node[(corner + 1) % segment.corners()];
+  const std::span<const int> around = around_.at(segment.node[corner]);
+  const auto has_it = [&](int s) { return setup_.segments[s].has(end) && alive(s, step.element_alive); };
+  return std::count_if(around.begin(), around.end(), has_it) == 1;
+}
 
 /// A node inside a brick is near several of its faces. It belongs to those that it touched before, slid onto, or came
 /// through in this step; the others are no business of its.
@@ -117,16 +213,19 @@ double SurfaceContact::faces(int node, const Vec3d& normal, const Step& step) co
   return least;
 }
 
-/// Where p lies behind the face of a brick, its gap and the way out. If the foot is on an edge or corner: behind all
-/// faces that meet there, or, once it moves, beyond them by no more than the extension that segments have (MAXPAR); the
-/// depth behind that is measured along the normal, as the edge is off to the side. A node that is level with the face,
-/// as those beside the flush face of another brick are, is behind it by round-off alone. At the start nothing came
-/// through a face yet: a node on one or a little above it, near its edge, is not deep inside from the side.
-void SurfaceContact::measure_inside_brick(Candidate& candidate, const Vec3d& p, const Step& step) const {
-  const double allowed = step.dt > 0.0 ? extension : 0.0;
+/// Where p lies behind the face of a brick, no deeper than `deepest`, its gap and the way out. If the foot is on an
+/// edge or corner: behind all faces that meet there, or, once it moves, beyond them by no more than the extension that
+/// segments have (MAXPAR); the depth behind that is measured along the normal, as the edge is off to the side. A node
+/// that is level with the face, as those beside the flush face of another brick are, is behind it by round-off alone.
+/// At the start nothing came through a face yet: a node on one or a little above it, near its edge, is not deep inside
+/// from the side.
+void SurfaceContact::measure_inside_brick(Candidate& candidate, double deepest, const Vec3d& p,
+                                          const Step& step) const {
+  // One that is pressed goes over the edge at once.
+  const double allowed = step.dt > 0.0 && !candidate.before.pressed_inside() ? extension : 0.0;
   const Vec3d r = p - candidate.foot.point;
   const double height = dot(r, candidate.foot.normal), distance = candidate.foot.distance;
-  if (height >= 0.0 || distance > inner_[candidate.pair->segment]) return;
+  if (height >= 0.0 || distance > deepest) return;
   if (!(step.dt > 0.0) && outside_adjacent_face(candidate, p, step)) return;
   const Segment& segment = setup_.segments[candidate.pair->segment];
   double beyond = 0.0;  // in sides
@@ -184,6 +283,13 @@ bool SurfaceContact::has_parted(const Block& block, const Candidate& candidate) 
          });
 }
 
+/// Another pair, new in this cycle, has taken over what this one remembered.
+bool SurfaceContact::is_handed_on(const Block& block, const Candidate& candidate) const {
+  return std::any_of(block.candidates.begin(), block.candidates.end(), [&](const Candidate& other) {
+    return other.pair->touching && !other.before.touching && predecessor(block, other) == &candidate;
+  });
+}
+
 /// The closest point lies on an edge or corner of the node's own segments: along the surface there is a way down to
 /// distance 0, so this is no contact of one part of the surface with another.
 bool SurfaceContact::is_own_neighbourhood(const Candidate& candidate, int node,
@@ -200,6 +306,12 @@ bool SurfaceContact::is_own_neighbourhood(const Candidate& candidate, int node,
 /// in much the same direction (a facetted hollow, where both have a foot inside).
 bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidate) const {
   if (&other == &candidate) return false;
+  // Over an edge goes the node down the side of the brick, which has no say until it has left.
+  if (other.over_an_edge != candidate.over_an_edge &&
+      share_a_node(setup_.segments[other.pair->segment], setup_.segments[candidate.pair->segment])) {
+    if (other.over_an_edge && !candidate.before.touching) return true;
+    if (candidate.over_an_edge && !other.before.touching) return false;
+  }
   if (candidate.gap < 0.0 && other.gap >= 0.0) return false;  // a face that it is not behind
   if (candidate.gap < 0.0 && other.came_through != candidate.came_through && !candidate.before.touching &&
       !other.before.touching &&

@@ -88,7 +88,11 @@ Json to_json(const Summary::Energies& e) {
           {"initial", e.initial},
           {"ratio", e.ratio},
           {"ratio_without_step_change", e.ratio_without_step_change},
-          {"bulk_viscosity", e.bulk_viscosity}};
+          {"bulk_viscosity", e.bulk_viscosity},
+          {"contact_springs", e.contact_springs},
+          {"contact_friction", e.contact_friction},
+          {"contact_damping", e.contact_damping},
+          {"contact_lost", e.contact_lost}};
 }
 
 Json to_json(const Summary& s) {

@@ -130,6 +130,7 @@ struct Summary {
     double kinetic = 0.0, internal = 0.0, hourglass = 0.0, contact = 0.0, damping = 0.0, external = 0.0, eroded = 0.0,
            step_change = 0.0, initial = 0.0, ratio = 1.0, ratio_without_step_change = 1.0;
     double bulk_viscosity = 0.0;  ///< of `internal` and `eroded` what went against it
+    double contact_springs = 0.0, contact_friction = 0.0, contact_damping = 0.0, contact_lost = 0.0;  ///< of `contact`
   } energy;
   struct Seconds {
     double read = 0.0, setup = 0.0, solve = 0.0, output = 0.0;
@@ -147,6 +148,7 @@ struct Summary {
 struct EnergyLimits {
   static constexpr double hourglass = 0.1;          ///< hourglass energy over internal energy
   static constexpr double error_of_internal = 0.1;  ///< energy made or lost over internal energy
+  static constexpr double lost_in_contact = 0.01;   ///< held by springs dropped under load, over internal energy
 };
 
 /// Each writes one file into `directory`, all at once. NaN and infinity become null in JSON and an empty cell in CSV;

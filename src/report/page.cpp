@@ -133,6 +133,12 @@ std::string soundness(const RunData& run) {
     checks.push_back({"contact", "energy that contact gave, of the largest internal energy",
                       std::max(0.0, -range(run, "sliding interface energy", "contact").first) / internal, 0.01});
   }
+  // Where all is rigid nothing is internal, and what came in is the measure.
+  const double input = std::abs(number_of(energy, "initial") + number_of(energy, "external"));
+  if (const double lost = number_of(energy, "contact_lost"), internal = largest_internal(run);
+      internal != 0.0 || (input != 0.0 && lost != 0.0))
+    checks.push_back({"contact-lost", "energy that contact lost with springs, of the largest internal energy",
+                      lost / (internal != 0.0 ? internal : input), output::EnergyLimits::lost_in_contact});
   if (const double physical = number_of(mass, "physical"); physical > 0.0)
     checks.push_back({"mass", "mass added for the time step, of the mass", number_of(mass, "added") / physical, 0.05});
   std::string s =

@@ -854,6 +854,64 @@ class ContactForms(CommandTest):
         self.assertLess(late["AUTOMATIC_NODES_TO_SURFACE"], 0.05 * late["ERODING_NODES_TO_SURFACE"])
 
 
+    @staticmethod
+    def below_bricks(where):
+        """A contact of the moving plate's inner nodes with a layer of rigid bricks, 2 mm deep, whose lower face is at `where`."""
+        def contact(d):
+            d.keyword("CONTACT_AUTOMATIC_NODES_TO_SURFACE")
+            d.card(surfa=3, surfb=3, surfatyp=4, surfbtyp=3)
+            d.card(fs=0.0)
+            d.card(sfsa=1.0)
+            d.node_set(3, [101 + 5 * j + i for j in (1, 2, 3) for i in (1, 2, 3)])
+            d.keyword("PART")
+            d.text("block")
+            d.card(pid=3, secid=3, mid=3)
+            d.keyword("SECTION_SOLID")
+            d.card(secid=3, elform=1)
+            d.keyword("MAT_RIGID")
+            d.card(mid=3, ro=7.85e-9, e=210000.0, pr=0.3)
+            d.card(cmo=1.0, con1=7, con2=7)
+            d.card(lco=None)
+            number = lambda i, j, k: 1001 + (k * 7 + j) * 7 + i  # noqa: E731
+            d.nodes({number(i, j, k): (5.1 * i - 5.0, 5.1 * j - 5.0, where + 2.0 * k) for k in range(2) for j in range(7)
+                     for i in range(7)})
+            d.keyword("ELEMENT_SOLID")
+            for j in range(6):
+                for i in range(6):
+                    ids = [number(i, j, 0), number(i + 1, j, 0), number(i + 1, j + 1, 0), number(i, j + 1, 0)]
+                    ids += [n + 49 for n in ids]
+                    d.text(f"{1001 + 6 * j + i:8d}{3:8d}" + "".join(f"{n:8d}" for n in ids))
+        return contact
+
+    def test_springs_dropped_under_load_are_told_and_booked(self):
+        """A plate is driven through a layer of bricks: up to the far side it is pressed back, then its springs are dropped. What
+        they held stays in the contact and is all that is left there. Sabotage: energies that are not told apart; no warning."""
+        deep = {}
+        for end in (1.2e-3, 2.0e-3):  # 1.9 and 3.5 mm beyond the touch, half a millimetre of it the thickness of the plate
+            run = self.run_deck(plates(self.below_bricks(1.51), {3: 2000.0}, end))
+            deep[end] = run.stderr
+            energy = self.json("summary.json")["energy"]
+            left = energy["contact"] - energy["contact_springs"] - energy["contact_lost"]
+            self.assertLess(abs(left), 1e-3 * energy["contact"])
+        self.assertNotIn("under load", deep[1.2e-3])
+        self.assertIn("warning: contact dropped 9 springs under load", deep[2.0e-3])
+        self.assertIn("stiffer with SFSA", deep[2.0e-3])
+        self.assertGreater(energy["contact_lost"], 0.99 * energy["contact"])
+        self.assertRegex(self.read("run.log"), r"contact 1 dropped 9 springs under load, which held \S+; the largest held \S+, at node "
+                                               r"1\d\d against node 1\d\d\d, time=")
+        self.assertRegex(self.read("run.log"), r"of contact: springs \S+  friction \S+  damping \S+  lost [1-9]")
+        self.assertIn('id="check-contact-lost">look at it', self.read("report.html"))
+
+    def test_bricks_that_start_too_deep_in_each_other_are_told(self):
+        """Bricks of 2 mm press 0.6 mm deep, half of the plate's thickness more. Sabotage: a check that looks no deeper."""
+        for where, told in ((0.6, False), (-0.2, True)):  # the plate's nodes 0.4 and 1.2 mm behind the face, 1 and 0.8 mm from one
+            self.write(plates(self.below_bricks(where), {3: 2000.0}, 1e-5))
+            run = self.nugget("check", "model.k")
+            self.assertEqual("stand deeper in bricks at the start than contact presses, 0.3 of a brick's depth" in run.stderr, told)
+        self.assertIn("9 nodes stand deeper", run.stderr)
+        self.assertIn("deep in solid 1", run.stderr)
+
+
 class Bars(CommandTest):
     """Beams alone in a contact: a bar that flies across another of the same mass hands over its velocity."""
     SPEED = 1.0e4

@@ -105,21 +105,21 @@ class Report(CommandTest):
         self.write(deck())
         self.nugget("run", "model.k", "--quiet")
         page, _ = self.page()
-        verdicts = {name: page.by_id[f"check-{name}"] for name in ("energy", "hourglass", "contact", "mass")}
+        verdicts = {name: page.by_id[f"check-{name}"] for name in ("energy", "hourglass", "contact", "contact-lost", "mass")}
         self.assertEqual(set(verdicts.values()), {"in order"})
         (self.folder / "glstat").unlink()
         summary = self.json("summary.json")
         for share, word in ((0.9, "in order"), (1.1, "look at it")):
-            summary["energy"].update(internal=200.0, hourglass=20.0 * share, contact=-2.0 * share, ratio=1.0 - 0.02 * share,
-                                     initial=1200.0, external=-200.0)
+            summary["energy"].update(internal=200.0, hourglass=20.0 * share, contact=-2.0 * share, contact_lost=2.0 * share,
+                                     ratio=1.0 - 0.02 * share, initial=1200.0, external=-200.0)
             summary["mass"].update(physical=4.0, added=0.2 * share)
             (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
             self.nugget("report", ".")
             page, _ = self.page()
             rows = [row for row, kind in zip(page.rows, page.classes) if kind == "check"]
-            self.assertEqual([row[3] for row in rows], [word] * 5)
+            self.assertEqual([row[3] for row in rows], [word] * 6)
             found = [float(row[1].split()[0]) for row in rows]
-            for value, limit in zip(found, (2.0, 10.0, 10.0, 1.0, 5.0)):
+            for value, limit in zip(found, (2.0, 10.0, 10.0, 1.0, 1.0, 5.0)):
                 self.assertAlmostEqual(value, limit * share, delta=1e-3 * limit)
 
     def test_a_run_that_diverged_has_a_report(self):

@@ -68,6 +68,28 @@ std::vector<std::string> Contacts::glue_summary(const system::System& system) co
   return lines;
 }
 
+contact::ContactEnergies Contacts::energies() const {
+  contact::ContactEnergies all;
+  for (const contact::PenaltyContact& c : contacts_) all.add(c.energies());
+  return all;
+}
+
+std::vector<std::string> Contacts::drop_summary(const system::System& system) const {
+  std::vector<std::string> lines;
+  std::size_t next = 0;
+  for (const model::Contact& card : system.model.contacts) {
+    if (!card.slides()) continue;
+    const contact::Drops drops = contacts_[next++].energies().drops;
+    if (drops.count == 0) continue;
+    lines.push_back(
+        fmt::format("contact {} dropped {} springs under load, which held {:.3e}; the largest held {:.3e}, at node {} "
+                    "against node {}, time={:.5E}",
+                    card.id, drops.count, drops.energy, drops.largest, system.node_id(drops.node),
+                    system.node_id(drops.other), drops.time));
+  }
+  return lines;
+}
+
 void Contacts::add_energy(Energy& energy) const {
   for (const contact::PenaltyContact& c : contacts_) energy.contact += c.energy();
 }

@@ -27,6 +27,11 @@ class Contacts {
   /// How many nodes the glue of each contact held and lost, a line each.
   std::vector<std::string> glue_summary(const system::System& system) const;
 
+  /// What became of the energy that they took, of all together.
+  contact::ContactEnergies energies() const;
+  /// Of each contact that dropped springs under load: how many, what they held, and which held most, a line each.
+  std::vector<std::string> drop_summary(const system::System& system) const;
+
   void add_energy(Energy& energy) const;
   void archive(Archive& a) { a(contacts_); }
 

@@ -27,6 +27,24 @@ std::string proposal(const model::Model& model, const contact::Penetration& p, s
   return fmt::format("node {} to ({:.6g}, {:.6g}, {:.6g})", model.nodes.id[p.node], out.x, out.y, out.z);
 }
 
+/// Bricks that start so far in each other that nothing presses them apart.
+void report_out_of_reach(const model::Model& model, const model::Contact& card,
+                         const contact::SurfaceContactSetup& setup, std::span<const Row> x, Findings& findings) {
+  const std::vector<contact::Penetration> deep = contact::find_nodes_out_of_reach(setup, x);
+  if (deep.empty()) return;
+  std::vector<int> nodes;
+  for (const contact::Penetration& p : deep) nodes.push_back(p.node);
+  std::sort(nodes.begin(), nodes.end());
+  const auto count = std::unique(nodes.begin(), nodes.end()) - nodes.begin();
+  findings.warning(
+      card.place, '*' + card.keyword,
+      fmt::format("{} nodes stand deeper in bricks at the start than contact presses, {:g} of a brick's depth: nothing "
+                  "holds the two bodies apart there; the deepest is node {}, {:.4g} deep in {}",
+                  count, contact::pressing_depth, model.nodes.id[deep.front().node], deep.front().depth,
+                  element_name(model, setup.segments[deep.front().segment])),
+      "move the bodies apart, or leave one of them out of the contact");
+}
+
 void treat(const model::Model& model, const model::Contact& card, const contact::SurfaceContactSetup& setup,
            std::span<Row> x, Findings& findings) {
   std::vector<contact::Penetration> found =
@@ -80,6 +98,7 @@ std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findi
     const contact::SurfaceContactSetup setup = contact_setup(mesh, card);
     if (setup.segments.empty()) continue;
     treat(model, card, setup, rows, findings);
+    report_out_of_reach(model, card, setup, rows, findings);
     if (card.ignore != 0) continue;
     for (std::size_t n = 0; n < x.size(); ++n) x[n] = vec(rows[n]);
   }

@@ -180,6 +180,7 @@ double Simulation::step_of_bodies(double end_time) {
 
 std::vector<std::string> Simulation::events() const {
   std::vector<std::string> lines = components_.contacts.glue_summary(system_);
+  for (std::string& line : components_.contacts.drop_summary(system_)) lines.push_back(std::move(line));
   std::map<model::Index, std::array<std::size_t, 2>> of_part;  // deleted, and all elements
   for (const auto& group : system_.groups) {
     const model::Part& part = system_.model.parts[group->part];

@@ -69,11 +69,23 @@ inline double pair_stiffness(const PenaltyLaw& law, double penalty, double inver
 
 /// What a pair remembers of the cycle before, so that it gives back what it took.
 struct PairMemory {
-  double force = 0.0;     ///< of its spring [force]
-  double pressed = 0.0;   ///< with which the two were pressed apart, damping included [force]
-  double approach = 0.0;  ///< velocity at which the two closed in on each other [length/time]
-  double stored = 0.0;    ///< energy that the spring took so far, as the trapezoidal rule books it [energy]
+  double force = 0.0;      ///< of its spring [force]
+  double pressed = 0.0;    ///< with which the two were pressed apart, damping included [force]
+  double approach = 0.0;   ///< velocity at which the two closed in on each other [length/time]
+  double stored = 0.0;     ///< energy that the spring took so far, as the trapezoidal rule books it [energy]
+  double stiffness = 0.0;  ///< of its spring, where that has a force [force/length]
+
+  /// Of the force, what damping adds [force].
+  double damping() const { return pressed > 0.0 ? pressed - force : 0.0; }
 };
+
+/// The depth with which a spring of the `depth` keeps its energy k depth^2/2 as its stiffness becomes `stiffness`, on
+/// another face or with another step of the run [length]. With the depth kept it would make energy where it is stiffer
+/// and lose some where it is softer.
+inline double depth_of_same_energy(const PairMemory& before, double depth, double stiffness) {
+  if (!(before.stiffness > 0.0) || !(stiffness > 0.0) || before.stiffness == stiffness) return depth;
+  return depth * std::sqrt(before.stiffness / stiffness);
+}
 
 /// How much less a pair approaches in a step for each unit of force, measured on the cycle before: other pairs, whose
 /// force changes with it, press the same bodies [length/force]. Not less than that of the pair `alone`.
@@ -125,6 +137,7 @@ inline double spring_force(PairMemory& memory, double stiffness, double inverse_
   }
   memory.force = force;
   memory.approach = approach;
+  memory.stiffness = stiffness;
   return force;
 }
 

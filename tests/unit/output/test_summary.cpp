@@ -63,7 +63,8 @@ TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
   EXPECT_EQ(keys(json["mass"]), (Names{"physical", "added", "added_to_welds"}));
   EXPECT_EQ(keys(json["energy"]),
             (Names{"kinetic", "internal", "hourglass", "contact", "damping", "external", "eroded", "step_change",
-                   "initial", "ratio", "ratio_without_step_change", "bulk_viscosity"}));
+                   "initial", "ratio", "ratio_without_step_change", "bulk_viscosity", "contact_springs",
+                   "contact_friction", "contact_damping", "contact_lost"}));
   EXPECT_EQ(keys(json["seconds"]), (Names{"read", "setup", "solve", "output", "phases"}));
   EXPECT_EQ(keys(json["seconds"]["phases"]), (Names{"elements", "contact"}));
   EXPECT_EQ(keys(json["weld"][0]), (Names{"id", "kind", "part", "parts", "diameter", "length", "tied", "projection",

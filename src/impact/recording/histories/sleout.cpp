@@ -19,7 +19,7 @@ output::SleoutState sleout_state(const Snapshot& now) {
     const contact::PenaltyContact& contact = now.components.contacts.all()[c++];
     const std::array<double, 2> energy = contact.energy_of_sides();
     const bool single = card.kind == model::Contact::Kind::single_surface;
-    s.rows.push_back({card.id, energy[0], energy[1], single, contact.friction_energy()});
+    s.rows.push_back({card.id, energy[0], energy[1], single, contact.energies().friction});
   }
   for (std::size_t i = 0; i < now.components.interiors.all().size(); ++i)
     s.rows.push_back({now.system.model.interiors[i].id, now.components.interiors.all()[i].energy(), 0.0, true, 0.0});
