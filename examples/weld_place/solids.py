@@ -12,8 +12,9 @@ import re
 import subprocess
 import sys
 
-# Thickness of each sheet, diameter of the nugget, first yield stress, plastic modulus; "mild" is thinner, yields sooner and hardens more.
-COUPONS = {"book": (1.5, 6.0, 300.0, 1500.0), "mild": (1.0, 5.0, 200.0, 2000.0)}
+# Thickness of each sheet, diameter of the nugget, first yield stress, plastic modulus; "mild" is thinner,
+# yields sooner and hardens more, "strong" thinner still, of twice the yield stress and hardens little.
+COUPONS = {"book": (1.5, 6.0, 300.0, 1500.0), "mild": (1.0, 5.0, 200.0, 2000.0), "strong": (0.8, 4.5, 600.0, 600.0)}
 THICKNESS, DIAMETER, YIELD, PLASTIC = COUPONS["book"]
 WIDTH = 40.0
 OVERLAP = 20.0                               # from the weld to the end of a sheet
