@@ -34,10 +34,10 @@ class WeldJoint(CommandTest):
             self.assertLess(most, high)
 
     def test_stiffness_of_laps(self):
-        for coupon, size in (("book", 6.0), ("book", 8.0), ("mild", 5.0), ("mild", 8.0)):
+        for coupon, size in (("book", 6.0), ("book", 8.0), ("mild", 5.0), ("mild", 6.0)):
             with self.subTest(coupon=coupon, size=size):
                 self.assertWithin(self.over_solids(coupon, "lap", size, "joint", False), 0.94, 1.07)
-        self.assertGreater(self.over_solids("book", "lap", 8.0, "area", False)[0][1], 1.07)
+        self.assertGreater(self.over_solids("book", "lap", 8.0, "area", False)[0][1], 1.08)
 
     def test_force_of_laps_beyond_yield(self):
         for coupon in ("book", "mild"):
