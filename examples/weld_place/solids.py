@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The coupons of study.py as solids for CalculiX (ccx, another program): 20-node bricks with a circular nugget, half of each by symmetry.
 
-    python3 examples/weld_place/solids.py FOLDER [CCX]
+    python3 examples/weld_place/solids.py FOLDER [COUPON [CCX]]
 
-Runs both coupons on two meshes, the second with half the size of element in every direction, and prints stiffness and forces of each:
+Runs both coupons on two meshes and prints stiffness and forces of each:
 what study.py compares with. A few minutes.
 """
 import math
@@ -12,11 +12,15 @@ import re
 import subprocess
 import sys
 
-THICKNESS, DIAMETER, WIDTH = 1.5, 6.0, 40.0  # of each sheet, of the nugget, of the sheets
+# Thickness of each sheet, diameter of the nugget, first yield stress, plastic modulus; "mild" is thinner,
+# yields sooner and hardens more, "strong" thinner still, of twice the yield stress and hardens little.
+COUPONS = {"book": (1.5, 6.0, 300.0, 1500.0), "mild": (1.0, 5.0, 200.0, 2000.0), "strong": (0.8, 4.5, 600.0, 600.0)}
+THICKNESS, DIAMETER, YIELD, PLASTIC = COUPONS["book"]
+WIDTH = 40.0
 OVERLAP = 20.0                               # from the weld to the end of a sheet
 REACH = {"lap": 50.0, "peel": 25.0}          # from the weld to the grips
 PULL = {"lap": 1, "peel": 3}                 # degree of freedom of the moving grip
-YOUNG, POISSON, YIELD, PLASTIC = 210000.0, 0.3, 300.0, 1500.0
+YOUNG, POISSON = 210000.0, 0.3
 STROKE = {"lap": 0.6, "peel": 2.2}
 BOX = 8.0  # half the side of the square around the nugget from which on the mesh is rectangular
 
@@ -141,21 +145,23 @@ def force(curve, displacement):
     return math.nan
 
 
-def main(folder, ccx="ccx"):
-    folder = pathlib.Path(folder)
+def main(folder, coupon="book", ccx="ccx"):
+    global THICKNESS, DIAMETER, YIELD, PLASTIC
+    THICKNESS, DIAMETER, YIELD, PLASTIC = COUPONS[coupon]
+    folder = pathlib.Path(folder) / coupon
     folder.mkdir(parents=True, exist_ok=True)
     for kind in REACH:
-        for m in (2, 4):
+        for m in (2, 3):
             (u, f), = solve(kind, m, False, folder, ccx)
             print(f"{kind}, {len(Solids(kind, m).elements)} bricks: stiffness {f / u:.0f} N/mm", flush=True)
     for kind, places in (("lap", (0.1, 0.3, 0.5)), ("peel", (0.5, 1.0, 2.0))):
-        for m in (2, 4):
+        for m in (2, 3):
             curve = solve(kind, m, True, folder, ccx)
             print(f"{kind}, {len(Solids(kind, m).elements)} bricks: " +
                   ", ".join(f"{force(curve, u):.0f} N at {u:g} mm" for u in places), flush=True)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) not in (2, 3, 4):
         sys.exit(__doc__)
     main(*sys.argv[1:])

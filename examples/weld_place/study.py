@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """How much of a weld's stiffness and strength depends on where it stands in the mesh, by each form of tie.
 
-    python3 examples/weld_place/study.py NUGGET FOLDER
+    python3 examples/weld_place/study.py NUGGET FOLDER [COUPON [SIZE ...]]
 
-A lap and a peel coupon, elements of 3 to 10 mm, seven places of the weld in its element, tied by the element under it and by area
-(--weld-tie area): stiffness by linear statics, force beyond yield by explicit runs, over those of solids (solids.py, CalculiX). Writes
-FOLDER/place.csv and FOLDER/place.svg and prints a table. Finished runs are not repeated; all take about a quarter of an hour.
+A lap and a peel coupon, elements of 3 to 10 mm, seven places of the weld in its element, tied by the element under it, by area
+and with a joint (--weld-tie area, joint): stiffness by linear statics, forces beyond yield by explicit runs, over those of solids
+(solids.py, CalculiX); two materials and nuggets (solids.COUPONS). Writes FOLDER/place.csv and FOLDER/place.svg and prints a table.
+Finished runs are not repeated; all take about an hour on two cores.
 """
 import csv
 import json
@@ -16,18 +17,23 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from solids import DIAMETER, OVERLAP, PLASTIC, POISSON, PULL, REACH, THICKNESS, WIDTH, YIELD, YOUNG  # noqa: E402
+from solids import COUPONS, OVERLAP, POISSON, PULL, REACH, WIDTH, YOUNG  # noqa: E402
 from writer import Deck  # noqa: E402
 
-SIZES = (3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+SIZES = (3.0, 5.0, 6.0, 8.0, 10.0)
 # Share of an element by which the weld lies beyond a mesh line, along and across the sheets.
 PLACES = ((0.5, 0.5), (0.25, 0.5), (0.5, 0.25), (0.25, 0.25), (0.0, 0.5), (0.5, 0.0), (0.0, 0.0))
-FORMS = ("segment", "area")
-DISPLACEMENT = {"lap": 0.3, "peel": 1.0}  # of the grip, where forces beyond yield are compared [mm]
+FORMS = ("segment", "area", "joint")
+DISPLACEMENTS = {"lap": (0.1, 0.3, 0.5), "peel": (0.5, 1.0, 2.0)}  # of the grip, where forces beyond yield are compared [mm]
+COLOURS = ("#c33", "#16a", "#181")  # of the forms
 DURATION = {"lap": 0.004, "peel": 0.012}  # [s]
-# By solids.py: stiffness from its two meshes, N/mm; force of its finer mesh at these displacements, N (None: not known yet, the table then
-# shows newtons).
-SOLIDS = {"lap": (61850.0, None), "peel": (766.0, None)}
+# By solids.py: stiffness of its finer mesh, N/mm; its forces at the displacements above, N.
+SOLIDS = {
+    ("book", "lap"): (61850.0, (5457.0, 7802.0, 8856.0)),
+    ("book", "peel"): (766.0, (363.0, 574.0, 706.0)),
+    ("mild", "lap"): (40130.0, (2732.0, 3773.0, 4441.0)),
+    ("mild", "peel"): (223.0, (103.0, 163.0, 201.0)),
+}
 
 
 def mesh_lines(low, high, size, share):
@@ -37,7 +43,7 @@ def mesh_lines(low, high, size, share):
     return [low] + [x for x in inner if low + 0.4 * size < x < high - 0.4 * size] + [high]
 
 
-def mesh(kind, size, place):
+def mesh(kind, size, place, thickness):
     """Nodes, shells, held nodes, pulled nodes. The weld is at the origin."""
     nodes, shells, grips = {}, {}, []
     spans = {"lap": ((-REACH[kind], OVERLAP), (-OVERLAP, REACH[kind])), "peel": ((-REACH[kind], OVERLAP),) * 2}[kind]
@@ -47,7 +53,7 @@ def mesh(kind, size, place):
         number = lambda i, j: 10000 * (sheet + 1) + i * len(across) + j  # noqa: B023, E731
         for i, x in enumerate(along):
             for j, y in enumerate(across):
-                nodes[number(i, j)] = (x, y, (sheet - 0.5) * THICKNESS)
+                nodes[number(i, j)] = (x, y, (sheet - 0.5) * thickness)
         for i in range(len(along) - 1):
             for j in range(len(across) - 1):
                 shells[len(shells) + 1] = (sheet + 1, (number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)))
@@ -56,14 +62,15 @@ def mesh(kind, size, place):
     return nodes, shells, *grips
 
 
-def deck(kind, size, place, plastic):
-    nodes, shells, held, pulled = mesh(kind, size, place)
-    nodes[7001], nodes[7002] = (0.0, 0.0, -THICKNESS / 2.0), (0.0, 0.0, THICKNESS / 2.0)
-    duration, stroke = DURATION[kind], 1.1 * DISPLACEMENT[kind]
+def deck(coupon, kind, size, place, plastic):
+    thickness, diameter, first_yield, modulus = COUPONS[coupon]
+    nodes, shells, held, pulled = mesh(kind, size, place, thickness)
+    nodes[7001], nodes[7002] = (0.0, 0.0, -thickness / 2.0), (0.0, 0.0, thickness / 2.0)
+    duration, stroke = DURATION[kind], 1.05 * DISPLACEMENTS[kind][-1]
     d = Deck()
     d.keyword("KEYWORD")
     d.keyword("TITLE")
-    d.text(f"{kind} coupon, {size:g} mm, weld {place[0]:g} and {place[1]:g} of an element beyond a mesh line")
+    d.text(f"{coupon}: {kind} coupon, {size:g} mm, weld {place[0]:g} and {place[1]:g} of an element beyond a mesh line")
     if not plastic:
         d.keyword("CONTROL_IMPLICIT_GENERAL")
         d.card(imflag=1, dt0=1.0)
@@ -81,10 +88,10 @@ def deck(kind, size, place, plastic):
         d.part("sheet", pid=pid, secid=1, mid=1)
     d.keyword("SECTION_SHELL")
     d.card(secid=1, elform=2, shrf=0.8333, nip=5)
-    d.card(t1=THICKNESS, t2=THICKNESS, t3=THICKNESS, t4=THICKNESS)
+    d.card(t1=thickness, t2=thickness, t3=thickness, t4=thickness)
     if plastic:
         d.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY")
-        d.card(mid=1, ro=7.85e-9, e=YOUNG, pr=POISSON, sigy=YIELD, etan=YOUNG * PLASTIC / (YOUNG + PLASTIC))
+        d.card(mid=1, ro=7.85e-9, e=YOUNG, pr=POISSON, sigy=first_yield, etan=YOUNG * modulus / (YOUNG + modulus))
         for _ in range(3):
             d.card(blank=None)
     else:
@@ -93,7 +100,7 @@ def deck(kind, size, place, plastic):
     d.part("weld", pid=3, secid=3, mid=3)
     d.keyword("SECTION_BEAM")
     d.card(secid=3, elform=9, shrf=1.0, qr=2, cst=1.0)
-    d.card(ts1=DIAMETER, ts2=DIAMETER)
+    d.card(ts1=diameter, ts2=diameter)
     d.keyword("MAT_SPOTWELD")
     d.card(mid=3, ro=7.85e-9, e=YOUNG, pr=POISSON, sigy=20000.0, eh=1000.0, dt=4.0e-7)
     d.card(efail=0.0)
@@ -156,89 +163,100 @@ def stiffness(results):
     return 2.0 * energy / 1.0e-3 ** 2
 
 
-def force(kind, results):
-    """At DISPLACEMENT, the mean over a tenth of it to either side: a straight line through the points there."""
+def forces(kind, results):
+    """At DISPLACEMENTS, the mean over a tenth of each to either side: a straight line through the points there."""
     number = r"\s*([-+]?\d\.\d+E[-+]\d+)"
     skip = r"(?:\s*[-+]?\d\.\d+E[-+]\d+)" + "{%d}" % (PULL[kind] - 1)
     reaction = column(results / "spcforc", r"force\s+resultants?\s*=?" + skip + number)
     grip = column(results / "nodout", r"^\s*\d+" + skip + number)
-    at = DISPLACEMENT[kind]
-    near = [(grip[t] - at, abs(reaction[t])) for t in reaction.keys() & grip.keys() if abs(grip[t] - at) < 0.1 * at]
-    mean_u, mean_f = (sum(p[i] for p in near) / len(near) for i in (0, 1))
-    slope = sum((u - mean_u) * (f - mean_f) for u, f in near) / sum((u - mean_u) ** 2 for u, _ in near)
-    return mean_f - slope * mean_u
+    found = []
+    for at in DISPLACEMENTS[kind]:
+        near = [(grip[t] - at, abs(reaction[t])) for t in reaction.keys() & grip.keys() if abs(grip[t] - at) < 0.1 * at]
+        mean_u, mean_f = (sum(p[i] for p in near) / len(near) for i in (0, 1))
+        slope = sum((u - mean_u) * (f - mean_f) for u, f in near) / sum((u - mean_u) ** 2 for u, _ in near)
+        found.append(mean_f - slope * mean_u)
+    return found
 
 
-def study(nugget, folder, sizes, plastic=(False, True)):
-    for kind in REACH:
-        for is_plastic in plastic:
-            for size in sizes:
-                for number, place in enumerate(PLACES):
-                    path = folder / f"{kind}_{'plastic' if is_plastic else 'elastic'}_{size:g}_{number}.k"
-                    deck(kind, size, place, is_plastic).write(path)
-                    for form in FORMS:
-                        results = run(nugget, path, form)
-                        value = force(kind, results) if is_plastic else stiffness(results)
-                        yield {"coupon": kind, "what": "force" if is_plastic else "stiffness", "size": size, "along": place[0],
-                               "across": place[1], "form": form, "value": value, "over_solids": value / (SOLIDS[kind][is_plastic] or 1.0)}
+def study(nugget, folder, coupons, sizes):
+    for coupon in coupons:
+        for kind in REACH:
+            for plastic in (False, True):
+                for size in sizes:
+                    for number, place in enumerate(PLACES):
+                        path = folder / f"{coupon}_{kind}_{'plastic' if plastic else 'elastic'}_{size:g}_{number}.k"
+                        deck(coupon, kind, size, place, plastic).write(path)
+                        for form in FORMS:
+                            results = run(nugget, path, form)
+                            values = forces(kind, results) if plastic else [stiffness(results)]
+                            names = [f"force at {u:g} mm" for u in DISPLACEMENTS[kind]] if plastic else ["stiffness"]
+                            solids = SOLIDS[coupon, kind][1] if plastic else [SOLIDS[coupon, kind][0]]
+                            for name, value, reference in zip(names, values, solids):
+                                yield {"coupon": coupon, "kind": kind, "what": name, "size": size, "along": place[0], "across": place[1],
+                                       "form": form, "value": value, "over_solids": value / reference}
+
+
+def panels_of(rows):
+    return list(dict.fromkeys((r["coupon"], r["kind"], r["what"]) for r in rows))
 
 
 def table(rows):
-    print(f"{'':24}" + "".join(f"{size:g} mm".rjust(14) for size in SIZES))
-    for kind in REACH:
-        for what in ("stiffness", "force"):
-            for form in FORMS:
-                cells = []
-                for size in SIZES:
-                    over = [100.0 * r["over_solids"] for r in rows if (r["coupon"], r["what"], r["form"], r["size"]) == (kind, what, form, size)]
-                    cells.append(f"{min(over):.0f} .. {max(over):.0f}" if over else "")
-                if any(cells):
-                    print(f"{kind + ', ' + what + ', ' + form:24}" + "".join(c.rjust(14) for c in cells))
+    sizes = sorted({r["size"] for r in rows})
+    print(f"{'':42}" + "".join(f"{size:g} mm".rjust(14) for size in sizes))
+    for panel in panels_of(rows):
+        for form in FORMS:
+            cells = []
+            for size in sizes:
+                over = [100.0 * r["over_solids"] for r in rows
+                        if (r["coupon"], r["kind"], r["what"]) == panel and (r["form"], r["size"]) == (form, size)]
+                cells.append(f"{min(over):.0f} .. {max(over):.0f}" if over else "")
+            if any(cells):
+                print(f"{', '.join((*panel, form)):42}" + "".join(c.rjust(14) for c in cells))
 
 
 def draw(rows, path):
     """Points over the size of the elements, a panel for each quantity; plain SVG."""
-    width, height, left, top = 260, 190, 46, 26
-    panels = [(kind, what) for what in ("stiffness", "force") for kind in REACH if any((r["coupon"], r["what"]) == (kind, what) for r in rows)]
-    lines = (len(panels) + 1) // 2 * (height + 54)
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{2 * (width + left)}" height="{lines + 20}" '
+    width, height, left, top, columns = 250, 150, 46, 26, 4
+    panels = panels_of(rows)
+    lines = (len(panels) + columns - 1) // columns * (height + 54)
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{columns * (width + left)}" height="{lines + 20}" '
            'font-family="sans-serif" font-size="11">', '<rect width="100%" height="100%" fill="white"/>']
-    for p, (kind, what) in enumerate(panels):
-        x0, y0 = left + (p % 2) * (width + left), top + (p // 2) * (height + 54)
+    for p, (coupon, kind, what) in enumerate(panels):
+        x0, y0 = left + (p % columns) * (width + left), top + (p // columns) * (height + 54)
         most = 2.4
         place = lambda size, over: (x0 + (size - 2.5) / 8.0 * (width - 20), y0 + height * (1.0 - min(over, most) / most))  # noqa: B023, E731
-        at = f"; {DISPLACEMENT[kind]:g} mm" if what == "force" else ""
-        out.append(f'<text x="{x0}" y="{y0 - 8}">{kind}: {what}{at}, over that of solids</text>')
+        out.append(f'<text x="{x0}" y="{y0 - 8}">{coupon}, {kind}: {what}, over that of solids</text>')
         for level in (0.0, 0.5, 1.0, 1.5, 2.0):
             y = place(3, level)[1]
             out.append(f'<line x1="{x0}" x2="{x0 + width - 20}" y1="{y:.1f}" y2="{y:.1f}" stroke="{"#444" if level == 1.0 else "#ddd"}"/>')
             out.append(f'<text x="{x0 - 26}" y="{y + 4:.1f}">{level:.1f}</text>')
-        for size in SIZES:
+        for size in sorted({r["size"] for r in rows}):
             out.append(f'<text x="{place(size, 0)[0] - 4:.1f}" y="{y0 + height + 14}">{size:g}</text>')
-        for form, colour, shift in (("segment", "#c33", -0.12), ("area", "#16a", 0.12)):
+        for form, colour, shift in zip(FORMS, COLOURS, (-0.16, 0.0, 0.16)):
             for r in rows:
-                if (r["coupon"], r["what"], r["form"]) == (kind, what, form):
+                if (r["coupon"], r["kind"], r["what"], r["form"]) == (coupon, kind, what, form):
                     x, y = place(r["size"] + shift, r["over_solids"])
-                    out.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.6" fill="{colour}" fill-opacity="0.6"/>')
+                    out.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.4" fill="{colour}" fill-opacity="0.6"/>')
         out.append(f'<text x="{x0 + 60}" y="{y0 + height + 28}">size of the elements, mm</text>')
-    out.append(f'<text x="{left}" y="{lines + 10}" fill="#c33">tied by the element under the weld</text>')
-    out.append(f'<text x="{left + 240}" y="{lines + 10}" fill="#16a">tied by area; a dot for each of seven places</text>')
+    words = ("tied by the element under the weld", "by area", "by area, with a joint; a dot for each of seven places")
+    for i, (text, colour) in enumerate(zip(words, COLOURS)):
+        out.append(f'<text x="{left + (0, 240, 320)[i]}" y="{lines + 10}" fill="{colour}">{text}</text>')
     path.write_text("\n".join(out + ["</svg>", ""]), encoding="utf-8")
 
 
-def main(nugget, folder):
+def main(nugget, folder, coupon="", *sizes):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    rows = list(study(nugget, folder, SIZES))
-    with open(folder / "place.csv", "w", encoding="ascii", newline="") as file:
+    rows = list(study(nugget, folder, [coupon] if coupon else COUPONS, [float(s) for s in sizes] or SIZES))
+    with open(folder / f"place{coupon}.csv", "w", encoding="ascii", newline="") as file:
         writer = csv.DictWriter(file, rows[0].keys())
         writer.writeheader()
         writer.writerows(rows)
     table(rows)
-    draw(rows, folder / "place.svg")
+    draw(rows, folder / f"place{coupon}.svg")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
     main(*sys.argv[1:])

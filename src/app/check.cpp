@@ -13,6 +13,7 @@
 #include "app/run_log.hpp"
 #include "impact/simulation/simulation.hpp"
 #include "weld/tie/disc.hpp"
+#include "weld/tie/joints.hpp"
 
 namespace nugget::app {
 namespace {
@@ -44,12 +45,29 @@ std::string add_holds(PreparedDeck& p) {
     }
   }
   if (std::isnan(least[0])) return {};
-  const bool by_area = p.model.control.weld_tie == model::WeldTie::area ||
-                       std::ranges::all_of(p.ties.welds, [](const weld::Weld& w) { return w.interpolated; });
+  const bool now_by_area = by_area(p.model.control.weld_tie) ||
+                           std::ranges::all_of(p.ties.welds, [](const weld::Weld& w) { return w.interpolated; });
   return fmt::format(
       "Reach of the welds' forces into the sheets over the nugget's radius: {:.2f} to {:.2f} by the element under the "
       "weld{}, {:.2f} to {:.2f} by area{}\n\n",
-      least[0], most[0], by_area ? "" : ", as here", least[1], most[1], by_area ? ", as here" : " (--weld-tie area)");
+      least[0], most[0], now_by_area ? "" : ", as here", least[1], most[1],
+      now_by_area ? ", as here" : " (--weld-tie area)");
+}
+
+/// What the joint of each weld has, where joints are asked for: columns of welds.csv, empty where a weld gets none.
+void add_joints(PreparedDeck& p) {
+  if (p.model.control.weld_tie != model::WeldTie::joint) return;
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  const auto yield = [](double limit) { return limit < kernel::WeldJoint::never ? limit : nothing; };
+  for (std::size_t w = 0; w < p.welds.size(); ++w) {
+    const auto joint = weld::joint_of(p.model, p.ties, p.ties.welds[w]);
+    const auto limit = joint && joint->flows() ? joint->limits(0.0) : std::array{nothing, nothing, nothing};
+    p.welds[w].audit.emplace_back("joint_in_plane", joint ? joint->in_plane() : nothing);
+    p.welds[w].audit.emplace_back("joint_bending", joint ? joint->bending() : nothing);
+    p.welds[w].audit.emplace_back("joint_normal_yield", yield(limit[0]));
+    p.welds[w].audit.emplace_back("joint_shear_yield", yield(limit[1]));
+    p.welds[w].audit.emplace_back("joint_moment_yield", yield(limit[2]));
+  }
 }
 
 /// Of a run that leaves nothing behind.
@@ -96,6 +114,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
     audit += target_table(p.model, p.ties, p.audit, arguments.target_step);
   }
   audit += add_holds(p);
+  add_joints(p);
   audit += weld_table(p.model, p.ties, p.audit);
   audit +=
       fmt::format("\nSeconds: read {:.2f}, tie {:.2f}, audit {:.2f}\n", p.read_seconds, p.tie_seconds, p.audit_seconds);

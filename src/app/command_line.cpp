@@ -75,13 +75,13 @@ CLI::Validator checkpoints() {
 /// --weld-tie of the commands that tie welds.
 CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
   const auto known = [](const std::string& text) {
-    return text == "area"    ? std::string()
-           : text == "joint" ? "'joint' is not built; 'area' is"
-                             : fmt::format("'{}', expected area", text);
+    return text == "area" || text == "joint" ? std::string() : fmt::format("'{}', expected area or joint", text);
   };
   return command
-      ->add_option("--weld-tie", form,
-                   "area: welds are tied to their sheets by the nugget's disc, wherever in the mesh")
+      ->add_option(
+          "--weld-tie", form,
+          "area: welds are tied to their sheets by the nugget's disc, wherever in the mesh; joint: so, and a joint "
+          "carries what a coarse mesh lacks")
       ->check(CLI::Validator(known, ""));
 }
 

@@ -130,6 +130,7 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   if (p.model.coarsen.on && findings.errors() == 0) coarsen(p, deck, arguments.skip_unsupported, findings);
   if (library) note_unused_library(p.model, findings);
   if (arguments.weld_tie == "area") p.model.control.weld_tie = model::WeldTie::area;
+  if (arguments.weld_tie == "joint") p.model.control.weld_tie = model::WeldTie::joint;
   p.read_seconds = clock.seconds();
   if (findings.errors() > 0) return p;
   std::vector<Vec3d> x = impact::resolve_initial_penetrations(p.model, findings);

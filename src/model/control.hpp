@@ -55,7 +55,12 @@ enum class SortTriangles : unsigned char {
 enum class WeldTie : unsigned char {
   segment,  ///< by the shape functions of the element under them
   area,     ///< by the nugget's disc
+  joint,    ///< so, and a joint in series with the weld carries what the sheet's mesh lacks
 };
+/// Whether all welds hang on discs.
+constexpr bool by_area(WeldTie tie) {
+  return tie != WeldTie::segment;
+}
 
 /// The *CONTROL_... cards that this program obeys, in words; defaults are LS-DYNA's.
 struct Control {

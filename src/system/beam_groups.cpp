@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
 
 #include "base/index.hpp"
 #include "system/beam_elements.hpp"
@@ -10,6 +13,7 @@
 #include "system/groups.hpp"
 #include "system/spring_group.hpp"
 #include "system/weld_beam_element.hpp"
+#include "weld/tie/joints.hpp"
 #include "weld/tie/welds.hpp"
 
 // Which kernel runs which beams and springs.
@@ -54,8 +58,10 @@ void System::make_weld_beams(Findings& findings) {
   beam_location.assign(model.beams.size(), {});
   const std::vector<bool> deleted = deleted_with_welds(false);
   std::vector<bool> untwistable(model.beams.size(), false), held(model.beams.size(), true);
+  std::vector<std::optional<kernel::WeldJoint>> joints(model.beams.size());
   for (const weld::Weld& w : ties.welds) {
     if (w.kind != weld::Weld::Kind::beam) continue;
+    joints[w.element] = weld::joint_of(model, ties, w);
     untwistable[w.element] = free_to_twist(model, w);
     held[w.element] = weld::scaled_to_the_step_of_the_run(model, w);
   }
@@ -81,8 +87,16 @@ void System::make_weld_beams(Findings& findings) {
       untwisted += wants_torsion && untwistable[e];
       chosen[(held[e] ? 0 : 2) + (wants_torsion && !untwistable[e] ? 0 : 1)].push_back(e);
     }
-    for (int i = 0; i < 4; ++i) add_weld_beams(p, chosen[i], i % 2 == 0, i < 2);
+    for (int i = 0; i < 4; ++i) {
+      const auto joined = [&](model::Index e) { return joints[e].has_value(); };
+      const auto first = std::stable_partition(chosen[i].begin(), chosen[i].end(), std::not_fn(joined));
+      const std::vector<model::Index> with(first, chosen[i].end());
+      chosen[i].erase(first, chosen[i].end());
+      add_weld_beams(p, chosen[i], i % 2 == 0, i < 2, {});
+      add_weld_beams(p, with, i % 2 == 0, i < 2, joints);
+    }
   }
+  weld::report_joints(model, ties, findings);
   if (untwisted > 0)
     findings.note(
         {model.deck, 0, 0}, "*CONTACT_SPOTWELD",
@@ -176,7 +190,8 @@ void System::make_springs() {
   }
 }
 
-void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion, bool held) {
+void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chosen, bool torsion, bool held,
+                            const std::vector<std::optional<kernel::WeldJoint>>& joints) {
   if (chosen.empty()) return;
   const model::Part& part = model.parts[p];
   const model::Material& material = model.materials[part.material];
@@ -189,7 +204,13 @@ void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chos
                                     0.5 * (section.inner[0] + section.inner[1]), section.quadrature);
   beam.shear_factor = section.shear_factor;
   beam.no_torsion = !torsion;
-  add_group(WeldBeamElement{{beam, kernel::LawKernel<kernel::Spotweld>(*law), law->nu, model.beams, ties.x}},
+  std::map<model::Index, std::size_t> joint_of;
+  if (!joints.empty())
+    for (const model::Index e : chosen) {
+      joint_of[e] = beam.joints.size();
+      beam.joints.push_back(*joints[e]);
+    }
+  add_group(WeldBeamElement{{beam, kernel::LawKernel<kernel::Spotweld>(*law), law->nu, model.beams, ties.x}, joint_of},
             model::ElementKind::beam, p, members(model.beams, chosen), beam_location);
   scale_weld_mass(*groups.back(), *law, held);
 }

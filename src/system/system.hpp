@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "base/finding.hpp"
 #include "base/index.hpp"
 #include "kernel/element/hexahedron.hpp"
+#include "kernel/element/weld_joint.hpp"
 #include "model/model.hpp"
 #include "system/constraint_map.hpp"
 #include "system/element_group.hpp"
@@ -196,7 +198,9 @@ class System {
   void make_springs();
   void add_beams(std::size_t part, const std::vector<model::Index>& chosen);
   void add_discrete_beams(std::size_t part, const std::vector<model::Index>& chosen, Findings& findings);
-  void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion, bool held);
+  /// `joints`: in series with the beams, by beam of the model; empty: none.
+  void add_weld_beams(std::size_t part, const std::vector<model::Index>& chosen, bool torsion, bool held,
+                      const std::vector<std::optional<kernel::WeldJoint>>& joints);
 
   void make_constraints(Findings& findings);
   void make_bodies();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+
 #include "system/beam_elements.hpp"
 #include "system/point_integrity.hpp"
 
@@ -8,6 +10,12 @@ namespace nugget::system {
 
 /// The spot-weld beam as BatchGroup wants it; see there.
 struct WeldBeamElement : IntegratedBeamElement<kernel::Spotweld> {
+  std::map<model::Index, std::size_t> joint_of;  ///< in WeldBeamProperties::joints, by beam of the model
+
+  void start(double* state, int lane, model::Index e, const Places& place) const {
+    IntegratedBeamElement::start(state, lane, e, place);
+    if (!joint_of.empty()) state[layout().joint_of() * native_width + lane] = static_cast<double>(joint_of.at(e));
+  }
   template <class Field>
   double plastic_strain(const Field& field, int k) const {
     return field(layout().history_of(k));

@@ -46,6 +46,29 @@ class WeldTie(CommandTest):
             self.assertGreater(float(rows["plain"][name]), 0.5)
         self.assertLess(float(rows["plain"]["hold_by_segment"]), float(rows["plain"]["hold_by_area"]))
 
+    def test_a_joint_by_option_or_card(self):
+        """Coarse elements: the joint is softer than the area alone, elastic already, and says so."""
+        self.write(deck(), "plain.k")
+        self.write(with_card(deck(), CARD.replace("1", "2")), "card.k")
+        for folder, file, *option in (("area", "plain.k", "--weld-tie", "area"), ("option", "plain.k", "--weld-tie", "joint"),
+                                      ("card", "card.k")):
+            self.nugget("run", file, "-o", folder, *option)
+        swforc = {name: self.read(f"{name}/swforc").splitlines()[3:] for name in ("area", "option", "card")}
+        self.assertEqual(swforc["option"], swforc["card"])
+        self.assertNotEqual(swforc["option"], swforc["area"])
+        self.assertIn("1 weld beams have joints", self.read("option/run.log"))
+        for folder in ("area", "option"):
+            self.assertAlmostEqual(self.json(f"{folder}/summary.json")["energy"]["ratio"], 1.0, delta=1e-3)
+
+    def test_a_joint_lowers_modes(self):
+        self.write(edited(deck(), ("*TITLE\n", MODES + "*TITLE\n")))
+        first = []
+        for form in ("area", "joint"):
+            self.nugget("modes", "model.k", "-o", form, "-n", "4", "--weld-tie", form)
+            first.append([m["frequency_hz"] for m in self.json(f"{form}/summary.json")["modes"]])
+        self.assertTrue(all(joint <= area * (1 + 1e-9) for area, joint in zip(*first)))
+        self.assertLess(sum(first[1]), sum(first[0]))
+
     def test_modes_and_responses_know_it(self):
         self.write(edited(deck(), ("*TITLE\n", MODES + "*TITLE\n")))
         self.nugget("modes", "model.k", "-o", "plain", "-n", "4")
@@ -56,17 +79,22 @@ class WeldTie(CommandTest):
 
     def test_what_is_refused(self):
         self.write(deck())
-        self.assertIn("'joint' is not built", self.nugget("run", "model.k", "--weld-tie", "joint", expect=2).stderr)
-        self.assertIn("expected area", self.nugget("check", "model.k", "--weld-tie", "disc", expect=2).stderr)
+        self.assertIn("expected area or joint", self.nugget("check", "model.k", "--weld-tie", "disc", expect=2).stderr)
         self.nugget("run", "--resume", "out", "--weld-tie", "area", expect=2)
-        self.write(with_card(deck(), "*NUGGET_WELD_TIE\n         2\n"))
+        self.write(with_card(deck(), "*NUGGET_WELD_TIE\n         3\n"))
         run = self.nugget("run", "model.k", "-o", "out", expect=1)
-        self.assertIn("NUGGET_WELD_TIE form = 2", run.stderr)
+        self.assertIn("NUGGET_WELD_TIE form = 3", run.stderr)
 
 
 class RepeatedByArea(RepeatedRuns):
     def test_any_number_of_threads(self):
         self.compare(self.write(deck(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0"))), "--weld-tie", "area")
+
+    def test_any_number_of_threads_with_joints(self):
+        self.compare(self.write(deck(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0"))), "--weld-tie", "joint")
+
+    def test_resumed_with_joints(self):
+        self.resumed(deck(), "--weld-tie", "joint", shares=(0.5,))
 
     def test_resumed_by_area(self):
         """A run that was begun by area goes on by area, though nothing in the deck says so."""

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 #include "base/index.hpp"
 #include "kernel/element/gyration.hpp"
@@ -25,6 +26,50 @@ Moments moments(const FibreRule& rule) {
     m.tt += rule.area[k] * rule.t[k] * rule.t[k];
   }
   return m;
+}
+
+/// What the section moves a unit of time and length: axial, shears at its middle, curvatures about s and t.
+template <class R>
+struct SectionRates {
+  R axial, shear_s, shear_t, bend_s, bend_t;
+};
+
+/// Leaves of the rates what the beams get; the rest is that of their joints. Lane after lane: a joint that flows has no
+/// form for batches. `length`: of the mid-step geometry, to which the rates belong.
+template <class R>
+void share_with_joints(const WeldBeamProperties& beam, const WeldBeamLayout& layout, const ElasticConstants& elastic,
+                       R length, double dt, double* state, SectionRates<R>& rates) {
+  using L = WeldBeamLayout;
+  if (dt == 0.0) return;
+  const Moments section = moments(beam.fibres);
+  const double shear = beam.shear_factor * elastic.shear * section.area;
+  const WeldJoint::Freedoms by_length{elastic.E * section.area, shear, shear, elastic.E * section.tt,
+                                      elastic.E * section.ss};
+  constexpr std::array<int, WeldJoint::size> force_of{0, 1, 2, 4, 5};
+  const std::array<R*, WeldJoint::size> rate{&rates.axial, &rates.shear_s, &rates.shear_t, &rates.bend_s,
+                                             &rates.bend_t};
+  for (int l = 0; l < lanes<R>; ++l) {
+    const auto field = [&](int i) -> double& { return state[i * lanes<R> + l]; };
+    const double integrity = field(L::integrity), over = 1.0 / lane(length, l);
+    if (!(field(L::alive) > 0.5) || !(integrity > 0.0)) continue;
+    WeldJoint::State joint{.work = field(layout.joint_work()), .rate = field(layout.joint_rate())};
+    WeldJoint::Freedoms moved, stiffness, force;
+    for (int i = 0; i < WeldJoint::size; ++i) {
+      const auto k = at(i);
+      joint.elastic[k] = field(layout.joint_elastic() + i);
+      moved[k] = dt * lane(length, l) * lane(*rate[k], l);
+      stiffness[k] = integrity * by_length[k] * over;
+      force[k] = field(L::resultant + force_of[k]);
+    }
+    const WeldJoint& own = beam.joints[static_cast<std::size_t>(field(layout.joint_of()))];
+    const WeldJoint::Freedoms left = own.advance(joint, moved, stiffness, force, dt);
+    field(layout.joint_work()) = joint.work;
+    field(layout.joint_rate()) = joint.rate;
+    for (int i = 0; i < WeldJoint::size; ++i) {
+      field(layout.joint_elastic() + i) = joint.elastic[at(i)];
+      set_lane(*rate[at(i)], l, left[at(i)] * over / dt);
+    }
+  }
 }
 
 }  // namespace
@@ -143,8 +188,11 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
   const R twist = torsion * dw.x;
   // Shear is that of the middle of the section, which moves with the nodes' spin where it is off their line.
   const R whole_twist = beam.no_torsion ? R(0.0) : dw.x;
-  const R rs = beam.shear_factor * (dv.y - et * whole_twist - mean.z),
-          rt = beam.shear_factor * (dv.z + es * whole_twist + mean.y);
+  SectionRates<R> rates{dv.x, dv.y - et * whole_twist - mean.z, dv.z + es * whole_twist + mean.y, dw.y, dw.z};
+  if constexpr (std::is_same_v<Law, Spotweld>) {
+    if (layout.joined) share_with_joints(beam, layout, law.elastic(), norm(mid_chord), dt, state, rates);
+  }
+  const R rs = beam.shear_factor * rates.shear_s, rt = beam.shear_factor * rates.shear_t;
 
   R n[6]{}, strain_rate = 0.0;
   double whole = 0.0;
@@ -156,7 +204,8 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
     double* stress = state + layout.fibre(k) * lanes<R>;
     double* history = state + layout.history_of(k) * lanes<R>;
     FibreTensor<R> a = load_fibre<R>(stress);
-    const FibreTensor<R> rate{dv.x + pt * dw.y - ps * dw.z, rs - (pt - et) * twist, rt + (ps - es) * twist};
+    const FibreTensor<R> rate{rates.axial + pt * rates.bend_s - ps * rates.bend_t, rs - (pt - et) * twist,
+                              rt + (ps - es) * twist};
     // von Mises' equivalent of the rate, so that it is the plastic strain's rate when all of it is plastic.
     strain_rate += area * sqrt(rate.rr * rate.rr + (1.0 / 3.0) * (rate.rs * rate.rs + rate.rt * rate.rt));
     whole += area;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "base/batch.hpp"
 #include "kernel/element/shell.hpp"
+#include "kernel/element/weld_joint.hpp"
 
 namespace nugget::kernel {
 
@@ -37,6 +39,7 @@ struct WeldBeamProperties {
   /// Place of the middle of the section, where its transverse shear acts, seen from the nodes [length]. The fibres are
   /// placed from the nodes, too.
   double offset_s = 0.0, offset_t = 0.0;
+  std::vector<WeldJoint> joints;  ///< in series with the beams, by WeldBeamLayout::joint_of; empty: none has one
 };
 
 /// Fields of the state of a weld beam. Field i of lane l stands at state[i * lanes + l].
@@ -51,8 +54,16 @@ struct WeldBeamLayout {
   static constexpr int first_fibre = 14;
 
   int fibres = 0, history = 0;
+  bool joined = false;  ///< a joint is in series with each beam
 
-  int size() const { return fibre(fibres); }
+  int size() const { return fibre(fibres) + (joined ? joint_fields : 0); }
+  /// Of the joint: its place in WeldBeamProperties::joints, its plastic work [energy], its plastic strain rate
+  /// [1/time], then its elastic part.
+  static constexpr int joint_fields = 3 + WeldJoint::size;
+  int joint_of() const { return fibre(fibres); }
+  int joint_work() const { return joint_of() + 1; }
+  int joint_rate() const { return joint_of() + 2; }
+  int joint_elastic() const { return joint_of() + 3; }
   /// Stress rr rs rt of point k, followed by its history.
   int fibre(int k) const { return first_fibre + k * (FibreTensor<double>::size + history); }
   int history_of(int k) const { return fibre(k) + FibreTensor<double>::size; }
@@ -60,7 +71,7 @@ struct WeldBeamLayout {
 
 template <class Law>
 WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const LawKernel<Law>&) {
-  return {beam.fibres.count, LawKernel<Law>::fibre_history()};
+  return {beam.fibres.count, LawKernel<Law>::fibre_history(), !beam.joints.empty()};
 }
 
 /// State of an undeformed, stress-free beam between x1 and x2 in lane `lane` of `width`. s lies in the plane of the
@@ -78,6 +89,9 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 /// every point has failed is deleted: alive 0, no force, infinite stable step. The resultants, damaged as the forces
 /// are, are left in the state for the weld's failure function. The stable step is L / sqrt(E / rho). Source:
 /// docs/theory/beam.md#weld-beam.
+///
+/// With joints, each is in series with its beam at mid-length: what the nodes move there is shared out to both
+/// (WeldJoint::advance), and the law gets the beam's part. Only welds have them (Spotweld).
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, Spotweld, PlasticKinematic and PiecewiseLinear.
 template <class R, class Law>

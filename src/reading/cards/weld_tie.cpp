@@ -12,15 +12,17 @@ struct WeldTieCard {
 };
 const CardOf<WeldTieCard> weld_tie_card{
     {&WeldTieCard::form,
-     integer("form", 0, between(0, 1),
-             "how welds are tied to their sheets: 0 by the element under them, 1 by the area of the nugget")},
+     integer(
+         "form", 0, between(0, 2),
+         "how welds are tied to their sheets: 0 by the element under them, 1 by the area of the nugget, 2 so with a "
+         "joint that carries what a coarse mesh lacks")},
 };
 
 void read_weld_tie(Builder& b, const deck::Block& block, const Options&) {
   deck::Cursor cursor(b.deck, block, b.findings);
   const auto row = cursor.read(weld_tie_card);
   expect_end(b, cursor);
-  b.model.control.weld_tie = row->form == 1 ? WeldTie::area : WeldTie::segment;
+  b.model.control.weld_tie = static_cast<WeldTie>(row->form);
 }
 
 }  // namespace

@@ -421,8 +421,7 @@ struct Account {
 void report_account(const model::Model& model, Account account, Findings& findings) {
   if (account.ends == 0) return;
   findings.note(
-      {model.deck, 0, 0},
-      model.control.weld_tie == model::WeldTie::area ? "*NUGGET_WELD_TIE" : "*CONSTRAINED_INTERPOLATION_SPOTWELD",
+      {model.deck, 0, 0}, by_area(model.control.weld_tie) ? "*NUGGET_WELD_TIE" : "*CONSTRAINED_INTERPOLATION_SPOTWELD",
       fmt::format("{} weld ends are tied to discs of their sheets, {} of them cut off by an edge, a fold or a "
                   "seam; their forces reach {:.2f} to {:.2f} nugget radii far, by the segments {:.2f} to {:.2f}",
                   account.ends, account.cut_off, account.least, account.most, account.least_before,
@@ -431,11 +430,14 @@ void report_account(const model::Model& model, Account account, Findings& findin
   std::stable_sort(account.coarse.begin(), account.coarse.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   const auto& [hold, weld] = account.coarse.front();
+  const bool joined = model.control.weld_tie == model::WeldTie::joint;
   findings.warning(
       weld->place, keyword_of(*weld),
       fmt::format("{} weld ends on elements too large for their nuggets, whose forces reach more than {} radii far, "
-                  "worst {}: {:.2f}: the sheet is held too stiffly there, most in peel",
-                  account.coarse.size(), most_hold, name_weld(*weld), hold),
+                  "worst {}: {:.2f}: {}",
+                  account.coarse.size(), most_hold, name_weld(*weld), hold,
+                  joined ? "beyond what joints were measured for; in peel and cross tension the sheet stays too stiff"
+                         : "the sheet is held too stiffly there, most in peel"),
       "refine the sheet to elements no larger than the diameter; docs/manual/weld_place.md has the errors over this "
       "number");
 }
@@ -498,7 +500,7 @@ void hang_on_discs(const model::Model& model, const std::vector<Weld>& welds, co
                    std::vector<Tie>& ties, Findings& findings) {
   std::map<std::string, std::vector<const Weld*>> left;
   Account account;
-  const bool all = model.control.weld_tie == model::WeldTie::area;
+  const bool all = by_area(model.control.weld_tie);
   const auto wanted = [all](const Weld& weld) { return weld.interpolated || (all && is_a_nugget(weld)); };
   for (const HangingEnd& end : find_discs(model, welds, x, ties, wanted)) {
     if (end.disc.empty()) {

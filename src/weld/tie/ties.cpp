@@ -501,7 +501,7 @@ void Tying::make_ties() {
     result_.ties.push_back(tie);
   }
   const auto interpolated = [](const Weld& weld) { return weld.interpolated; };
-  if (model_.control.weld_tie == model::WeldTie::area || std::ranges::any_of(result_.welds, interpolated))
+  if (by_area(model_.control.weld_tie) || std::ranges::any_of(result_.welds, interpolated))
     hang_on_discs(model_, result_.welds, result_.x, result_.ties, findings_);
   check_segments(model_, around_, result_.x, result_.ties, findings_);
 }

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "base/curve.hpp"
+#include "kernel/law/yield_curve.hpp"
+
+namespace nugget::kernel {
+
+/// What is known of the sheet at one end of a weld.
+struct JointEnd {
+  double E = 0.0, nu = 0.0;  ///< of the sheet [stress], [1]
+  double thickness = 0.0;    ///< t of the sheet [length]
+  double diameter = 0.0;     ///< d of the nugget [length]
+  double reach = 0.0;        ///< r = a_eff / (d/2): how far the forces of the end reach by its tie [1]
+  Curve yield;               ///< yield stress of the sheet over its plastic strain, at rest [stress]; empty: elastic
+  Curve rate_factor;         ///< on it, over the plastic strain rate [1/time]; empty: none
+};
+
+/// The joint of a weld, in series with its beam: the deformation around the nugget that sheets lack whose elements are
+/// too large to show it. Elastic flexibilities and one yield surface with hardening by plastic work, the same for all
+/// loads,
+///     (<N>/N0)^2 + (V/V0)^2 + (M/M0)^2 <= 1,    N0, V0, M0 functions of that work w,
+/// N the normal force (of tension only), V the shear, M the bending moment at the weld's middle; flow is normal to it.
+/// The surface is convex; its pure loads are those of docs/theory/ties.md#joint. The twist is not a joint's matter.
+class WeldJoint {
+ public:
+  /// Normal, shear along s and t, moments about s and t: of forces, or of what they do work on.
+  static constexpr int size = 5;
+  using Freedoms = std::array<double, size>;
+  /// Of a joint that has moved by `moved` in all and done plastic work `work`.
+  struct State {
+    Freedoms elastic{};  ///< its elastic part [length, angle]
+    double work = 0.0;   ///< over the factor of the rate: that of the same motion at rest [energy]
+    double rate = 0.0;   ///< plastic strain rate of the ring around the nugget, smoothed [1/time]
+  };
+
+  static constexpr double never = 1e30;  ///< a limit of what does not flow: the mesh shows it, or the sheet is elastic
+  explicit WeldJoint(std::span<const JointEnd> ends);
+
+  double in_plane() const { return flexibility_[1]; }  ///< [length/force]
+  double bending() const { return flexibility_[3]; }   ///< [1/moment]
+  bool flows() const { return flows_; }
+  /// N0, V0 and M0 after a plastic work, at rest [force, moment].
+  std::array<double, 3> limits(double work) const;
+
+  /// Advances the joint of a beam that has the forces `force` and the elastic stiffness `stiffness` by `moved`, what
+  /// both together move in a step, and returns what of it the beam gets. Exact for an elastic beam (implicit, to
+  /// round-off); for one that yields the forces of both meet in the cycles after.
+  Freedoms advance(State& state, const Freedoms& moved, const Freedoms& stiffness, const Freedoms& force,
+                   double dt) const;
+
+ private:
+  struct Trial {
+    Freedoms force, stiffness;
+  };
+  /// The square root of the left side of the yield condition for the forces that are left of the trial after a further
+  /// plastic work.
+  double used(const Trial& trial, double work, double more) const;
+  double plastic_work(const Trial& trial, double work) const;
+
+  Freedoms flexibility_{};
+  bool flows_ = false;
+  double work_of_strain_ = 0.0;         ///< plastic work of a unit strain of the ring, at first yield [energy]
+  Curve rate_factor_;                   ///< of the weaker end
+  YieldCurve normal_, shear_, moment_;  ///< N0, V0, M0 over the plastic work
+};
+
+}  // namespace nugget::kernel

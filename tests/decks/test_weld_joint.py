@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""--weld-tie joint on the coupons of examples/weld_place, against those of solids (CalculiX, another program): wherever in the mesh the weld
+stands, on elements larger than the nugget, and on sheets that no constant of the joint was fitted to.
+
+Sabotage: the joint left out (by area: the bounds of the last lines of each test fail), its flexibility doubled, its flow left out.
+"""
+import sys
+import unittest
+
+from nugget_command import NUGGET, SOURCE, CommandTest
+
+sys.path.insert(0, str(SOURCE / "examples" / "weld_place"))
+import study  # noqa: E402
+
+PLACES = ((0.5, 0.5), (0.25, 0.25), (0.0, 0.0))
+
+
+class WeldJoint(CommandTest):
+    def over_solids(self, coupon, kind, size, form, plastic):
+        """Least and largest of three places, a pair for each displacement."""
+        found = []
+        for number, place in enumerate(PLACES):
+            path = self.folder / f"{coupon}_{kind}_{size:g}_{number}_{plastic}.k"
+            study.deck(coupon, kind, size, place, plastic).write(path)
+            results = study.run(NUGGET, path, form)
+            stiffness, forces = study.SOLIDS[coupon, kind]
+            values = study.forces(kind, results) if plastic else [study.stiffness(results)]
+            found.append([v / s for v, s in zip(values, forces if plastic else [stiffness])])
+        return [(min(column), max(column)) for column in zip(*found)]
+
+    def assertWithin(self, pairs, low, high):
+        for least, most in pairs:
+            self.assertGreater(least, low)
+            self.assertLess(most, high)
+
+    def test_stiffness_of_laps(self):
+        for coupon, size in (("book", 6.0), ("book", 8.0), ("mild", 5.0), ("mild", 6.0)):
+            with self.subTest(coupon=coupon, size=size):
+                self.assertWithin(self.over_solids(coupon, "lap", size, "joint", False), 0.94, 1.07)
+        self.assertGreater(self.over_solids("book", "lap", 8.0, "area", False)[0][1], 1.08)
+
+    def test_force_of_laps_beyond_yield(self):
+        for coupon in ("book", "mild"):
+            with self.subTest(coupon=coupon):
+                self.assertWithin(self.over_solids(coupon, "lap", 8.0, "joint", True)[1:], 0.9, 1.15)
+        self.assertGreater(self.over_solids("book", "lap", 8.0, "area", True)[1][1], 1.3)
+
+
+if __name__ == "__main__":
+    unittest.main()
