@@ -296,7 +296,9 @@ void full_brick(benchmark::State& state, const Law& parameters, double dt) {
 template <class R>
 void weld_beam(benchmark::State& state, double dt, int quadrature) {
   static const Mesh mesh = welds();
-  const WeldBeamProperties properties{7.8e-9, disc_fibres(6.0, 0.0, quadrature)};
+  WeldBeamProperties properties;
+  properties.density = 7.8e-9;
+  properties.fibres = disc_fibres(6.0, 0.0, quadrature);
   const LawKernel<Spotweld> law(weld());
   const WeldBeamLayout layout = weld_beam_layout(properties, law);
   sweep<R>(

@@ -25,6 +25,13 @@ Spotweld weld(double yield = 400.0, double hardening = 1000.0) {
 }
 
 /// Weld W1 (docs/verification/cases.md) along z, node 1 held.
+WeldBeamProperties round_beam(int quadrature) {
+  WeldBeamProperties beam;
+  beam.density = 7.8e-9;
+  beam.fibres = disc_fibres(diameter, 0.0, quadrature);
+  return beam;
+}
+
 template <class Law = Spotweld>
 struct Driven {
   WeldBeamProperties beam;
@@ -35,7 +42,7 @@ struct Driven {
   NodalForces<double, 2> force{};
 
   explicit Driven(const Law& parameters, int quadrature = 2)
-      : beam{7.8e-9, disc_fibres(diameter, 0.0, quadrature)},
+      : beam(round_beam(quadrature)),
         law(parameters),
         layout(weld_beam_layout(beam, law)),
         state(static_cast<std::size_t>(layout.size())) {
@@ -453,7 +460,7 @@ TEST(WeldBeam, StableStep) {
 }
 
 TEST(WeldBeam, Mass) {  // unscaled mass 3.308097e-7, half of it a node
-  const WeldBeamProperties beam{7.8e-9, disc_fibres(diameter, 0.0, 2)};
+  const WeldBeamProperties beam = round_beam(2);
   const NodalMass m = weld_beam_nodal_mass(beam, length, 7.8e-9, nu);
   EXPECT_NEAR(m.mass, 0.5 * 3.308097e-7, 1e-13);
   const double torsion = 7.8e-9 * 127.2345 * length / 2;  // the largest for this short beam

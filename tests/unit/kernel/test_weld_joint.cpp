@@ -18,7 +18,7 @@ constexpr double axial = 3.95841e6, shear = 1.52246e6, bend = 8.90642e6;  // tes
 
 /// Two like sheets, hardening as those did on which the loads were measured.
 WeldJoint joint(double reach, bool plastic = true, double hardening = 4.0 * yield) {
-  JointEnd end{E, nu, thickness, diameter, reach, {}};
+  JointEnd end{E, nu, thickness, diameter, reach, {}, {}};
   if (plastic) end.yield = {.x = {0.0, 1.0}, .y = {yield, yield + hardening}};
   const std::array<JointEnd, 2> ends{end, end};
   return WeldJoint(ends);
@@ -32,9 +32,16 @@ Spotweld elastic_weld() {
   return law;
 }
 
+WeldBeamProperties round_beam(int quadrature) {
+  WeldBeamProperties beam;
+  beam.density = 7.8e-9;
+  beam.fibres = disc_fibres(diameter, 0.0, quadrature);
+  return beam;
+}
+
 template <class R>
 struct Joined {
-  WeldBeamProperties beam{7.8e-9, disc_fibres(diameter, 0.0, 2)};
+  WeldBeamProperties beam = round_beam(2);
   LawKernel<Spotweld> law{elastic_weld()};
   NodalMotion<R, 2> nodes;
   NodalForces<R, 2> force{};
