@@ -19,11 +19,11 @@ spec.loader.exec_module(study)
 SIZES = (3.0, 4.0, 6.0, 10.0, 13.0)
 PLACES = {"centre": (0.5, 0.5), "edge": (0.5, 0.0), "node": (0.0, 0.0)}
 PULL = 1.0e-3  # of the grip [mm]
-SOLIDS = study.SOLIDS["lap"][0]
+SOLIDS = study.SOLIDS["book", "lap"][0]
 
 
 def deck(size, place, area):
-    d = study.deck("lap", size, PLACES[place], plastic=False)
+    d = study.deck("book", "lap", size, PLACES[place], plastic=False)
     if area:
         d.keyword("NUGGET_WELD_TIE")
         d.card(form=1)

@@ -30,7 +30,7 @@ struct RunArguments {
   double stop_after = 0.0;  ///< seconds of the clock after which the run is interrupted; 0: never
   std::string weld_law;     ///< shared library with the user's own failure function of welds; empty: none
   std::string resume;       ///< folder of a run that is resumed; empty: a new run
-  std::string weld_tie;     ///< `area` or `joint`: how welds are tied to their sheets, whatever the deck says; empty: as it says
+  std::string weld_tie;     ///< `area` or `joint`: form of tie of welds, whatever the deck says; empty: as it says
   std::string drop_weld;    ///< welds that are not there: ids separated by commas; `all` or `each:` ids: one run each
   std::vector<std::string> intrusion;  ///< of those runs: pairs of nodes `A,B`
   int load_case = 0;                   ///< *CASE of the deck; 0: all of them, one after the other

@@ -220,7 +220,6 @@ void Simulation::add_time(Phase phase) {
 }
 
 Outcome Simulation::run(const Options& options, Recorder& recorder, const ProgressCallback& progress) {
-  interrupted_by = nullptr;
   begin_ = timed_until_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
 
@@ -253,6 +252,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (!last) step();
   }
   solve_seconds_ = elapsed();
+  interrupted_by = nullptr;  // not at the start: a signal that came while files were opened counts
   if (progress) report_progress(progress, end_time);
   // Of the last balance nobody has asked yet.
   if (outcome.termination == Termination::normal && energy_is_made())
