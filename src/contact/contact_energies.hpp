@@ -27,7 +27,7 @@ struct Drops {
   }
 };
 
-/// What became of the energy that the pairs of a contact took, as far as that is told apart; see
+/// What became of the energy that the pairs of a contact took, by cause; see
 /// SurfaceContact::energy(). What is missing to that is the error of the steps [energy].
 struct ContactEnergies {
   double springs = 0.0;   ///< in those that press now

@@ -57,7 +57,7 @@ enum class WeldTie : unsigned char {
   area,     ///< by the nugget's disc
   joint,    ///< so, and a joint in series with the weld carries what the sheet's mesh lacks
 };
-/// Whether all welds hang on discs.
+/// Whether all welds are tied by discs.
 constexpr bool by_area(WeldTie tie) {
   return tie != WeldTie::segment;
 }

@@ -885,7 +885,7 @@ class ContactForms(CommandTest):
 
     def test_springs_dropped_under_load_are_told_and_booked(self):
         """A plate is driven through a layer of bricks: up to the far side it is pressed back, then its springs are dropped. What
-        they held stays in the contact and is all that is left there. Sabotage: energies that are not told apart; no warning."""
+        they held stays in the contact and is all that is left there. Sabotage: energies that are not separated; no warning."""
         deep = {}
         for end in (1.2e-3, 2.0e-3):  # 1.9 and 3.5 mm beyond the touch, half a millimetre of it the thickness of the plate
             run = self.run_deck(plates(self.below_bricks(1.51), {3: 2000.0}, end))

@@ -76,7 +76,11 @@ class LawKernel<AnisotropicSheet> {
   static constexpr bool has_plastic_strain = true;
 
   explicit LawKernel(const AnisotropicSheet& law)
-      : elastic_(law.E, law.nu), surface_(law.surface), hardening_(made_ready(law.hardening)), axes_(law.axes) {}
+      : elastic_(law.E, law.nu),
+        surface_(law.surface),
+        hardening_(made_ready(law.hardening)),
+        axes_(law.axes),
+        lowest_(std::visit([](const auto& hardening) { return hardening.lowest(); }, hardening_)) {}
 
   int layer_history() const { return first_axis_field + 2; }
   const MaterialAxes& axes() const { return axes_; }
@@ -90,14 +94,14 @@ class LawKernel<AnisotropicSheet> {
     const R cc = c * c, tt = t * t, ct = c * t;
     const PlaneStress<R> trial{cc * s.xx + tt * s.yy + 2.0 * ct * s.xy, tt * s.xx + cc * s.yy - 2.0 * ct * s.xy,
                                ct * (s.yy - s.xx) + (cc - tt) * s.xy};
-    const R tiny = R(1e-12 * lowest());
-    if (!any(abs(trial.aa) + abs(trial.bb) + abs(trial.ab) > tiny)) return thickness;
-    // Lanes without stress get one that does not yield: the surface has no gradient at zero.
+    const R tiny = R(1e-12 * lowest_);
     const auto stressed = abs(trial.aa) + abs(trial.bb) + abs(trial.ab) > tiny;
+    if (!any(stressed)) return thickness;
+    // Lanes without stress get one that does not yield: the surface has no gradient at zero.
     const PlaneStress<R> safe{select(stressed, trial.aa, tiny), select(stressed, trial.bb, R(0.0)),
                               select(stressed, trial.ab, R(0.0))};
     const SurfaceAt<R> at = surface_(safe);
-    if (!any(at.effective > R(lowest()))) return thickness;
+    if (!any(at.effective > R(lowest_))) return thickness;
     std::visit([&](const auto& hardening) { flow(hardening, safe, at, dt, history, c, t, s, thickness); }, hardening_);
     return thickness;
   }
@@ -107,9 +111,6 @@ class LawKernel<AnisotropicSheet> {
   static Hardening made_ready(const std::variant<SheetFormula, PiecewiseLinear>& given) {
     if (const auto* formula = std::get_if<SheetFormula>(&given)) return SmoothHardening<SheetYield>(*formula);
     return CurveHardening(std::get<PiecewiseLinear>(given));
-  }
-  double lowest() const {
-    return std::visit([](const auto& hardening) { return hardening.lowest(); }, hardening_);
   }
 
   /// Elastic stress of a strain with engineering shear.
@@ -293,6 +294,7 @@ class LawKernel<AnisotropicSheet> {
   BarlatLianSurface surface_;
   Hardening hardening_;
   MaterialAxes axes_;
+  double lowest_;  ///< yield stress below which no point yields [stress]
 };
 
 }  // namespace nugget::kernel

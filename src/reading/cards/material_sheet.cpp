@@ -134,13 +134,28 @@ const CardOf<SheetCards> transverse_card{
 
 /// The fields that a hardening comes from, wherever they stand.
 struct HardeningFields {
-  Entry rule{}, p1{}, p2{}, p3{}, e0{}, curve{}, c{}, p{};
+  Entry rule, p1, p2, p3, e0, curve, c;
+  bool spi_is_stress = false;  ///< as it was written
 };
 
-/// e0 of Swift's hardening (MAT_036, SPI).
-double swift_start(const SheetCards& cards) {
+/// SPI is a strain up to here, and a stress above.
+constexpr double largest_spi_strain = 0.02;
+
+/// What P2, P3, E0 and SPI are depends on HR: those that are stresses are brought into the units of the model.
+void convert_stresses(const Block& block, SheetCards& cards) {
+  if (block.transform == nullptr) return;
+  const double factor = block.transform->factor(dimension::stress);
+  const int rule = static_cast<int>(cards.hr);
+  if (rule == 1) cards.p2 *= factor;
+  if (rule == 4 || rule == 6) cards.e0 *= factor;
+  if (rule == 5) cards.p3 *= factor;
+  if (cards.spi > largest_spi_strain) cards.spi *= factor;
+}
+
+/// e0 of Swift's hardening (MAT_036, SPI). `spi_is_stress`: as it was written.
+double swift_start(const SheetCards& cards, bool spi_is_stress) {
   if (cards.e0 > 0.0) return cards.e0;
-  if (cards.spi > 0.02) return std::pow(cards.spi / cards.p1, 1.0 / cards.p2);
+  if (spi_is_stress) return std::pow(cards.spi / cards.p1, 1.0 / cards.p2);
   if (cards.spi > 0.0) return cards.spi;
   return std::pow(cards.e / cards.p1, 1.0 / (cards.p2 - 1.0));
 }
@@ -170,7 +185,7 @@ SheetFormula sheet_formula(Builder& b, const SheetCards& cards, const HardeningF
       return f;
     f.factor = cards.p1;
     f.exponent = cards.p2;
-    f.start_strain = swift_start(cards);
+    f.start_strain = swift_start(cards, fields.spi_is_stress);
     if (rule == 5) f.offset = -cards.p3;
     demand(f.offset + f.factor * std::pow(f.start_strain, f.exponent) > 0.0, fields.p3,
            "the first yield stress k e0^n - p is not above 0", "give a smaller p as P3, or a larger e0 as E0");
@@ -212,9 +227,12 @@ void set_sheet_curves(Builder& b, Index material, const SheetCards& cards, const
 }
 
 /// Adds the material, with its curves once these are known.
-Index add_sheet(Builder& b, const RowOf<SheetCards>& first, const SheetCards& cards, std::string title,
+Index add_sheet(Builder& b, const Block& block, const RowOf<SheetCards>& first, SheetCards cards, std::string title,
                 std::string_view name, const kernel::BarlatLian& surface, const kernel::MaterialAxes& axes,
-                const HardeningFields& fields) {
+                HardeningFields fields) {
+  if (cards.hr != std::floor(cards.hr)) refuse(b, fields.rule, "expected a whole number");
+  fields.spi_is_stress = cards.spi > largest_spi_strain;
+  convert_stresses(block, cards);
   AnisotropicSheet sheet{.E = cards.e, .nu = cards.pr, .surface = surface, .axes = axes};
   const bool by_curve = fields.rule.integer() == 3;
   if (by_curve && cards.lcid == 0)
@@ -226,6 +244,16 @@ Index add_sheet(Builder& b, const RowOf<SheetCards>& first, const SheetCards& ca
   return material;
 }
 
+/// The two last cards of 036 and 122, and what AOPT makes of them.
+kernel::MaterialAxes read_sheet_axes(Builder& b, const Block& block, Cursor& cursor, const Entry& option,
+                                     SheetCards& cards) {
+  const auto row = cursor.read(sheet_axes_card, cards);
+  const auto vectors = cursor.read(sheet_vectors_card, cards);
+  kernel::MaterialAxes axes = material_axes(b, block, cards, option, row[&AxesCards::a1], vectors[&AxesCards::v1]);
+  axes.angle = cards.beta * (std::numbers::pi / 180.0);
+  return axes;
+}
+
 void read_barlat(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
@@ -233,20 +261,21 @@ void read_barlat(Builder& b, const Block& block, const Options& options) {
   const auto first = cursor.read(barlat_card, cards);
   const auto shape = cursor.read(barlat_surface_card, cards);
   const auto rate = cursor.read(barlat_rate_card, cards);
-  const auto axes_row = cursor.read(sheet_axes_card, cards);
-  const auto vectors = cursor.read(sheet_vectors_card, cards);
+  const kernel::MaterialAxes axes = read_sheet_axes(b, block, cursor, rate[&AxesCards::aopt], cards);
   expect_end(b, cursor);
-  if (cards.hr != std::floor(cards.hr)) return refuse(b, first[&SheetCards::hr], "expected a whole number from 1 to 6");
   warn_of_half_a_rate(b, rate[&SheetCards::c], rate[&SheetCards::p]);
   kernel::BarlatLian surface{.m = cards.m, .A = cards.r00, .C = cards.r45, .H = cards.r90, .P = cards.pb};
   if (!(cards.pb > 0.0)) surface = kernel::BarlatLian::from_ratios(cards.m, cards.r00, cards.r45, cards.r90);
-  kernel::MaterialAxes axes =
-      material_axes(b, block, cards, rate[&AxesCards::aopt], axes_row[&AxesCards::a1], vectors[&AxesCards::v1]);
-  axes.angle = cards.beta * (std::numbers::pi / 180.0);
-  const HardeningFields fields{first[&SheetCards::hr], first[&SheetCards::p1], first[&SheetCards::p2],
-                               shape[&SheetCards::p3], shape[&SheetCards::e0], shape[&SheetCards::lcid],
-                               rate[&SheetCards::c],   rate[&SheetCards::p]};
-  const Index material = add_sheet(b, first, cards, std::move(title), "MAT_3-PARAMETER_BARLAT", surface, axes, fields);
+  HardeningFields fields;
+  fields.rule = first[&SheetCards::hr];
+  fields.p1 = first[&SheetCards::p1];
+  fields.p2 = first[&SheetCards::p2];
+  fields.p3 = shape[&SheetCards::p3];
+  fields.e0 = shape[&SheetCards::e0];
+  fields.curve = shape[&SheetCards::lcid];
+  fields.c = rate[&SheetCards::c];
+  const Index material =
+      add_sheet(b, block, first, cards, std::move(title), "MAT_3-PARAMETER_BARLAT", surface, axes, fields);
   take_axes_of_system(b, rate[&AxesCards::aopt], material);
 }
 
@@ -257,22 +286,15 @@ void read_hill(Builder& b, const Block& block, const Options& options) {
   const auto first = cursor.read(hill_card, cards);
   const auto shape = cursor.read(hill_surface_card, cards);
   const auto option = cursor.read(hill_axes_option_card, cards);
-  const auto axes_row = cursor.read(sheet_axes_card, cards);
-  const auto vectors = cursor.read(sheet_vectors_card, cards);
+  const kernel::MaterialAxes axes = read_sheet_axes(b, block, cursor, option[&AxesCards::aopt], cards);
   expect_end(b, cursor);
-  if (cards.hr != std::floor(cards.hr)) return refuse(b, first[&SheetCards::hr], "expected 1, 2 or 3");
-  kernel::MaterialAxes axes =
-      material_axes(b, block, cards, option[&AxesCards::aopt], axes_row[&AxesCards::a1], vectors[&AxesCards::v1]);
-  axes.angle = cards.beta * (std::numbers::pi / 180.0);
-  const HardeningFields fields{first[&SheetCards::hr],
-                               first[&SheetCards::p1],
-                               first[&SheetCards::p2],
-                               {},
-                               shape[&SheetCards::e0],
-                               shape[&SheetCards::lcid],
-                               {},
-                               {}};
-  const Index material = add_sheet(b, first, cards, std::move(title), "MAT_HILL_3R",
+  HardeningFields fields;
+  fields.rule = first[&SheetCards::hr];
+  fields.p1 = first[&SheetCards::p1];
+  fields.p2 = first[&SheetCards::p2];
+  fields.e0 = shape[&SheetCards::e0];
+  fields.curve = shape[&SheetCards::lcid];
+  const Index material = add_sheet(b, block, first, cards, std::move(title), "MAT_HILL_3R",
                                    kernel::BarlatLian::from_ratios(2.0, cards.r00, cards.r45, cards.r90), axes, fields);
   take_axes_of_system(b, option[&AxesCards::aopt], material);
 }
@@ -283,7 +305,8 @@ void read_transverse(Builder& b, const Block& block, const Options& options) {
   SheetCards cards;
   const auto first = cursor.read(transverse_card, cards);
   expect_end(b, cursor);
-  const Entry curve = first[&SheetCards::lcid];
+  HardeningFields fields;
+  fields.curve = first[&SheetCards::lcid];
   AnisotropicSheet sheet{.E = cards.e, .nu = cards.pr};
   sheet.surface = kernel::BarlatLian::from_ratios(2.0, cards.r00, cards.r00, cards.r00);
   sheet.hardening = SheetFormula{.offset = cards.sigy, .factor = cards.etan};
@@ -291,9 +314,7 @@ void read_transverse(Builder& b, const Block& block, const Options& options) {
     refuse(b, first[&SheetCards::sigy], "the yield stress must be given", "give SIGY, or HLCID");
   const Index material = add_material(b, cards, first, std::move(title), "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC",
                                       kernel::composed_law({sheet}));
-  if (cards.lcid != 0)
-    b.defer(Phase::parts,
-            [=](Builder& later) { set_sheet_curves(later, material, cards, HardeningFields{.curve = curve}); });
+  if (cards.lcid != 0) b.defer(Phase::parts, [=](Builder& later) { set_sheet_curves(later, material, cards, fields); });
 }
 
 }  // namespace

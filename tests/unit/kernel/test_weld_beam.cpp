@@ -24,7 +24,6 @@ Spotweld weld(double yield = 400.0, double hardening = 1000.0) {
   return law;
 }
 
-/// Weld W1 (docs/verification/cases.md) along z, node 1 held.
 WeldBeamProperties round_beam(int quadrature) {
   WeldBeamProperties beam;
   beam.density = 7.8e-9;
@@ -32,6 +31,7 @@ WeldBeamProperties round_beam(int quadrature) {
   return beam;
 }
 
+/// Weld W1 (docs/verification/cases.md) along z, node 1 held.
 template <class Law = Spotweld>
 struct Driven {
   WeldBeamProperties beam;

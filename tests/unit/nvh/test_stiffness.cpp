@@ -7,6 +7,7 @@
 
 #include "base/index.hpp"
 #include "deck/deck.hpp"
+#include "element_stiffness.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_beam.hpp"
 #include "kernel/law/elastic_kernel.hpp"
@@ -79,13 +80,15 @@ std::vector<double> stiffness(const Assembled& a, const system::ElementGroup& gr
   return k;
 }
 
-void expect_equal(const std::vector<double>& k, const std::vector<double>& reference) {
+void expect_equal(const std::vector<double>& k, const std::vector<double>& reference, double gate) {
   ASSERT_EQ(k.size(), reference.size());
   double largest = 0.0;
   for (const double v : reference) largest = std::max(largest, std::abs(v));
   ASSERT_GT(largest, 0.0);
-  for (std::size_t i = 0; i < k.size(); ++i) EXPECT_NEAR(k[i], reference[i], 1e-9 * largest) << "entry " << i;
+  for (std::size_t i = 0; i < k.size(); ++i) EXPECT_NEAR(k[i], reference[i], gate * largest) << "entry " << i;
 }
+
+constexpr double by_differences_gate = 1e-9;  // round-off of places over `size`
 
 /// Forces over displacements by central differences of whole steps: of a law without memory exact to the square of
 /// `size` over the element's length.
@@ -106,7 +109,7 @@ std::vector<double> by_differences(const Motion& rest, double size, Cycle&& cycl
         if (j % 6 > 2) moved = &motion.w[j / 6];
       moved->*axis[j % 3] = way;
       for (std::size_t i = 0; i < std::size(rest.x); ++i) motion.x[i] += motion.v[i];
-      const auto out = cycle(motion);
+      const auto out = cycle(motion, 1.0);
       for (std::size_t i = 0; i < all; ++i) {
         const Vec3d* force = &out.f[i / per_node];
         if constexpr (turns)
@@ -126,12 +129,14 @@ TEST(Stiffness, OfABrickIsTheDerivativeOfItsForces) {
   kernel::SolidMotion<double> rest;
   for (int i = 0; i < 8; ++i) x[i] = rest.x[i] = a.model.nodes.x[i];
   const kernel::HexahedronLayout layout = kernel::hexahedron_layout(law);
-  expect_equal(stiffness(a, *a.system.groups[a.system.solid_location[0].group]),
-               by_differences(rest, 1e-5, [&](const kernel::SolidMotion<double>& motion) {
-                 std::vector<double> state(at(layout.size()));
-                 kernel::start_hexahedron(layout, x, state.data(), 1, 0);
-                 return kernel::hexahedron_cycle<double>(brick, law, motion, 1.0, state.data());
-               }));
+  const auto cycle = [&](const kernel::SolidMotion<double>& motion, double step) {
+    std::vector<double> state(at(layout.size()));
+    kernel::start_hexahedron(layout, x, state.data(), 1, 0);
+    return kernel::hexahedron_cycle<double>(brick, law, motion, step, state.data());
+  };
+  const std::vector<double> k = stiffness(a, *a.system.groups[a.system.solid_location[0].group]);
+  expect_equal(k, nugget::element_stiffness(rest, cycle), 1e-13);
+  expect_equal(k, by_differences(rest, 1e-5, cycle), by_differences_gate);
 }
 
 TEST(Stiffness, OfAWeldBeamIsTheDerivativeOfItsForces) {
@@ -144,12 +149,14 @@ TEST(Stiffness, OfAWeldBeamIsTheDerivativeOfItsForces) {
   kernel::NodalMotion<double, 2> rest;
   for (int i = 0; i < 2; ++i) rest.x[i] = a.model.nodes.x[8 + i];
   const kernel::WeldBeamLayout layout = kernel::weld_beam_layout(beam, law);
-  expect_equal(stiffness(a, *a.system.groups[a.system.beam_location[0].group]),
-               by_differences(rest, 1e-5, [&](const kernel::NodalMotion<double, 2>& motion) {
-                 std::vector<double> state(at(layout.size()));
-                 kernel::start_weld_beam(layout, rest.x[0], rest.x[1], {}, state.data(), 1, 0);
-                 return kernel::weld_beam_cycle<double>(beam, law, motion, 1.0, state.data());
-               }));
+  const auto cycle = [&](const kernel::NodalMotion<double, 2>& motion, double step) {
+    std::vector<double> state(at(layout.size()));
+    kernel::start_weld_beam(layout, rest.x[0], rest.x[1], {}, state.data(), 1, 0);
+    return kernel::weld_beam_cycle<double>(beam, law, motion, step, state.data());
+  };
+  const std::vector<double> k = stiffness(a, *a.system.groups[a.system.beam_location[0].group]);
+  expect_equal(k, nugget::element_stiffness(rest, cycle), 1e-13);
+  expect_equal(k, by_differences(rest, 1e-5, cycle), by_differences_gate);
 }
 
 // The brick and the beam are free: T^t K T has no force for any rigid motion of either.

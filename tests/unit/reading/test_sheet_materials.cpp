@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "deck/deck.hpp"
 #include "kernel/law/law_components.hpp"
+#include "reading/build.hpp"
 #include "small_model.hpp"
 
 // Cards of rolled sheets.
@@ -72,6 +76,34 @@ TEST(SheetMaterials, AxesAndSurface) {
   EXPECT_EQ(sheet(b).axes.by, kernel::MaterialAxes::By::cross);
   EXPECT_DOUBLE_EQ(sheet(b).axes.a.y, 1.0);
   EXPECT_NEAR(sheet(b).axes.angle, std::acos(-1.0) / 6.0, 1e-12);
+}
+
+// P2, E0, SPI, P3 of a deck in t, mm, s that is included into one in kg, mm, ms: stresses in GPa where HR says
+// stresses.
+TEST(SheetMaterials, BringStressesIntoTheUnitsOfTheModel) {
+  struct Case {
+    const char *hardening, *more;
+  };
+  for (const Case& c : {Case{"1,1000.0,250.0", ""}, Case{"2,550.0,0.2", ",0.004"}, Case{"2,550.0,0.2", ",,250.0"},
+                        Case{"2,550.0,0.2", ",,0.01"}, Case{"4,400.0,12.0", ",150.0"},
+                        Case{"5,700.0,0.3", ",0.01,,100.0"}, Case{"6,400.0,12.0", ",150.0,,0.8"}}) {
+    const std::string cards =
+        std::string("*MAT_036\n1,7.85e-9,210000.0,0.3,") + c.hardening + "\n8.0,0.7,0.5,0.8," + c.more + "\n\n\n\n";
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "sheet_units";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "sheet.k") << "*KEYWORD\n" << cards << "*END\n";
+    std::ofstream(folder / "model.k")
+        << "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*INCLUDE_TRANSFORM\nsheet.k\n\n\n1000.0,1000.0,1.0\n\n*END\n";
+    Findings findings;
+    const deck::Deck deck = deck::read(folder / "model.k", findings);
+    const model::Model model = reading::build(deck, findings, false);
+    ASSERT_EQ(findings.errors(), 0) << c.hardening;
+    const auto& law = std::get<kernel::ComposedLaw>(model.materials.at(0).law);
+    const kernel::SheetYield formula(
+        std::get<kernel::SheetFormula>(std::get<kernel::AnisotropicSheet>(law.components->flow).hardening));
+    const double in_gpa = formula.yield({0.1, 0.0, formula.power(0.1), 0.0}).value;
+    EXPECT_NEAR(in_gpa, 1e-3 * yield(built(cards), 0.1), 1e-9 * in_gpa) << c.hardening << c.more;
+  }
 }
 
 TEST(SheetMaterials, RefuseWhatIsNotBuiltOrWrong) {
