@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +54,9 @@ const CardOf<SheetCards> barlat_card{
 };
 
 const CardOf<SheetCards> barlat_surface_card{
-    {&SheetCards::m, real("m", dimension::number, required, at_least(2), "exponent: about 6 of bcc, 8 of fcc metals")},
+    {&SheetCards::m,
+     real("m", dimension::number, required, any_value,
+          "exponent, 2 or more: about 6 of bcc, 8 of fcc metals; below 0: kinematic hardening, not built")},
     {&SheetCards::r00, real("r00", dimension::number, required, above_zero(), "Lankford ratio along a; A with PB")},
     {&SheetCards::r45, real("r45", dimension::number, required, above_zero(), "at 45 degrees to a; C with PB")},
     {&SheetCards::r90, real("r90", dimension::number, required, above_zero(), "across a; H with PB")},
@@ -63,6 +66,18 @@ const CardOf<SheetCards> barlat_surface_card{
     {&SheetCards::spi, real("spi", dimension::number, 0, at_least(0),
                             "of HR 2 with E0 0: 0: e0 = (E/k)^(1/(n-1)); to 0.02: e0; above: first yield stress")},
     {&SheetCards::p3, real("p3", dimension::number, 0, any_value, "of HR 5: p, a stress; of HR 6: n")},
+};
+
+/// Read so that the cards behind it are read as what they are: the hardening itself is refused at M.
+const CardOf<SheetCards> barlat_kinematic_card{
+    real("crc1", dimension::number, 0, any_value, "kinematic hardening, first term"),
+    real("cra1", dimension::number, 0, any_value, "the same"),
+    real("crc2", dimension::number, 0, any_value, "second term"),
+    real("cra2", dimension::number, 0, any_value, "the same"),
+    real("crc3", dimension::number, 0, any_value, "third term"),
+    real("cra3", dimension::number, 0, any_value, "the same"),
+    real("crc4", dimension::number, 0, any_value, "fourth term"),
+    real("cra4", dimension::number, 0, any_value, "the same"),
 };
 
 const CardOf<SheetCards> barlat_rate_card{
@@ -260,6 +275,14 @@ void read_barlat(Builder& b, const Block& block, const Options& options) {
   SheetCards cards;
   const auto first = cursor.read(barlat_card, cards);
   const auto shape = cursor.read(barlat_surface_card, cards);
+  if (cards.m < 0.0) {
+    cursor.read(barlat_kinematic_card, cards);
+    refuse(b, shape[&SheetCards::m], "kinematic hardening (CRC, CRA) is not built",
+           "give M above 0 without the card of CRC1: hardening is then isotropic");
+  } else if (cards.m < 2.0) {
+    refuse(b, shape[&SheetCards::m], "expected 2 or more", "about 6 for steel, 8 for aluminium");
+  }
+  cards.m = std::max(cards.m, 2.0);
   const auto rate = cursor.read(barlat_rate_card, cards);
   const kernel::MaterialAxes axes = read_sheet_axes(b, block, cursor, rate[&AxesCards::aopt], cards);
   expect_end(b, cursor);
@@ -325,6 +348,7 @@ std::vector<Keyword> sheet_material_keywords() {
            .options = {"TITLE"},
            .layout = {{"", &barlat_card},
                       {"", &barlat_surface_card},
+                      {"if M is below 0", &barlat_kinematic_card},
                       {"", &barlat_rate_card},
                       {"", &sheet_axes_card},
                       {"", &sheet_vectors_card}},

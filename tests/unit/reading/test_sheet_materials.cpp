@@ -116,8 +116,12 @@ TEST(SheetMaterials, RefuseWhatIsNotBuiltOrWrong) {
   EXPECT_TRUE(barlat("4,100.0,12.0", ",150.0").error("a - b is not above 0", "p1"));
   EXPECT_TRUE(barlat("5,700.0,0.3").error("needs e0", "e0"));
   EXPECT_TRUE(barlat("6,400.0,12.0", ",150.0").error("exponent n", "p3"));
-  EXPECT_TRUE(built("*MAT_036\n1,7.85e-9,210000.0,0.3,1,0.0,250.0\n-8.0,0.7,0.5,0.8\n\n\n\n\n")
+  EXPECT_TRUE(built("*MAT_036\n1,7.85e-9,210000.0,0.3,1,0.0,250.0\n1.5,0.7,0.5,0.8\n\n\n\n\n")
                   .error("expected 2 or more", "m"));
+  const auto kinematic =
+      built("*MAT_036\n1,7.85e-9,210000.0,0.3,1,0.0,250.0\n-8.0,0.7,0.5,0.8\n1.0,40.0\n3\n\n0.0,1.0,0.0\n");
+  EXPECT_TRUE(kinematic.error("kinematic hardening (CRC, CRA) is not built", "m")) << kinematic.all_findings();
+  EXPECT_EQ(kinematic.findings.errors(), 1) << kinematic.all_findings();
   EXPECT_TRUE(built("*MAT_122\n1,7.85e-9,210000.0,0.3,1,0.0,250.0\n-1.0,0.5,0.8\n\n\n\n").error("more than 0", "r00"));
   EXPECT_TRUE(built("*MAT_037\n1,7.85e-9,210000.0,0.3,,,1.4\n").error("must be given", "sigy"));
   EXPECT_TRUE(built("*MAT_037\n1,7.85e-9,210000.0,0.3,250.0,-100.0,1.4\n").error("expected 0 or more", "etan"));
