@@ -12,6 +12,7 @@
 
 #include "base/index.hpp"
 #include "output/ascii.hpp"
+#include "output/d3plot_layout.hpp"
 
 namespace nugget::output {
 namespace {
@@ -19,12 +20,9 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "readers detect the byte order, but the tests know only this one");
 
-constexpr std::size_t bytes_per_word = 4;                              // bytes
-constexpr std::size_t block = 512 * bytes_per_word;                    // files are filled up to whole blocks
-constexpr std::size_t family_member = 7 * 512 * 512 * bytes_per_word;  // LS-DYNA's default size of a file
-constexpr float end_of_states = -999999.0F;
-constexpr float format_version = 960.0F;  // below 971: one word a rigid wall
-constexpr int layer_words = 7;
+constexpr std::size_t block = 512 * d3plot_word;                    // files are filled up to whole blocks
+constexpr std::size_t family_member = 7 * 512 * 512 * d3plot_word;  // LS-DYNA's default size of a file
+constexpr float format_version = 960.0F;                            // below 971: one word a rigid wall
 
 using Family = D3plotGeometry::Family;
 
@@ -32,14 +30,10 @@ int file_type(Family family) {
   return family == Family::d3plot ? 1 : family == Family::d3eigv ? 11 : 21;
 }
 
-bool modes(const D3plotGeometry& g) {
-  return g.family == Family::d3eigv;
-}
-
 /// A stretch of 4-byte words.
 class Words {
  public:
-  void reserve(std::size_t count) { bytes_.reserve(count * bytes_per_word); }
+  void reserve(std::size_t count) { bytes_.reserve(count * d3plot_word); }
   void integer(std::int64_t value) { raw(static_cast<std::int32_t>(value)); }
   void real(double value) {
     constexpr double largest = std::numeric_limits<float>::max();
@@ -62,34 +56,17 @@ class Words {
  private:
   template <class T>
   void raw(T value) {
-    static_assert(sizeof(T) == bytes_per_word);
-    char bytes[bytes_per_word];
-    std::memcpy(bytes, &value, bytes_per_word);
-    bytes_.append(bytes, bytes_per_word);
+    static_assert(sizeof(T) == d3plot_word);
+    char bytes[d3plot_word];
+    std::memcpy(bytes, &value, d3plot_word);
+    bytes_.append(bytes, d3plot_word);
   }
   std::string bytes_;
 };
 
-/// Words of one record of each kind.
-int solid_words(const D3plotGeometry& g) {
-  return layer_words + g.solid_histories + (g.strains ? 6 : 0);
-}
-int words_of_layers(const D3plotGeometry& g) {
-  return g.layers * (layer_words + g.shell_histories);
-}
-int beam_words(const D3plotGeometry& g) {
-  return 6 + 5 * g.beam_points;
-}
-int shell_words(const D3plotGeometry& g) {
-  return words_of_layers(g) + 8 + 4 + (g.strains ? 12 : 0);
-}
 int thick_shell_words(const D3plotGeometry& g) {
   return words_of_layers(g) + 1 + (g.strains ? 12 : 0);
 }
-int global_words(const D3plotGeometry& g) {
-  return 6 + 7 * (static_cast<int>(g.parts.size()) + g.nodal_rigid_bodies) + g.rigid_walls;
-}
-
 int numbering_words(const D3plotGeometry& g) {
   return static_cast<int>(16 + g.node_ids.size() + g.solids.size() + g.beams.size() + g.shells.size() +
                           3 * g.parts.size());
@@ -116,15 +93,15 @@ void control(Words& out, const D3plotGeometry& g) {
   out.integer(g.seconds_since_1970);
   out.integer(file_type(g.family));
   out.integer(0);  // source version
-  out.text("R11", bytes_per_word);
+  out.text("R11", d3plot_word);
   out.real(format_version);
   out.integer(4);  // NDIM: three dimensions, connectivity unpacked
   out.integer(static_cast<std::int64_t>(g.node_ids.size()));
   out.integer(6);  // ICODE
   out.integer(global_words(g));
-  out.integer(0);                                                      // IT: no temperatures
-  out.integer(1);                                                      // IU: coordinates
-  for (int flag = 0; flag < 2; ++flag) out.integer(modes(g) ? 0 : 1);  // IV, IA
+  out.integer(0);                                                            // IT: no temperatures
+  out.integer(1);                                                            // IU: coordinates
+  for (int flag = 0; flag < 2; ++flag) out.integer(holds_modes(g) ? 0 : 1);  // IV, IA
   out.integer(static_cast<std::int64_t>(g.solids.size()));
   out.integer(solid_parts);
   out.integer(0), out.integer(0);  // NUMDS, NUMST
@@ -201,7 +178,7 @@ void numbering(Words& out, const D3plotGeometry& g) {
 }
 
 void titles(Words& out, const D3plotGeometry& g) {
-  out.real(end_of_states);
+  out.real(d3plot_end_of_states);
   out.integer(90001);
   out.integer(static_cast<std::int64_t>(g.parts.size()));
   for (const D3plotPart& part : g.parts) {
@@ -210,7 +187,7 @@ void titles(Words& out, const D3plotGeometry& g) {
   }
   out.integer(90000);
   out.text(g.title, 72);
-  out.real(end_of_states);
+  out.real(d3plot_end_of_states);
 }
 
 template <class Elements>
@@ -249,8 +226,8 @@ void check(const D3plotGeometry& g, const D3plotState& s) {
   check_size(s.parts.size(), g.parts.size() + at(g.nodal_rigid_bodies), "parts");
   check_size(s.wall_forces.size(), at(g.rigid_walls), "wall_forces");
   check_size(s.x.size(), nodes, "x");
-  check_size(s.v.size(), modes(g) ? 0 : nodes, "v");
-  check_size(s.a.size(), modes(g) ? 0 : nodes, "a");
+  check_size(s.v.size(), holds_modes(g) ? 0 : nodes, "v");
+  check_size(s.a.size(), holds_modes(g) ? 0 : nodes, "a");
   check_size(s.solids.size(), g.solids.size(), "solids");
   check_size(s.beams.size(), g.beams.size(), "beams");
   check_size(s.beam_points.size(), g.beams.size() * at(g.beam_points), "beam_points");
@@ -360,9 +337,7 @@ void D3plot::write(const D3plotState& s) {
   const D3plotGeometry& g = geometry_;
   check(g, s);
   Words out;
-  const std::size_t elements = g.solids.size() * at(solid_words(g) + 1) + g.beams.size() * at(beam_words(g) + 1) +
-                               g.shells.size() * at(shell_words(g) + 1);
-  out.reserve(1 + at(global_words(g)) + 9 * g.node_ids.size() + elements);
+  out.reserve(state_words(g));
   out.real(s.time);
   globals(out, s);
   out.vectors(s.x);
@@ -380,25 +355,25 @@ void D3plot::write(const D3plotState& s) {
 /// A state goes behind the last one, over its end mark, and never across two files. All but its first word is written
 /// before that word replaces the mark: until then readers stop where they did.
 void D3plot::append_state(std::string_view words) {
-  const bool full = end_mark_ + words.size() + bytes_per_word > family_member;
+  const bool full = end_mark_ + words.size() + d3plot_word > family_member;
   if (!member_ || full || geometry_.one_state_a_file) {
     if (member_) member_->sync();  // a restart file counts on it, and looks after the last one only
     member_.emplace(member_path(++members_));
     end_mark_ = 0;
   }
-  std::string tail(words.substr(bytes_per_word));
+  std::string tail(words.substr(d3plot_word));
   Words mark;
-  mark.real(end_of_states);
+  mark.real(d3plot_end_of_states);
   tail += mark.bytes();
-  const std::uint64_t used = end_mark_ + bytes_per_word + tail.size();
+  const std::uint64_t used = end_mark_ + d3plot_word + tail.size();
   tail.resize(tail.size() + (block - used % block) % block, '\0');
   if (end_mark_ == 0) {
-    member_->write_at(0, std::string(words.substr(0, bytes_per_word)) + tail);
+    member_->write_at(0, std::string(words.substr(0, d3plot_word)) + tail);
   } else {
-    member_->write_at(end_mark_ + bytes_per_word, tail);
-    member_->write_at(end_mark_, words.substr(0, bytes_per_word));
+    member_->write_at(end_mark_ + d3plot_word, tail);
+    member_->write_at(end_mark_, words.substr(0, d3plot_word));
   }
-  end_mark_ = used - bytes_per_word;
+  end_mark_ = used - d3plot_word;
 }
 
 std::filesystem::path D3plot::member_path(int number) const {
@@ -418,7 +393,7 @@ void D3plot::archive(Archive& a) {
   if (!a.reading()) return;
   // A later state may have begun over the mark, and in the rest of its block.
   Words mark;
-  mark.real(end_of_states);
+  mark.real(d3plot_end_of_states);
   std::string tail(mark.bytes());
   tail.resize(member_->size() - end_mark_, '\0');
   member_->write_at(end_mark_, tail);
