@@ -46,6 +46,9 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.deck = arguments.deck;
   s.load_case = arguments.load_case;
   s.files = p.files;
+  s.units = recognised_units(p.model);
+  s.title = p.model.title;
+  s.date = today();
   s.termination = outcome.termination == impact::Termination::normal  ? "normal"
                   : outcome.termination == impact::Termination::error ? "error"
                                                                       : "interrupted";

@@ -81,6 +81,9 @@ output::Summary LinearJob::summary() const {
   s.deck = arguments_.deck;
   s.load_case = arguments_.load_case;
   s.files = deck_.files;
+  s.units = recognised_units(deck_.model);
+  s.title = deck_.model.title;
+  s.date = today();
   s.count = counts(deck_.model, deck_.ties);
   s.seconds.read = deck_.read_seconds;
   s.seconds.setup = setup_seconds_;

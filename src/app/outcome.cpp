@@ -5,6 +5,8 @@
 
 #include <ctime>
 
+#include "model/units.hpp"
+
 namespace nugget::app {
 
 ExitCode refuse(const std::filesystem::path& directory, Log& log, const Findings& findings) {
@@ -13,6 +15,11 @@ ExitCode refuse(const std::filesystem::path& directory, Log& log, const Findings
   print_findings(findings);
   fmt::print(stderr, "the deck is refused; nothing was run\n");
   return ExitCode::refused;
+}
+
+std::string recognised_units(const model::Model& model) {
+  const auto units = model::recognise_units(model);
+  return units ? std::string(units->name) : std::string();
 }
 
 output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties) {

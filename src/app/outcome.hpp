@@ -12,6 +12,9 @@ namespace nugget::app {
 /// Writes what a refused deck leaves behind.
 ExitCode refuse(const std::filesystem::path& directory, Log& log, const Findings& findings);
 
+/// Name of the deck's units as recognised; empty where they are not.
+std::string recognised_units(const model::Model& model);
+
 output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties);
 
 /// mm/dd/yyyy

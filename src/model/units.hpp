@@ -3,19 +3,22 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
+#include "base/card.hpp"
 #include "model/model.hpp"
 
 namespace nugget::model {
 
 /// A consistent set of units.
 struct Units {
-  std::string_view name;         ///< length, mass, time: `mm, t, s`
-  std::string_view description;  ///< with force and stress: `mm t s (N, MPa)`
-  double millimetre = 1.0;       ///< one millimetre [length]
-  double microsecond = 1.0;      ///< [time]
-  double newton = 1.0;           ///< [force]
+  std::string_view name;           ///< length, mass, time: `mm, t, s`
+  std::string_view force, stress;  ///< `N`, `MPa`
+  std::string_view description;    ///< with force and stress: `mm t s (N, MPa)`
+  double millimetre = 1.0;         ///< one millimetre [length]
+  double microsecond = 1.0;        ///< [time]
+  double newton = 1.0;             ///< [force]
   double metre_per_second = 1.0;
   double kilogram_per_cubic_metre = 1.0;
   double steel_density = 0.0;  ///< [mass/length^3]
@@ -24,6 +27,12 @@ struct Units {
 
 /// The sets that decks are written in, the commonest first.
 std::span<const Units> unit_systems();
+
+/// The set of that name; nothing where there is none.
+std::optional<Units> units_named(std::string_view name);
+
+/// A quantity's unit in that set, in the words of the field: `MPa`, `N mm`, `mm/s2`. Empty for a number.
+std::string symbol(const Units& units, const Dimension& dimension);
 
 /// The units of a deck, from density and Young's modulus of most of its sheets: those in which they are a metal between
 /// magnesium (0.23 and 0.21 of steel's) and lead or tungsten (1.5 and 2 of steel's). Nothing where none fits or there

@@ -284,7 +284,7 @@ class AsciiHistory {
 
  private:
   static std::string head(const HistoryFormat<State>& format, std::span<const LegendEntry> legend) {
-    const std::string heading(format.heading);
+    std::string heading(format.heading);
     switch (format.legend) {
       case LegendLines::none: return heading;
       case LegendLines::empty: return legend_lines({}) + heading;

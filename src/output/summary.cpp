@@ -98,7 +98,10 @@ Json to_json(const Summary::Energies& e) {
 Json to_json(const Summary& s) {
   Json json = {{"version", s.version}, {"deck", s.deck}, {"termination", s.termination}, {"message", s.message}};
   if (s.load_case > 0) json["case"] = s.load_case;
+  json["title"] = s.title;
+  json["date"] = s.date;
   json["files"] = s.files;
+  json["units"] = s.units;
   json["nodes"] = s.count.nodes;
   json["elements"] = {
       {"shell", s.count.shells}, {"solid", s.count.solids}, {"beam", s.count.beams}, {"discrete", s.count.discretes}};

@@ -104,8 +104,10 @@ struct WeldDropReport {
 /// seconds of the clock.
 struct Summary {
   std::string version, deck;
+  std::string title, date;             ///< of the deck; of the run
   int load_case = 0;                   ///< *CASE of the deck; 0: none
   std::vector<std::string> files;      ///< of the deck, by their whole paths
+  std::string units;                   ///< as recognised: `mm, t, s`; empty where they are not
   std::string termination = "normal";  ///< normal, error, interrupted
   std::string message;
   struct Counts {

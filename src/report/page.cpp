@@ -8,11 +8,15 @@
 #include <cstdlib>
 #include <limits>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "model/units.hpp"
+#include "output/history.hpp"
 #include "output/result_file.hpp"
 #include "output/summary.hpp"
+#include "report/page_data.hpp"
 #include "report/plot.hpp"
 #include "report/response_page.hpp"
 
@@ -23,7 +27,7 @@ using Json = nlohmann::json;
 
 constexpr std::string_view style = R"(
 :root { color-scheme: light dark; --line: #8884; --bad: #c62828; --near: #b26a00; --good: #2e7d32; }
-body { font: 15px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+body { font: 15px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 1.5rem auto; padding: 0 1rem; }
 h1 { font-size: 1.5rem; margin: 0; } h2 { font-size: 1.1rem; margin: 2rem 0 .5rem; }
 .sub { opacity: .7; margin: 0 0 1rem; overflow-wrap: anywhere; }
 .end { display: inline-block; padding: .1rem .6rem; border-radius: 1rem; color: #fff; }
@@ -33,12 +37,15 @@ dl div { border-top: 1px solid var(--line); padding-top: .2rem; } dt { font-size
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; font-size: .87rem; }
 th, td { text-align: right; padding: .15rem .5rem; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; white-space: nowrap; } .text { text-align: left; }
+#welds .text { white-space: nowrap; }
 .failed, .untied, .f-error { color: var(--bad); font-weight: 600; } .near, .f-warning { color: var(--near); }
 .holds { color: var(--good); } .bar { display: inline-block; height: .5rem; border-radius: .25rem; background: currentColor; }
 figure { margin: 0; } svg { width: 100%; height: auto; } svg text { fill: currentColor; font: 11px system-ui, sans-serif; }
 .grid { stroke: currentColor; stroke-opacity: .15; } .legend span { margin-right: 1rem; white-space: nowrap; }
 .legend i { display: inline-block; width: .9rem; height: .2rem; margin-right: .3rem; vertical-align: middle; }
-ul { padding-left: 1.2rem; } li { overflow-wrap: anywhere; }
+ul { padding-left: 1.2rem; } li { overflow-wrap: anywhere; } .scroll { overflow-x: auto; }
+#conclusions { font-size: 1.05rem; }
+@media print { body { max-width: none; margin: 0; font-size: 11px; } tr { break-inside: avoid; } }
 )";
 
 /// A value of summary.json as text: numbers in six digits.
@@ -53,6 +60,7 @@ std::string values(const Json& object, std::string_view prefix) {
   for (const auto& [key, value] : object.items()) {
     std::string name = key;
     std::replace(name.begin(), name.end(), '_', ' ');
+    if (key == "ns_per_element_cycle") name = "nanoseconds of computing per element and cycle";
     s += fmt::format("<div><dt>{}</dt><dd id=\"{}-{}\">{}</dd></div>\n", escaped(name), prefix, escaped(key),
                      text_of(value));
   }
@@ -66,19 +74,45 @@ bool has_value(const Json& summary, std::string_view key) {
                                     std::find(std::begin(of_impact), std::end(of_impact), key) != std::end(of_impact));
 }
 
+/// Unit of a quantity behind a number, ` N mm`; nothing where the deck's units are not known.
+std::string unit_of(const Json& summary, const Dimension& dimension) {
+  const auto units = model::units_named(summary.value("units", ""));
+  if (!units || dimension == dimension::number) return {};
+  return ' ' + model::symbol(*units, dimension);
+}
+/// The same in a heading: ` [N mm]`.
+std::string in_units(const Json& summary, const Dimension& dimension) {
+  const std::string unit = unit_of(summary, dimension);
+  return unit.empty() ? unit : fmt::format(" [{}]", unit.substr(1));
+}
+
 std::string head(const Json& s) {
-  const std::string title = s.value("deck", ""), end = s.value("termination", ""), message = s.value("message", "");
-  std::string out = fmt::format(
-      "<h1>{}</h1>\n<p class=\"sub\">nugget {}</p>\n<p><span class=\"end {}\" id=\"termination\">{} termination</span> "
-      "{}</p>\n",
-      escaped(title), escaped(s.value("version", "")), escaped(end), escaped(end), escaped(message));
+  const std::string title = s.value("title", ""), deck = s.value("deck", ""), end = s.value("termination", ""),
+                    message = s.value("message", ""), units = s.value("units", "");
+  std::string about = deck;
+  if (const Json& files = s.value("files", Json::array()); !files.empty()) about = files.front().get<std::string>();
+  return fmt::format(
+      "<h1>{}</h1>\n<p class=\"sub\">{} · nugget {} · {} · units {}</p>\n<p><span class=\"end {}\" "
+      "id=\"termination\">{} termination</span> {}</p>\n",
+      escaped(title.empty() ? deck : title), escaped(about), escaped(s.value("version", "")),
+      escaped(s.value("date", "")), escaped(units.empty() ? "not recognised: numbers are in the deck's own" : units),
+      escaped(end), escaped(end), escaped(message));
+}
+
+/// Sizes, masses, steps and energies, for who wants to know them.
+std::string facts(const Json& s) {
+  std::string out = "<h2>The run</h2>\n";
   Json facts;
   for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "ns_per_element_cycle"})
     if (has_value(s, key)) facts[key] = s[key];
   out += values(facts, "run");
-  for (const auto& [key, heading] : {std::pair{"elements", "Elements"}, std::pair{"mass", "Mass"},
-                                     std::pair{"time_step", "Time step"}, std::pair{"energy", "Energy at the end"}})
-    if (has_value(s, key)) out += fmt::format("<h2>{}</h2>\n{}", heading, values(s[key], key));
+  const std::tuple<const char*, const char*, Dimension> groups[] = {{"elements", "Elements", dimension::number},
+                                                                    {"mass", "Mass", dimension::mass},
+                                                                    {"time_step", "Time step", dimension::time},
+                                                                    {"energy", "Energy at the end", dimension::energy}};
+  for (const auto& [key, heading, dimension] : groups)
+    if (has_value(s, key))
+      out += fmt::format("<h2>{}{}</h2>\n{}", heading, escaped(in_units(s, dimension)), values(s[key], key));
   return out;
 }
 
@@ -112,14 +146,17 @@ double largest_internal(const RunData& run) {
   return largest;
 }
 
-/// What an expert asks of a run before its results: each share beside the one up to which it passes unasked.
-std::string soundness(const RunData& run) {
-  if (!run.summary.contains("energy") || !run.summary.contains("mass")) return "<p>summary.json does not say.</p>\n";
+/// A share that an expert asks of a run before its results, beside the one up to which it passes unasked.
+struct Check {
+  std::string_view id, what;
+  double share, limit;
+  bool passes() const { return share <= limit; }
+};
+
+/// None where summary.json does not say.
+std::vector<Check> checks_of(const RunData& run) {
+  if (!run.summary.contains("energy") || !run.summary.contains("mass")) return {};
   const Json &energy = run.summary["energy"], &mass = run.summary["mass"];
-  struct Check {
-    std::string_view id, what;
-    double share, limit;
-  };
   std::vector<Check> checks{
       {"energy", "total energy made or lost, of what came in", std::abs(number_of(energy, "ratio") - 1.0), 0.02}};
   if (const double internal = largest_internal(run); internal != 0.0) {
@@ -141,11 +178,16 @@ std::string soundness(const RunData& run) {
                       lost / (internal != 0.0 ? internal : input), output::EnergyLimits::lost_in_contact});
   if (const double physical = number_of(mass, "physical"); physical > 0.0)
     checks.push_back({"mass", "mass added for the time step, of the mass", number_of(mass, "added") / physical, 0.05});
+  return checks;
+}
+
+std::string soundness(const std::vector<Check>& checks) {
+  if (checks.empty()) return "<p>summary.json does not say.</p>\n";
   std::string s =
       "<table id=\"checks\"><tr><th class=\"text\">looked at</th><th>found</th><th>passes up to</th><th "
       "class=\"text\"></th></tr>\n";
   for (const Check& c : checks) {
-    const bool good = c.share <= c.limit;
+    const bool good = c.passes();
     s += fmt::format(
         "<tr class=\"check\"><td class=\"text\">{}</td><td>{:.3g} %</td><td>{:g} %</td><td class=\"text {}\" "
         "id=\"check-{}\">{}</td></tr>\n",
@@ -155,9 +197,11 @@ std::string soundness(const RunData& run) {
 }
 
 std::string energy_curves(const RunData& run) {
-  const std::string plot = to_svg({"time", "energy", run.times, run.energies});
-  if (plot.empty()) return "<p>There is no glstat here.</p>\n";
-  return plot;
+  std::string plot = to_svg({"time" + in_units(run.summary, dimension::time),
+                             "energy" + in_units(run.summary, dimension::energy), run.times, run.energies});
+  if (!plot.empty()) return plot;
+  if (!run.times.empty()) return "<p>All energies of glstat are zero.</p>\n";
+  return "<p>No glstat as text: *DATABASE_GLSTAT asks for it (BINARY 1 or 3).</p>\n";
 }
 
 // ---- welds
@@ -204,20 +248,28 @@ std::string weld_line(const WeldRow& weld) {
   s += fmt::format("<td class=\"text {}\">{}</td><td class=\"text {}\">{}</td>", v.kind, escaped(what), v.kind, bar);
   for (const char* column : {"peak_axial", "peak_shear", "peak_force", "peak_bending", "peak_torsion", "energy"})
     s += fmt::format("<td>{}</td>", number(real(weld, column)));
-  return s + "</tr>\n";
+  return s + fmt::format("<td>{}, {}, {}</td></tr>\n", number(real(weld, "x")), number(real(weld, "y")),
+                         number(real(weld, "z")));
 }
 
-std::string weld_table(const RunData& run) {
-  constexpr std::size_t most = 2000;
-  if (run.welds.empty()) return "<p>The model has no welds.</p>\n";
+/// Failed welds by time, those that are not tied, then by their largest failure value.
+std::vector<const WeldRow*> worst_first(const std::vector<WeldRow>& welds) {
   std::vector<const WeldRow*> order;
-  for (const WeldRow& weld : run.welds) order.push_back(&weld);
+  order.reserve(welds.size());
+  for (const WeldRow& weld : welds) order.push_back(&weld);
   std::stable_sort(order.begin(), order.end(), [](const WeldRow* a, const WeldRow* b) {
     const KeywordStatus va = status(*a), vb = status(*b);
     if (va.rank != vb.rank) return va.rank < vb.rank;
     if (va.rank == 0) return real(*a, "failure_time") < real(*b, "failure_time");
     return real(*a, "peak_failure") > real(*b, "peak_failure");
   });
+  return order;
+}
+
+std::string weld_table(const RunData& run) {
+  constexpr std::size_t most = 2000;
+  if (run.welds.empty()) return "<p>The model has no welds.</p>\n";
+  const std::vector<const WeldRow*> order = worst_first(run.welds);
   std::map<int, std::pair<std::string_view, std::size_t>> counts;
   for (const WeldRow* weld : order) {
     const KeywordStatus v = status(*weld);
@@ -227,13 +279,16 @@ std::string weld_table(const RunData& run) {
   std::string tally;
   for (const auto& [rank, count] : counts)
     tally += fmt::format("{}{} {}", tally.empty() ? "" : ", ", count.second, count.first);
+  const auto unit = [&](const Dimension& d) { return escaped(in_units(run.summary, d)); };
+  const std::string force = unit(dimension::force), moment = unit(dimension::moment), length = unit(dimension::length);
   std::string s = fmt::format(
-      "<p id=\"weld-tally\">{} welds: {}</p>\n<table id=\"welds\"><tr><th>weld</th><th class=\"text\">kind</th>"
-      "<th>sheets</th><th>diameter</th><th class=\"text\">verdict</th><th class=\"text\">largest failure value</th>"
-      "<th>axial</th><th>shear</th><th>resultant</th><th>bending</th><th>torsion</th><th>energy</th></tr>\n",
-      run.welds.size(), tally);
+      "<p id=\"weld-tally\">{} welds: {}</p>\n<div class=\"scroll\"><table id=\"welds\"><tr><th>weld</th><th "
+      "class=\"text\">kind</th><th>sheets</th><th>diameter{}</th><th class=\"text\">verdict</th><th "
+      "class=\"text\">largest failure value</th><th>axial{}</th><th>shear{}</th><th>resultant{}</th><th>bending{}</th>"
+      "<th>torsion{}</th><th>energy{}</th><th>place{}</th></tr>\n",
+      run.welds.size(), tally, length, force, force, force, moment, moment, unit(dimension::energy), length);
   for (std::size_t i = 0; i < order.size() && i < most; ++i) s += weld_line(*order[i]);
-  s += "</table>\n";
+  s += "</table></div>\n";
   if (order.size() > most) s += fmt::format("<p>and {} more; welds.csv has all.</p>\n", order.size() - most);
   return s;
 }
@@ -260,6 +315,81 @@ std::string finding_list(const Json& findings) {
   return s;
 }
 
+// ---- first screen
+
+std::string place_of(const WeldRow& weld, const Json& summary) {
+  return fmt::format("between parts {} and {} at ({}, {}, {}){}", cell(weld, "sheet1"), cell(weld, "sheet2"),
+                     number(real(weld, "x")), number(real(weld, "y")), number(real(weld, "z")),
+                     unit_of(summary, dimension::length));
+}
+
+/// The weld as a link that the viewer follows.
+std::string weld_link(const WeldRow& weld) {
+  return fmt::format("<a href=\"#weld={0}\">weld {0}</a>", escaped(cell(weld, "id")));
+}
+
+void conclude_checks(const RunData& run, std::vector<std::string>& lines) {
+  const std::vector<Check> checks = checks_of(run);
+  std::size_t passed = 0;
+  for (const Check& c : checks)
+    if (c.passes())
+      ++passed;
+    else
+      lines.push_back(fmt::format("<span class=\"near\">Look at this first:</span> {}: {:.3g} %, passes up to {:g} %.",
+                                  c.what, 100.0 * c.share, 100.0 * c.limit));
+  if (!checks.empty() && passed == checks.size())
+    lines.push_back(fmt::format("<span class=\"holds\">All {} checks of energy and mass are in order.</span>", passed));
+}
+
+void conclude_welds(const RunData& run, std::vector<std::string>& lines) {
+  if (run.welds.empty()) return;
+  std::size_t failed = 0, loose = 0;
+  for (const WeldRow& weld : run.welds) {
+    failed += status(weld).kind == "failed";
+    loose += cell(weld, "tied") != "yes";
+  }
+  if (loose > 0)
+    lines.push_back(
+        fmt::format("<span class=\"untied\">{} of {} welds are not tied: the sheets are not held together "
+                    "there.</span>",
+                    loose, run.welds.size()));
+  if (of_linear_analysis(run.summary)) return;
+  const WeldRow& worst = *worst_first(run.welds).front();
+  if (failed > 0)
+    lines.push_back(fmt::format("<span class=\"failed\">{} of {} welds failed.</span> The first: {} at {}{} by {}, {}.",
+                                failed, run.welds.size(), weld_link(worst), number(real(worst, "failure_time")),
+                                escaped(unit_of(run.summary, dimension::time)), escaped(cell(worst, "failure_mode")),
+                                escaped(place_of(worst, run.summary))));
+  else if (real(worst, "peak_failure") > 0.0)
+    lines.push_back(fmt::format("No weld failed. The nearest to it: {}, failure value {:.3g}, {}.", weld_link(worst),
+                                real(worst, "peak_failure"), escaped(place_of(worst, run.summary))));
+}
+
+void conclude_findings(const RunData& run, std::vector<std::string>& lines) {
+  std::size_t errors = 0, warnings = 0;
+  for (const Json& f : run.findings) {
+    errors += f.value("severity", "") == "error";
+    warnings += f.value("severity", "") == "warning";
+  }
+  if (errors + warnings > 0)
+    lines.push_back(
+        fmt::format("<a href=\"#findings\">{} errors and {} warnings</a> were found in the deck.", errors, warnings));
+}
+
+/// Did it run well, what failed first and where, what to look at.
+std::string conclusions(const RunData& run) {
+  std::vector<std::string> lines;
+  if (of_linear_analysis(run.summary))
+    conclude_modes(run, lines);
+  else
+    conclude_checks(run, lines);
+  conclude_welds(run, lines);
+  conclude_findings(run, lines);
+  std::string s = "<ul id=\"conclusions\">\n";
+  for (const std::string& line : lines) s += "<li>" + line + "</li>\n";
+  return s + "</ul>\n";
+}
+
 }  // namespace
 
 std::string html_page(const std::string& title, const std::string& body) {
@@ -270,19 +400,31 @@ std::string html_page(const std::string& title, const std::string& body) {
       escaped(title), style, body);
 }
 
-std::string page(const RunData& run) {
-  std::string s = head(run.summary);
-  if (of_linear_analysis(run.summary))
-    s += modes_part(run) + responses_part(run);
-  else
-    s += "<h2>Is the run sound?</h2>\n" + soundness(run) + "<h2>Energies over time</h2>\n" + energy_curves(run) +
-         "<h2>Welds</h2>\n" + weld_table(run);
-  s += "<h2>Findings</h2>\n" + finding_list(run.findings);
+std::string page(const RunData& run, const std::string& packed) {
+  const bool linear = of_linear_analysis(run.summary), alive = !packed.empty() && !viewer_script().empty();
+  std::string s = head(run.summary) + conclusions(run);
+  if (alive) s += "<section id=\"view\"></section>\n<section id=\"weld-panel\" hidden></section>\n";
+  if (linear) {
+    s += modes_part(run);
+    if (alive && run.summary.contains("responses")) s += "<h2>Responses</h2>\n<section id=\"responses\"></section>\n";
+    s += responses_part(run);
+  } else {
+    s += "<h2>Welds</h2>\n" + weld_table(run);
+    if (alive) s += "<h2>Histories</h2>\n<section id=\"histories\"></section>\n";
+    s += "<div class=\"only-static\"><h2>Energies over time</h2>\n" + energy_curves(run) +
+         "</div>\n<h2>Is the run sound?</h2>\n" + soundness(checks_of(run));
+  }
+  s += facts(run.summary) + "<h2>Findings</h2>\n" + finding_list(run.findings);
+  if (alive)
+    s += fmt::format("<script type=\"application/octet-stream\" id=\"run-data\">{}</script>\n<script>{}</script>\n",
+                     packed, viewer_script());
   return html_page(run.summary.value("deck", "nugget"), s);
 }
 
 void write_report(const std::filesystem::path& directory) {
-  output::write_whole_file(directory / "report.html", page(read_run(directory)));
+  const RunData run = read_run(directory);
+  const std::string packed = viewer_script().empty() ? std::string() : page_data(directory, run).text();
+  output::write_whole_file(directory / "report.html", page(run, packed));
 }
 
 }  // namespace nugget::report

@@ -19,18 +19,13 @@ double value_or_zero(const Json& value) {
   return value.is_number() ? value.get<double>() : 0.0;
 }
 
-/// Share of the strain energy of mode i, counted from 0.
-double share(const WeldRow& row, std::size_t i) {
-  const auto cell = row.find(fmt::format("mode {}", i + 1));
-  return cell == row.end() ? 0.0 : std::strtod(cell->second.c_str(), nullptr);
-}
-
 /// The largest shares of one kind in a mode: `3: 71.2 %, 1: 20.1 %`.
 std::string holders(const RunData& run, std::string_view kind, std::size_t mode) {
   constexpr std::size_t most = 3;
   std::vector<std::pair<double, std::string>> found;
   for (const WeldRow& row : run.shares)
-    if (row.at("kind") == kind && share(row, mode) >= 0.0005) found.emplace_back(share(row, mode), row.at("id"));
+    if (row.at("kind") == kind && share_of_mode(row, mode) >= 0.0005)
+      found.emplace_back(share_of_mode(row, mode), row.at("id"));
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::string s;
   for (std::size_t i = 0; i < std::min(most, found.size()); ++i)
@@ -68,9 +63,9 @@ std::string weld_ranking(const RunData& run) {
     if (row.at("kind") != "weld") continue;
     Rank rank{&row, 0, 0.0, 0.0};
     for (std::size_t i = 0; i < run.summary["modes"].size(); ++i) {
-      rank.sum += share(row, i);
-      if (share(row, i) <= rank.largest) continue;
-      rank.largest = share(row, i);
+      rank.sum += share_of_mode(row, i);
+      if (share_of_mode(row, i) <= rank.largest) continue;
+      rank.largest = share_of_mode(row, i);
       rank.mode = i;
     }
     ranks.push_back(rank);
@@ -180,6 +175,35 @@ std::string power_section(const RunData& run) {
 }
 
 }  // namespace
+
+double share_of_mode(const WeldRow& row, std::size_t i) {
+  const auto cell = row.find(fmt::format("mode {}", i + 1));
+  return cell == row.end() ? 0.0 : std::strtod(cell->second.c_str(), nullptr);
+}
+
+void conclude_modes(const RunData& run, std::vector<std::string>& lines) {
+  if (!run.summary.contains("modes") || run.summary["modes"].empty()) return;
+  const Json& modes = run.summary["modes"];
+  const double highest = value_or_zero(modes.back()["frequency_hz"]);
+  std::size_t rigid = 0;
+  while (rigid < modes.size() && value_or_zero(modes[rigid]["frequency_hz"]) < 1e-3 * highest) ++rigid;
+  std::string line = fmt::format("{} modes up to {} cycles a unit of time", modes.size(), number(highest));
+  if (rigid > 0) line += fmt::format(", {} of them motions of rigid bodies", rigid);
+  if (rigid < modes.size())
+    line += fmt::format("; the first elastic one, mode {}: {}", rigid + 1,
+                        number(value_or_zero(modes[rigid]["frequency_hz"])));
+  lines.push_back(line + '.');
+  const WeldRow* weld = nullptr;
+  std::size_t mode = 0;
+  double largest = 0.0;
+  for (const WeldRow& row : run.shares)
+    for (std::size_t i = rigid; i < modes.size() && row.at("kind") == "weld"; ++i)
+      if (const double share = share_of_mode(row, i); share > largest) largest = share, mode = i, weld = &row;
+  if (weld)
+    lines.push_back(
+        fmt::format("Most strain energy of a weld: <a href=\"#weld={0}\">weld {0}</a>, {1:.2f} % in mode {2}.",
+                    escaped(weld->at("id")), 100.0 * largest, mode + 1));
+}
 
 bool of_linear_analysis(const Json& summary) {
   return summary.contains("responses") || (summary.contains("modes") && !summary["modes"].empty());

@@ -243,7 +243,7 @@ class Swforc(CommandTest):
             self.assertLessEqual(peak["force"], math.hypot(peak["axial"], peak["shear"]) * (1.0 + 1e-9))
             if weld["last_shear"]:
                 self.assertAlmostEqual(float(weld["last_force"]), math.hypot(float(weld["last_axial"]), float(weld["last_shear"])), delta=1e-6)
-        self.assertRegex(self.read("report.html"), "<th>resultant</th>")
+        self.assertIn("<th>resultant [N]</th>", self.read("report.html"))
         self.assertEqual(self.nugget("check", "model.k").stderr.count("this additional output is not written"), 0)
 
         self.write(six_kinds())

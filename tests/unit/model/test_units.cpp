@@ -34,5 +34,23 @@ TEST(Units, SteelTellsThem) {
   }
 }
 
+/// The words of the field, for sets that decks are written in.
+TEST(Units, SymbolsOfQuantities) {
+  const auto symbol_in = [](std::string_view name, const Dimension& d) { return symbol(units_named(name).value(), d); };
+  EXPECT_EQ(symbol_in("mm, t, s", dimension::force), "N");
+  EXPECT_EQ(symbol_in("mm, t, s", dimension::moment), "N mm");
+  EXPECT_EQ(symbol_in("mm, t, s", dimension::stress), "MPa");
+  EXPECT_EQ(symbol_in("mm, t, s", dimension::velocity), "mm/s");
+  EXPECT_EQ(symbol_in("mm, t, s", dimension::acceleration), "mm/s2");
+  EXPECT_EQ(symbol_in("mm, t, s", dimension::density), "t/mm3");
+  EXPECT_EQ(symbol_in("mm, t, s", dimension::force_per_length), "N/mm");
+  EXPECT_EQ(symbol_in("mm, t, s", dimension::number), "");
+  EXPECT_EQ(symbol_in("mm, kg, ms", dimension::force), "kN");
+  EXPECT_EQ(symbol_in("mm, kg, ms", dimension::stress), "GPa");
+  EXPECT_EQ(symbol_in("mm, kg, ms", dimension::rate), "1/ms");
+  EXPECT_EQ(symbol_in("m, kg, s", dimension::moment), "N m");
+  EXPECT_FALSE(units_named("miles, tons, years"));
+}
+
 }  // namespace
 }  // namespace nugget::model

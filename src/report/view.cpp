@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/index.hpp"
+#include "output/d3plot_reader.hpp"
+#include "report/skin.hpp"
+
+namespace nugget::report {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using output::D3plotGeometry;
+using output::D3plotReader;
+using output::D3plotState;
+using output::StressRecord;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+/// States of the file that are shown: the first, every `stride`th, the last.
+std::vector<std::size_t> every(std::size_t stride, std::size_t states) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i + 1 < states; i += stride) chosen.push_back(i);
+  if (states > 0) chosen.push_back(states - 1);
+  return chosen;
+}
+
+double von_mises(const std::array<double, 6>& s) {
+  const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
+  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+/// A quantity of elements that colours facets; the largest of a shell's layers.
+struct Field {
+  const char *name, *dimension;
+  double (*of_layer)(const StressRecord&);  ///< null: thickness
+};
+constexpr Field fields[] = {{"plastic strain", "", [](const StressRecord& r) { return r.plastic_strain; }},
+                            {"von Mises stress", "stress", [](const StressRecord& r) { return von_mises(r.stress); }},
+                            {"thickness", "length", nullptr}};
+
+double field_of(const Field& field, const Facet& facet, const D3plotState& s, int layers) {
+  if (!facet.of_shell) return field.of_layer ? field.of_layer(s.solids[at(facet.element)]) : missing;
+  if (!field.of_layer) return s.shells[at(facet.element)].thickness;
+  double largest = 0.0;
+  for (int i = 0; i < layers; ++i)
+    largest = std::max(largest, field.of_layer(s.shell_layers[at(facet.element) * at(layers) + at(i)]));
+  return largest;
+}
+
+/// First chosen state in which each element is deleted; their number where it never is.
+std::vector<int> ends(std::size_t elements, const std::vector<D3plotState>& states,
+                      std::vector<char> D3plotState::*alive) {
+  std::vector<int> end(elements, static_cast<int>(states.size()));
+  for (std::size_t e = 0; e < elements; ++e)
+    for (std::size_t i = states.size(); i-- > 0 && (states[i].*alive)[e] == 0;) end[e] = static_cast<int>(i);
+  return end;
+}
+
+struct Box {
+  Vec3d low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  Vec3d high = -low;
+  void add(const Vec3d& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+/// The nodes that something visible hangs on, in their order.
+class UsedNodes {
+ public:
+  UsedNodes(const D3plotGeometry& g, const std::vector<Facet>& seen) : number_(g.node_ids.size(), -1) {
+    for (const Facet& facet : seen)
+      for (const int node : facet.nodes) number_[node] = 0;
+    for (const auto& beam : g.beams)
+      for (const int node : beam.nodes) number_[node] = 0;
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      if (number_[i] < 0) continue;
+      number_[i] = static_cast<int>(nodes_.size());
+      nodes_.push_back(static_cast<int>(i));
+    }
+  }
+  const std::vector<int>& nodes() const { return nodes_; }
+  std::uint32_t number(int node) const { return static_cast<std::uint32_t>(number_[node]); }
+
+ private:
+  std::vector<int> number_, nodes_;
+};
+
+/// Coordinates of the used nodes in steps of a 65535th of the box, x of all, y of all, z of all. A node that flies off,
+/// because all on it is deleted, stays at the box's side.
+std::vector<std::uint16_t> in_steps(const std::vector<Vec3d>& x, const UsedNodes& used, const Box& box) {
+  constexpr double steps = 65535.0;
+  const std::size_t count = used.nodes().size();
+  std::vector<std::uint16_t> all(3 * count);
+  const auto step = [](double value, double low, double high) {
+    return static_cast<std::uint16_t>(std::lround(steps * std::clamp((value - low) / (high - low), 0.0, 1.0)));
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3d& p = x[used.nodes()[i]];
+    all[i] = step(p.x, box.low.x, box.high.x);
+    all[count + i] = step(p.y, box.low.y, box.high.y);
+    all[2 * count + i] = step(p.z, box.low.z, box.high.z);
+  }
+  return all;
+}
+
+/// The box of what is seen in some state. Flat ones get some depth.
+Box box_of(const D3plotGeometry& g, const std::vector<Facet>& seen, const std::vector<int>& beam_end,
+           const std::vector<D3plotState>& states) {
+  Box box;
+  for (const Facet& facet : seen)
+    for (const int node : facet.nodes) {
+      box.add(g.x[node]);
+      for (int i = facet.from; i < facet.until; ++i) box.add(states[i].x[node]);
+    }
+  for (std::size_t e = 0; e < g.beams.size(); ++e)
+    for (const int node : g.beams[e].nodes) {
+      box.add(g.x[node]);
+      for (int i = 0; i < beam_end[e]; ++i) box.add(states[i].x[node]);
+    }
+  const double least = 1e-6 * std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z, 1e-30});
+  box.high = {std::max(box.high.x, box.low.x + least), std::max(box.high.y, box.low.y + least),
+              std::max(box.high.z, box.low.z + least)};
+  return box;
+}
+
+void add_shapes(PackedArrays& arrays, const D3plotGeometry& g, const std::vector<Facet>& seen,
+                const std::vector<D3plotState>& states, Json& view) {
+  const UsedNodes used(g, seen);
+  const std::vector<int> beam_end = ends(g.beams.size(), states, &D3plotState::beam_alive);
+  const Box box = box_of(g, seen, beam_end, states);
+  view["low"] = {box.low.x, box.low.y, box.low.z};
+  view["high"] = {box.high.x, box.high.y, box.high.z};
+  std::vector<std::uint32_t> ids;
+  for (const int node : used.nodes()) ids.push_back(static_cast<std::uint32_t>(g.node_ids[node]));
+  arrays.add("node_ids", std::span<const std::uint32_t>(ids));
+  std::vector<std::uint16_t> before = in_steps(g.x, used, box);
+  arrays.add("x", std::span<const std::uint16_t>(before));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const std::vector<std::uint16_t> now = in_steps(states[i].x, used, box);
+    std::vector<std::uint16_t> change(now.size());
+    for (std::size_t k = 0; k < now.size(); ++k) change[k] = static_cast<std::uint16_t>(now[k] - before[k]);
+    arrays.add(fmt::format("dx{}", i), std::span<const std::uint16_t>(change));
+    before = now;
+  }
+  std::vector<std::uint32_t> corners, elements;
+  std::vector<std::uint16_t> parts, from, until;
+  for (const Facet& facet : seen) {
+    for (const int node : facet.nodes) corners.push_back(used.number(node));
+    elements.push_back(
+        static_cast<std::uint32_t>(facet.of_shell ? g.shells[at(facet.element)].id : g.solids[at(facet.element)].id));
+    parts.push_back(static_cast<std::uint16_t>(facet.part));
+    from.push_back(static_cast<std::uint16_t>(facet.from));
+    until.push_back(static_cast<std::uint16_t>(facet.until));
+  }
+  arrays.add("facet_nodes", std::span<const std::uint32_t>(corners));
+  arrays.add("facet_elements", std::span<const std::uint32_t>(elements));
+  arrays.add("facet_parts", std::span<const std::uint16_t>(parts));
+  arrays.add("facet_from", std::span<const std::uint16_t>(from));
+  arrays.add("facet_until", std::span<const std::uint16_t>(until));
+  corners.clear(), elements.clear(), parts.clear(), until.clear();
+  for (std::size_t e = 0; e < g.beams.size(); ++e) {
+    for (const int node : g.beams[e].nodes) corners.push_back(used.number(node));
+    elements.push_back(static_cast<std::uint32_t>(g.beams[e].id));
+    parts.push_back(static_cast<std::uint16_t>(g.beams[e].part));
+    until.push_back(static_cast<std::uint16_t>(beam_end[e]));
+  }
+  arrays.add("beam_nodes", std::span<const std::uint32_t>(corners));
+  arrays.add("beam_elements", std::span<const std::uint32_t>(elements));
+  arrays.add("beam_parts", std::span<const std::uint16_t>(parts));
+  arrays.add("beam_until", std::span<const std::uint16_t>(until));
+}
+
+/// 0 to 254 from the lowest to the highest value in any state; 255 where a facet has none.
+void add_fields(PackedArrays& arrays, const D3plotGeometry& g, const std::vector<Facet>& seen,
+                const std::vector<D3plotState>& states, Json& view) {
+  constexpr double steps = 254.0;
+  constexpr std::uint8_t none = 255;
+  int number = 0;
+  for (const Field& field : fields) {
+    double low = std::numeric_limits<double>::max(), high = -low;
+    std::vector<std::vector<double>> values(states.size());
+    for (std::size_t i = 0; i < states.size(); ++i)
+      for (const Facet& facet : seen) {
+        const double value = field_of(field, facet, states[i], g.layers);
+        values[i].push_back(value);
+        if (!std::isfinite(value) || static_cast<int>(i) < facet.from || static_cast<int>(i) >= facet.until) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    if (!(low < high)) continue;
+    view["fields"].push_back({{"name", field.name}, {"dimension", field.dimension}, {"low", low}, {"high", high}});
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      std::vector<std::uint8_t> scaled;
+      for (const double value : values[i])
+        scaled.push_back(std::isfinite(value) ? static_cast<std::uint8_t>(std::lround(
+                                                    steps * std::clamp((value - low) / (high - low), 0.0, 1.0)))
+                                              : none);
+      arrays.add(fmt::format("field{}_{}", number, i), std::span<const std::uint8_t>(scaled));
+    }
+    ++number;
+  }
+}
+
+void describe(const D3plotReader& file, const std::vector<std::size_t>& chosen, const std::vector<Facet>& seen,
+              Json& view) {
+  const D3plotGeometry& g = file.geometry();
+  for (const output::D3plotPart& part : g.parts) view["parts"].push_back({{"id", part.id}, {"title", part.title}});
+  for (const std::size_t i : chosen) view["times"].push_back(file.times()[i]);
+  view["shown"] = chosen;
+  view["states"] = file.times().size();
+  view["nodes"] = g.node_ids.size();
+  view["facets"] = seen.size();
+  view["fields"] = Json::array();
+}
+
+/// The view with these states.
+PackedArrays with_states(const D3plotReader& file, const std::vector<std::size_t>& chosen, bool modes) {
+  const D3plotGeometry& g = file.geometry();
+  std::vector<D3plotState> states;
+  for (const std::size_t i : chosen) {
+    states.push_back(file.read(i));
+    states.back().v = {}, states.back().a = {};
+  }
+  const std::vector<Facet> seen =
+      facets(g, ends(g.shells.size(), states, &D3plotState::shell_alive),
+             ends(g.solids.size(), states, &D3plotState::solid_alive), static_cast<int>(states.size()));
+  PackedArrays arrays;
+  Json& view = arrays.about["view"];
+  describe(file, chosen, seen, view);
+  view["modes"] = modes;
+  add_shapes(arrays, g, seen, states, view);
+  if (!modes) add_fields(arrays, g, seen, states, view);
+  return arrays;
+}
+
+}  // namespace
+
+PackedArrays packed_view(const fs::path& directory, bool modes, const ViewLimits& limits) {
+  PackedArrays none;
+  std::optional<D3plotReader> file;
+  try {
+    file.emplace(directory, modes ? D3plotGeometry::Family::d3eigv : D3plotGeometry::Family::d3plot);
+  } catch (const std::runtime_error& error) {
+    none.about["view"]["note"] = fmt::format("No view of the model: {}.", error.what());
+    return none;
+  }
+  const D3plotGeometry& g = file->geometry();
+  const std::size_t points = g.node_ids.size() + g.shells.size() + g.solids.size();
+  if (points > limits.points) {
+    none.about["view"]["note"] =
+        fmt::format("No view here: the model has {} nodes and {} elements. Open {} in LS-PrePost, META or ParaView.",
+                    g.node_ids.size(), g.shells.size() + g.solids.size(), (directory / g.stem()).string());
+    return none;
+  }
+  const std::size_t count = file->times().size();
+  // What a state takes is measured on two of them, so that a large file is not packed more often than needed.
+  std::size_t stride = 1;
+  if (count > 2) {
+    const std::size_t two = with_states(*file, {0, count - 1}, modes).text().size();
+    const std::size_t one = with_states(*file, {0}, modes).text().size();
+    const std::size_t of_state = std::max<std::size_t>(1, two - std::min(two, one)), base = std::min(one, limits.text);
+    const std::size_t fit = std::max<std::size_t>(2, 1 + (limits.text - base) / of_state);
+    stride = (count - 1 + fit - 2) / (fit - 1);
+  }
+  for (;; stride *= 2) {
+    PackedArrays arrays = with_states(*file, every(stride, count), modes);
+    const std::size_t shown = every(stride, count).size();
+    if (stride < count && arrays.text().size() > limits.text) continue;
+    if (shown < count)
+      arrays.about["view"]["note"] = fmt::format("{} of {} states are shown; {} has all.", shown, count, g.stem());
+    return arrays;
+  }
+}
+
+}  // namespace nugget::report
