@@ -3,11 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+#include <map>
+
 #include "model/units.hpp"
 #include "output/history.hpp"
+#include "output/history_reader.hpp"
 #include "output/summary.hpp"
+#include "report/quantity.hpp"
 #include "report/response_page.hpp"
 #include "report/view.hpp"
+#include "report/weld_page.hpp"
 
 #ifdef NUGGET_VIEWER
 extern "C" const char nugget_viewer_begin[], nugget_viewer_end[];
@@ -83,6 +90,52 @@ void add_responses(PackedArrays& packed, const RunData& run) {
     }
 }
 
+/// Most numbers of one file in the page.
+constexpr std::size_t most_of_file = 400'000;
+/// Times to which a file is thinned before channels are left out.
+constexpr std::size_t fewest_times = 200;
+
+/// Channels of welds in the order of their verdicts, so that what is left out are those far from failure.
+void order_by_welds(const RunData& run, output::HistoryRecord& record) {
+  std::map<std::string, std::size_t, std::less<>> rank;
+  for (const WeldRow* weld : worst_first(run.welds)) rank.emplace("weld " + cell(*weld, "id"), rank.size());
+  const auto rank_of = [&](const output::Channel& channel) {
+    const auto found = rank.find(channel.entity);
+    return found == rank.end() ? rank.size() : found->second;
+  };
+  std::stable_sort(record.channels.begin(), record.channels.end(),
+                   [&](const auto& a, const auto& b) { return rank_of(a) < rank_of(b); });
+}
+
+/// Times and then channel by channel; as many as the page has room for, with a word where that is not all.
+void add_history(PackedArrays& packed, const output::HistoryRecord& record, const Json& summary) {
+  const std::size_t times = record.times.size(), channels = record.channels.size();
+  const std::size_t room = std::max(fewest_times, most_of_file / std::max<std::size_t>(1, channels));
+  const std::size_t stride = (times + room - 1) / room;
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < times; i += stride) kept.push_back(i);
+  if (kept.back() + 1 != times) kept.push_back(times - 1);
+  const std::size_t shown = std::min(channels, most_of_file / kept.size());
+  const std::string array = "history_" + record.file;
+  Json list = Json::array();
+  std::vector<float> values;
+  for (const std::size_t i : kept) values.push_back(static_cast<float>(record.times[i]));
+  for (std::size_t c = 0; c < shown; ++c) {
+    const output::Channel& channel = record.channels[c];
+    list.push_back({channel.entity, channel.title, channel.quantity, unit_of(summary, channel.dimension)});
+    for (const std::size_t i : kept) values.push_back(static_cast<float>(channel.values[i]));
+  }
+  packed.add(array, values);
+  packed.about["histories"].push_back(
+      {{"file", record.file}, {"array", array}, {"times", kept.size()}, {"channels", std::move(list)}});
+  if (stride > 1)
+    packed.about["notes"].push_back(fmt::format("{}: every {}. of {} times is shown.", record.file, stride, times));
+  if (shown < channels)
+    packed.about["notes"].push_back(
+        fmt::format("{}: {} of {} curves are shown, first those of the welds that failed or came nearest to it.",
+                    record.file, shown, channels));
+}
+
 }  // namespace
 
 PackedArrays page_data(const std::filesystem::path& directory, const RunData& run) {
@@ -92,6 +145,11 @@ PackedArrays page_data(const std::filesystem::path& directory, const RunData& ru
   add_welds(packed.about, run);
   add_shares(packed, run);
   add_responses(packed, run);
+  if (of_linear_analysis(run.summary)) return packed;
+  for (output::HistoryRecord& record : output::read_histories(directory)) {
+    if (record.file == "swforc") order_by_welds(run, record);
+    add_history(packed, record, run.summary);
+  }
   return packed;
 }
 

@@ -9,8 +9,8 @@
 namespace nugget::report {
 
 /// What the viewer of the page is given, packed: the view of d3plot or d3eigv (view.hpp), units, welds.csv, the strain
-/// energy of welds in each mode, responses over frequency. `about` has the keys view, units, second, welds, shares,
-/// responses; web/src/main.js reads them.
+/// energy of welds in each mode, responses over frequency, histories. `about` has the keys view, units, second, welds,
+/// shares, responses, histories, notes; web/src/main.js reads them.
 PackedArrays page_data(const std::filesystem::path& directory, const RunData& run);
 
 /// The viewer's script, made from web/ by `./dev build`; empty where the program was built without Node.

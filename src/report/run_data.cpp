@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
+
+#include "output/history_reader.hpp"
 
 namespace nugget::report {
 namespace {
@@ -92,39 +96,22 @@ std::vector<ResponseCurve> read_power(const fs::path& path) {
   return curves;
 }
 
-/// ` kinetic energy.................   1.00000E+00`: its name and value; an empty name for other lines.
-std::pair<std::string, double> quantity(const std::string& line) {
-  const std::size_t dots = line.find("..");
-  if (line.empty() || line[0] != ' ' || dots == std::string::npos) return {};
-  const std::size_t value = line.find_first_not_of(". ", dots);
-  if (value == std::string::npos) return {};
-  std::string name = line.substr(1, dots - 1);
-  while (!name.empty() && name.back() == ' ') name.pop_back();
-  return {name, std::strtod(line.c_str() + value, nullptr)};
-}
-
 /// The energies worth a curve: those that are not zero all the time.
-void read_energies(const fs::path& path, RunData& data) {
-  std::ifstream file(path);
-  std::map<std::string, std::vector<double>> columns;
-  std::string line;
-  while (std::getline(file, line)) {
-    const auto [name, value] = quantity(line);
-    if (name == "time") data.times.push_back(value);
-    if (name.empty() || data.times.empty()) continue;
-    std::vector<double>& column = columns[name];
-    if (column.size() + 1 == data.times.size()) column.push_back(value);  // of several walls the first one counts
-  }
+void read_energies(const fs::path& directory, RunData& data) {
+  constexpr std::string_view file = "glstat";
+  const std::vector<output::HistoryRecord> found = output::read_histories(directory, {&file, 1});
+  if (found.empty()) return;
+  data.times = found[0].times;
   for (const char* name :
        {"kinetic energy", "internal energy", "hourglass energy", "sliding interface energy", "stonewall energy",
         "eroded kinetic energy", "eroded internal energy", "external work", "total energy"}) {
-    const auto found = columns.find(name);
-    if (found == columns.end() || found->second.size() != data.times.size()) continue;
-    for (const double value : found->second)
-      if (value != 0.0) {
-        data.energies.emplace_back(name, found->second);
-        break;
-      }
+    std::string quantity = name;
+    std::replace(quantity.begin(), quantity.end(), ' ', '_');
+    const auto channel = std::find_if(found[0].channels.begin(), found[0].channels.end(),
+                                      [&](const output::Channel& c) { return c.quantity == quantity; });
+    if (channel == found[0].channels.end()) continue;
+    if (std::any_of(channel->values.begin(), channel->values.end(), [](double value) { return value != 0.0; }))
+      data.energies.emplace_back(name, channel->values);
   }
 }
 
@@ -139,7 +126,7 @@ RunData read_run(const fs::path& directory) {
   data.findings = read_json(directory / "findings.json");
   if (!data.findings.is_array()) data.findings = Json::array();
   data.welds = read_table(directory / "welds.csv");
-  read_energies(directory / "glstat", data);
+  read_energies(directory, data);
   data.shares = read_table(directory / "mode_energy.csv");
   data.frf = read_responses(directory / "frf.csv");
   data.ssd = read_responses(directory / "ssd.csv");

@@ -27,7 +27,7 @@ struct RunData {
   nlohmann::json findings;     ///< findings.json; an empty list where it is missing
   std::vector<WeldRow> welds;  ///< welds.csv
   std::vector<std::pair<std::string, std::vector<double>>> energies;  ///< of glstat: name, value at each time
-  std::vector<double> times;                                          ///< of glstat; empty where there is none as text
+  std::vector<double> times;                                          ///< of glstat; empty where there is none
   std::vector<WeldRow> shares;          ///< mode_energy.csv: strain energy of parts and welds by mode
   std::vector<ResponseCurve> frf, ssd;  ///< frf.csv, ssd.csv
   std::vector<ResponseCurve> power;     ///< erp.csv, by panel; without phases

@@ -9,7 +9,7 @@ namespace nugget::report {
 
 /// How much of a run goes into its page.
 struct ViewLimits {
-  std::size_t text = 11'000'000;   ///< characters of packed shapes and fields; fewer states are kept until they fit
+  std::size_t text = 9'000'000;    ///< characters of packed shapes and fields; fewer states are kept until they fit
   std::size_t points = 3'000'000;  ///< nodes and facets together up to which there is a view at all
 };
 

@@ -7,7 +7,10 @@ import { CLASSES, filtered } from "./sae_filter.js";
 export class Histories {
   constructor(about, arrays, second) {
     this.second = second; // units of time in one second; null where the units are not known
-    this.files = (about ?? []).map((file) => ({ ...file, values: arrays[file.array] }));
+    this.files = (about ?? []).map((file) => ({
+      ...file, values: arrays[file.array],
+      channels: file.channels.map(([entity, title, quantity, unit]) => ({ entity, title, quantity, unit: unit.trim() })),
+    }));
     this.timeUnit = "";
   }
 
@@ -55,7 +58,8 @@ export function historyBrowser(parent, histories, timeUnit, currentTime) {
   let shown = [], plot = null;
   const file = () => histories.files.find((f) => f.file === fileList.value);
   const fillEntities = () => {
-    entityList.replaceChildren(...[...new Set(file().channels.map((c) => c.entity))].map((e) => option(e, e || "all")));
+    const titles = new Map(file().channels.map((c) => [c.entity, c.title]));
+    entityList.replaceChildren(...[...titles].map(([e, title]) => option(e, [e || "whole model", title].filter(Boolean).join(": "))));
     fillQuantities();
   };
   const fillQuantities = () => {

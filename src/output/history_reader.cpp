@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/history_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "output/abstat.hpp"
+#include "output/ascii_reader.hpp"
+#include "output/binout_reader.hpp"
+#include "output/dcfail.hpp"
+#include "output/deforc.hpp"
+#include "output/glstat.hpp"
+#include "output/history_samples.hpp"
+#include "output/jntforc.hpp"
+#include "output/matsum.hpp"
+#include "output/nodout.hpp"
+#include "output/rbdout.hpp"
+#include "output/rcforc.hpp"
+#include "output/rwforc.hpp"
+#include "output/secforc.hpp"
+#include "output/sleout.hpp"
+#include "output/spcforc.hpp"
+#include "output/swforc.hpp"
+
+namespace nugget::output {
+namespace {
+
+/// A branch of binout and what its rows are.
+struct ReadBranch {
+  std::string path, kind;
+};
+
+struct ReadFile {
+  std::string_view name;
+  std::vector<ReadBranch> branches;
+  std::vector<ColumnMeaning> (*meanings)();
+};
+
+const std::vector<ReadFile>& read_files() {
+  static const std::vector<ReadFile> files{
+      {"abstat", {{"abstat", "airbag"}}, [] { return meanings(abstat()); }},
+      {"dcfail", {{"dcfail", "weld"}}, [] { return meanings(dcfail()); }},
+      {"deforc", {{"deforc", "spring"}}, [] { return meanings(deforc()); }},
+      {"glstat", {{"glstat", ""}}, [] { return meanings(glstat()); }},
+      {"jntforc",
+       {{"jntforc/joints", "joint"}, {"jntforc/type0", "joint stiffness"}, {"jntforc/type1", "joint stiffness"}},
+       [] { return meanings(jntforc()); }},
+      {"matsum", {{"matsum", "part"}}, [] { return meanings(matsum()); }},
+      {"nodout", {{"nodout", "node"}}, [] { return meanings(nodout()); }},
+      {"rbdout", {{"rbdout", "rigid body"}}, [] { return meanings(rbdout()); }},
+      {"rcforc", {{"rcforc", "contact"}}, [] { return meanings(rcforc()); }},
+      {"rwforc", {{"rwforc/forces", "wall"}}, [] { return meanings(rwforc()); }},
+      {"secforc", {{"secforc", "section"}}, [] { return meanings(secforc()); }},
+      {"sleout", {{"sleout", "contact"}}, [] { return meanings(sleout()); }},
+      {"spcforc", {{"spcforc", "node"}}, [] { return meanings(spcforc()); }},
+      {"swforc", {{"swforc", "weld"}}, [] { return meanings(swforc()); }},
+  };
+  return files;
+}
+
+/// Names of the rows of a branch; of one value more than rows (sums) nothing is known.
+std::vector<std::string> entities(const BinoutReader& binout, const ReadBranch& branch) {
+  const std::string metadata = "/" + branch.path + "/metadata";
+  const std::vector<double> ids = binout.numbers(metadata + "/ids"), sides = binout.numbers(metadata + "/side"),
+                            nodal = binout.numbers(metadata + "/num_nodal");
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    std::string name = fmt::format("{} {:.0f}", branch.kind, ids[i]);
+    if (i < sides.size()) name += sides[i] == 0.0 ? " tracked side" : " reference side";
+    if (!nodal.empty() && static_cast<double>(i) >= static_cast<double>(ids.size()) - nodal[0]) name = "nodal " + name;
+    names.push_back(name);
+  }
+  return names;
+}
+
+/// The rows that a variable is of: supports have lists of their own, walls in glstat none.
+std::vector<std::string> entities_of(const BinoutReader& binout, const ReadBranch& branch, const std::string& variable,
+                                     const std::vector<std::string>& rows, std::size_t count) {
+  const std::string metadata = "/" + branch.path + "/metadata";
+  if (branch.path == "spcforc" && variable.find("resultant") == variable.npos && variable != "time") {
+    std::vector<std::string> nodes;
+    for (const double id : binout.numbers(metadata + (variable.ends_with("_moment") ? "/moment_ids" : "/force_ids")))
+      nodes.push_back(fmt::format("node {:.0f}", id));
+    return nodes;
+  }
+  if (variable == "stonewall_energy") {
+    std::vector<std::string> walls;
+    for (std::size_t i = 0; i < count; ++i) walls.push_back(fmt::format("wall {}", i + 1));
+    return walls;
+  }
+  if (rows.size() == count) return rows;
+  return count == 1 ? std::vector<std::string>{""} : std::vector<std::string>{};
+}
+
+/// What counts and names, and no history.
+bool is_history(const std::string& variable) {
+  constexpr std::array<std::string_view, 6> not_one{"time", "cycle", "ts_eltype", "ts_element", "ts_part", "nzc"};
+  return std::find(not_one.begin(), not_one.end(), variable) == not_one.end() && variable.find("number_of") != 0;
+}
+
+/// One state of a branch; its numbers are those of the branches beside it.
+void read_state(const BinoutReader& binout, const ReadBranch& branch, const std::string& state,
+                HistorySamples& samples) {
+  const std::string directory = "/" + branch.path + "/" + state;
+  const std::vector<double> time = binout.numbers(directory + "/time");
+  if (time.empty()) return;
+  if (samples.empty() || time[0] != samples.time()) samples.begin_state(time[0]);
+  const std::vector<std::string> rows = entities(binout, branch);
+  for (const std::string& variable : binout.names(directory)) {
+    if (!is_history(variable)) continue;
+    const std::vector<double> values = binout.numbers(directory + "/" + variable);
+    const std::vector<std::string> of = entities_of(binout, branch, variable, rows, values.size());
+    for (std::size_t i = 0; i < std::min(of.size(), values.size()); ++i) samples.put(of[i], variable, values[i]);
+  }
+}
+
+void add_titles(const BinoutReader& binout, const ReadFile& file, HistoryRecord& record) {
+  constexpr std::size_t width = 70;
+  for (const ReadBranch& branch : file.branches) {
+    const std::string metadata = "/" + branch.path + "/metadata", text = binout.text(metadata + "/legend");
+    const std::vector<double> ids = binout.numbers(metadata + "/legend_ids");
+    for (std::size_t i = 0; i < ids.size() && (i + 1) * width <= text.size(); ++i) {
+      std::string title = text.substr(i * width, width);
+      title.erase(title.find_last_not_of(' ') + 1);
+      const std::string name = fmt::format("{} {:.0f}", branch.kind, ids[i]);
+      for (Channel& channel : record.channels)
+        if (channel.entity == name || channel.entity.find(name + ' ') == 0) channel.title = title;
+    }
+  }
+}
+
+HistoryRecord read_one(const std::filesystem::path& directory, const BinoutReader& binout, const ReadFile& file) {
+  HistorySamples samples{std::string(file.name)};
+  std::set<std::string> states;
+  for (const ReadBranch& branch : file.branches)
+    for (const std::string& state : binout.states(branch.path)) states.insert(state);
+  for (const std::string& state : states)
+    for (const ReadBranch& branch : file.branches) read_state(binout, branch, state, samples);
+  HistoryRecord record = samples.take();
+  if (record.times.empty())
+    record = read_ascii_history(directory / file.name);
+  else
+    add_titles(binout, file, record);
+  for (const ColumnMeaning& meaning : file.meanings())
+    for (Channel& channel : record.channels)
+      if (channel.quantity == meaning.name) channel.dimension = meaning.dimension;
+  return record;
+}
+
+}  // namespace
+
+std::span<const std::string_view> readable_histories() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const ReadFile& file : read_files()) all.push_back(file.name);
+    return all;
+  }();
+  return names;
+}
+
+std::vector<HistoryRecord> read_histories(const std::filesystem::path& directory,
+                                          std::span<const std::string_view> files) {
+  const BinoutReader binout(directory);
+  std::vector<HistoryRecord> records;
+  for (const ReadFile& file : read_files()) {
+    if (std::find(files.begin(), files.end(), file.name) == files.end()) continue;
+    HistoryRecord record = read_one(directory, binout, file);
+    if (!record.times.empty()) records.push_back(std::move(record));
+  }
+  return records;
+}
+
+}  // namespace nugget::output

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/card.hpp"
+#include "output/history.hpp"
+
+namespace nugget::report {
+
+/// Unit of a quantity behind a number, ` N mm`, by the units that summary.json names; nothing where they are not known.
+std::string unit_of(const nlohmann::json& summary, const Dimension& dimension);
+/// The same in a heading: ` [N mm]`.
+std::string in_units(const nlohmann::json& summary, const Dimension& dimension);
+
+}  // namespace nugget::report
