@@ -10,6 +10,7 @@
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <tuple>
 
 #include "output/abstat.hpp"
 #include "output/dcfail.hpp"
@@ -205,7 +206,7 @@ void read_spcforc(std::istream& in, HistorySamples& samples) {
         if (const auto value = number_of_field(line, first + 14 * axis, 14))
           samples.put(entity, fmt::format("{}_{}", axis_names[axis], suffix), *value);
     };
-    const std::size_t equals = line.rfind("=", line.find("  setid"));
+    const std::size_t equals = line.rfind('=', line.find("  setid"));
     if (const auto node = number_behind(line, " node="); node && equals != line.npos)
       put(fmt::format("node {:.0f}", *node), line.find("moments") != line.npos ? "moment" : "force", equals + 1);
     if (const std::size_t place = line.find("force resultants   ="); place != line.npos)
@@ -241,7 +242,9 @@ void read_dotted(std::istream& in, HistorySamples& samples,
                  std::span<const std::pair<std::string_view, std::string_view>> heads) {
   std::string entity;
   for (std::string line; std::getline(in, line);) {
-    auto [name, value] = dotted(line);
+    std::string name;
+    double value = 0.0;
+    std::tie(name, value) = dotted(line);
     if (name.empty()) continue;
     if (name == "time") {
       samples.begin_state(value);

@@ -70,7 +70,7 @@ std::vector<std::string> entities(const BinoutReader& binout, const ReadBranch& 
   for (std::size_t i = 0; i < ids.size(); ++i) {
     std::string name = fmt::format("{} {:.0f}", branch.kind, ids[i]);
     if (i < sides.size()) name += sides[i] == 0.0 ? " tracked side" : " reference side";
-    if (!nodal.empty() && static_cast<double>(i) >= static_cast<double>(ids.size()) - nodal[0]) name = "nodal " + name;
+    if (!nodal.empty() && static_cast<double>(i) >= static_cast<double>(ids.size()) - nodal[0]) name.insert(0, "nodal ");
     names.push_back(name);
   }
   return names;
@@ -104,14 +104,14 @@ bool is_history(const std::string& variable) {
 /// One state of a branch; its numbers are those of the branches beside it.
 void read_state(const BinoutReader& binout, const ReadBranch& branch, const std::string& state,
                 HistorySamples& samples) {
-  const std::string directory = "/" + branch.path + "/" + state;
+  const std::string directory = fmt::format("/{}/{}", branch.path, state);
   const std::vector<double> time = binout.numbers(directory + "/time");
   if (time.empty()) return;
   if (samples.empty() || time[0] != samples.time()) samples.begin_state(time[0]);
   const std::vector<std::string> rows = entities(binout, branch);
   for (const std::string& variable : binout.names(directory)) {
     if (!is_history(variable)) continue;
-    const std::vector<double> values = binout.numbers(directory + "/" + variable);
+    const std::vector<double> values = binout.numbers(fmt::format("{}/{}", directory, variable));
     const std::vector<std::string> of = entities_of(binout, branch, variable, rows, values.size());
     for (std::size_t i = 0; i < std::min(of.size(), values.size()); ++i) samples.put(of[i], variable, values[i]);
   }

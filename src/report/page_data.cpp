@@ -119,6 +119,7 @@ void add_history(PackedArrays& packed, const output::HistoryRecord& record, cons
   const std::string array = "history_" + record.file;
   Json list = Json::array();
   std::vector<float> values;
+  values.reserve(kept.size() * (1 + shown));
   for (const std::size_t i : kept) values.push_back(static_cast<float>(record.times[i]));
   for (std::size_t c = 0; c < shown; ++c) {
     const output::Channel& channel = record.channels[c];

@@ -53,11 +53,29 @@ TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
   write_summary(scratch.path(), s);
   const Json json = Json::parse(content(scratch / "summary.json"));
   using Names = std::vector<std::string>;
-  EXPECT_EQ(
-      keys(json),
-      (Names{"version", "deck",   "termination", "message",   "files", "nodes",  "elements", "parts",
-             "welds",   "cycles", "time",        "time_step", "mass",  "energy", "seconds",  "ns_per_element_cycle",
-             "threads", "ranks",  "weld",        "modes"}));
+  EXPECT_EQ(keys(json), (Names{"version",
+                               "deck",
+                               "termination",
+                               "message",
+                               "title",
+                               "date",
+                               "files",
+                               "units",
+                               "nodes",
+                               "elements",
+                               "parts",
+                               "welds",
+                               "cycles",
+                               "time",
+                               "time_step",
+                               "mass",
+                               "energy",
+                               "seconds",
+                               "ns_per_element_cycle",
+                               "threads",
+                               "ranks",
+                               "weld",
+                               "modes"}));
   EXPECT_EQ(keys(json["elements"]), (Names{"shell", "solid", "beam", "discrete"}));
   EXPECT_EQ(keys(json["time_step"]), (Names{"first", "smallest", "controlling"}));
   EXPECT_EQ(keys(json["mass"]), (Names{"physical", "added", "added_to_welds"}));
