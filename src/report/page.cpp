@@ -46,6 +46,7 @@ figure { margin: 0; } svg { width: 100%; height: auto; } svg text { fill: curren
 .legend i { display: inline-block; width: .9rem; height: .2rem; margin-right: .3rem; vertical-align: middle; }
 ul { padding-left: 1.2rem; } li { overflow-wrap: anywhere; } .scroll { overflow-x: auto; }
 #conclusions { font-size: 1.05rem; }
+@media (max-width: 56rem) { table { display: block; overflow-x: auto; } }
 @media print { body { max-width: none; margin: 0; font-size: 11px; } tr { break-inside: avoid; } }
 )";
 
@@ -270,9 +271,8 @@ std::string page(const RunData& run, const std::string& packed) {
   std::string s = head(run.summary) + conclusions(run);
   if (alive) s += "<section id=\"view\"></section>\n<section id=\"weld-panel\" hidden></section>\n";
   if (linear) {
-    s += modes_part(run);
     if (alive && run.summary.contains("responses")) s += "<h2>Responses</h2>\n<section id=\"responses\"></section>\n";
-    s += responses_part(run);
+    s += responses_part(run) + modes_part(run);
   } else {
     s += "<h2>Welds</h2>\n" + welds_part(run);
     if (alive) s += "<h2>Histories</h2>\n<section id=\"histories\"></section>\n";

@@ -34,9 +34,7 @@ void add_units(Json& about, const RunData& run) {
       {"force", dimension::force},   {"moment", dimension::moment},    {"energy", dimension::energy},
       {"stress", dimension::stress}, {"velocity", dimension::velocity}};
   for (const auto& [name, dimension] : named) about["units"][name] = model::symbol(*units, dimension);
-  about["units"]["frequency"] = units->microsecond == 1e-6   ? "Hz"
-                                : units->microsecond == 1e-3 ? "kHz"
-                                                             : model::symbol(*units, dimension::rate);
+  about["units"]["frequency"] = frequency_unit(run.summary).substr(1);
   about["second"] = 1e6 * units->microsecond;
 }
 

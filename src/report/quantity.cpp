@@ -17,4 +17,11 @@ std::string in_units(const nlohmann::json& summary, const Dimension& dimension) 
   return unit.empty() ? unit : fmt::format(" [{}]", unit.substr(1));
 }
 
+std::string frequency_unit(const nlohmann::json& summary) {
+  const auto units = model::units_named(summary.value("units", ""));
+  if (!units) return " cycles a unit of time";
+  if (units->microsecond == 1e-6) return " Hz";
+  return units->microsecond == 1e-3 ? " kHz" : unit_of(summary, dimension::rate);
+}
+
 }  // namespace nugget::report

@@ -13,5 +13,7 @@ namespace nugget::report {
 std::string unit_of(const nlohmann::json& summary, const Dimension& dimension);
 /// The same in a heading: ` [N mm]`.
 std::string in_units(const nlohmann::json& summary, const Dimension& dimension);
+/// ` Hz` or ` kHz`; ` cycles a unit of time` where the units are not known.
+std::string frequency_unit(const nlohmann::json& summary);
 
 }  // namespace nugget::report

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "report/plot.hpp"
+#include "report/quantity.hpp"
 
 namespace nugget::report {
 namespace {
@@ -37,7 +38,8 @@ std::string mode_table(const RunData& run) {
   const Json& modes = run.summary["modes"];
   const double mass = run.summary.contains("mass") ? value_or_zero(run.summary["mass"]["physical"]) : 0.0;
   std::string s =
-      "<table id=\"modes\"><tr><th>mode</th><th>frequency</th><th>mass x</th><th>mass y</th><th>mass z</th>"
+      "<div class=\"scroll\"><table id=\"modes\"><tr><th>mode</th><th>frequency</th><th>mass x</th><th>mass "
+      "y</th><th>mass z</th>"
       "<th class=\"text\">strain energy of parts</th><th class=\"text\">of welds</th></tr>\n";
   for (std::size_t i = 0; i < modes.size(); ++i) {
     s += fmt::format("<tr class=\"mode\"><td>{}</td><td>{}</td>", i + 1,
@@ -47,7 +49,7 @@ std::string mode_table(const RunData& run) {
     s += fmt::format("<td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n", escaped(holders(run, "part", i)),
                      escaped(holders(run, "weld", i)));
   }
-  return s + "</table>\n";
+  return s + "</table></div>\n";
 }
 
 /// Welds by the largest share of the strain energy of any mode.
@@ -133,7 +135,9 @@ std::string section(const RunData& run, const std::vector<ResponseCurve>& curves
   for (const ResponseCurve& curve : curves)
     if (std::find(quantities.begin(), quantities.end(), curve.quantity) == quantities.end())
       quantities.push_back(curve.quantity);
+  s += "<div class=\"only-static\">";
   for (const std::string& quantity : quantities) s += plots(curves, quantity, file);
+  s += "</div>\n";
   s += fmt::format(
       "<table id=\"{}-peaks\"><tr><th>node</th><th class=\"text\">direction</th><th class=\"text\">response</th>"
       "<th>largest amplitude</th><th>at frequency</th><th>phase</th></tr>\n",
@@ -163,7 +167,7 @@ std::string power_section(const RunData& run) {
     plot.x = run.power[i].frequency;
     plot.curves.emplace_back(run.power[i].name, run.power[i].amplitude);
   }
-  std::string s = "<h2>Equivalent radiated power</h2>\n" + to_svg(plot) +
+  std::string s = "<h2>Equivalent radiated power</h2>\n<div class=\"only-static\">" + to_svg(plot) + "</div>" +
                   "<table id=\"erp-peaks\"><tr><th class=\"text\">panel</th><th>largest power</th><th>at frequency</th>"
                   "</tr>\n";
   for (const Json& r : run.summary["responses"])
@@ -187,11 +191,13 @@ void conclude_modes(const RunData& run, std::vector<std::string>& lines) {
   const double highest = value_or_zero(modes.back()["frequency_hz"]);
   std::size_t rigid = 0;
   while (rigid < modes.size() && value_or_zero(modes[rigid]["frequency_hz"]) < 1e-3 * highest) ++rigid;
-  std::string line = fmt::format("{} modes up to {} cycles a unit of time", modes.size(), number(highest));
+  const std::string unit = frequency_unit(run.summary);
+  std::string line = fmt::format("{} modes up to {}{}", modes.size(), number(highest), unit);
   if (rigid > 0) line += fmt::format(", {} of them motions of rigid bodies", rigid);
   if (rigid < modes.size())
     line += fmt::format("; the first elastic one, mode {}: {}", rigid + 1,
-                        number(value_or_zero(modes[rigid]["frequency_hz"])));
+                        number(value_or_zero(modes[rigid]["frequency_hz"]))) +
+            unit;
   lines.push_back(line + '.');
   const WeldRow* weld = nullptr;
   std::size_t mode = 0;

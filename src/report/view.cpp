@@ -222,6 +222,22 @@ void describe(const D3plotReader& file, const std::vector<std::size_t>& chosen, 
   view["fields"] = Json::array();
 }
 
+/// Modes have any size (their mass is normalized): each is brought to 6 % of the model's diagonal, by the factors
+/// that are returned.
+std::vector<double> scale_modes(const D3plotGeometry& g, std::vector<D3plotState>& states) {
+  Box box;
+  for (const Vec3d& x : g.x) box.add(x);
+  std::vector<double> factors;
+  for (D3plotState& state : states) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < g.x.size(); ++i) largest = std::max(largest, norm(state.x[i] - g.x[i]));
+    const double factor = largest > 0.0 ? 0.06 * norm(box.high - box.low) / largest : 1.0;
+    for (std::size_t i = 0; i < g.x.size(); ++i) state.x[i] = g.x[i] + factor * (state.x[i] - g.x[i]);
+    factors.push_back(factor);
+  }
+  return factors;
+}
+
 /// The view with these states.
 PackedArrays with_states(const D3plotReader& file, const std::vector<std::size_t>& chosen, bool modes) {
   const D3plotGeometry& g = file.geometry();
@@ -237,6 +253,7 @@ PackedArrays with_states(const D3plotReader& file, const std::vector<std::size_t
   Json& view = arrays.about["view"];
   describe(file, chosen, seen, view);
   view["modes"] = modes;
+  if (modes) view["factors"] = scale_modes(g, states);
   add_shapes(arrays, g, seen, states, view);
   if (!modes) add_fields(arrays, g, seen, states, view);
   return arrays;

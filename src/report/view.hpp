@@ -16,7 +16,8 @@ struct ViewLimits {
 /// What the view of the page shows of d3plot (or, of modes, d3eigv): nodes in 16 bits of the box that holds them all,
 /// facets with part and element, plastic strain, von Mises stress and thickness in 8 bits of their range, at the first
 /// state, the last, and as many between as `limits` allow. `about.view` says what is there and what was left out, with
-/// a word for the reader in `note`; without a readable file it has nothing but the note.
+/// a word for the reader in `note`; without a readable file it has nothing but the note. Modes are brought to one size
+/// by `factors`.
 PackedArrays packed_view(const std::filesystem::path& directory, bool modes, const ViewLimits& limits = {});
 
 }  // namespace nugget::report

@@ -52,7 +52,7 @@ class Report(CommandTest):
         page = Page(text)
         self.assertEqual(page.open, [], "every element is closed")
         self.assertEqual(page.loads, [], "nothing is loaded")
-        still = re.sub(r"<script.*?</script>", "", text, flags=re.DOTALL)  # the viewer's libraries name addresses, and load none (web/test)
+        still = re.sub(r"<script.*?</script>", "", text, flags=re.DOTALL)  # the viewer's libraries name addresses, and load none (web/drive.mjs)
         self.assertNotRegex(still.replace("http://www.w3.org/2000/svg", ""), r"https?://|@import|url\(")
         return page, text
 

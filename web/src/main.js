@@ -129,7 +129,7 @@ async function start() {
     if (section(id)) enhance(section(id), name);
   for (const row of document.querySelectorAll("tr.mode"))
     row.addEventListener("click", () => panel?.showMode(about.view.shown.indexOf(Number(row.cells[0].textContent) - 1)));
-  if (about.responses) responseBrowser(section("responses"), about.responses, arrays);
+  if (about.responses) responseBrowser(section("responses"), about.responses, arrays, units.frequency);
   if (section("histories")) browser = historyBrowser(section("histories"), histories, units.time, currentTime);
   for (const note of about.notes ?? []) section("histories")?.append(element("p", { class: "quiet" }, note));
 

@@ -8,10 +8,10 @@ const CORNER = 2.0775; // of the Butterworth filter run both ways, over the clas
 function evenly(times, values) {
   const count = times.length, step = (times[count - 1] - times[0]) / (count - 1);
   const even = { times: [], values: [] };
+  if (times.some((t, i) => i > 0 && !(t > times[i - 1]))) return null;
   for (let i = 0, k = 0; i < count; ++i) {
     const t = Math.min(times[0] + i * step, times[count - 1]);
     while (k < count - 2 && times[k + 1] < t) ++k;
-    if (!(times[k + 1] > times[k])) return null;
     const share = (t - times[k]) / (times[k + 1] - times[k]);
     even.times.push(t);
     even.values.push(values[k] + share * (values[k + 1] - values[k]));

@@ -23,8 +23,9 @@ export class ViewPanel {
     if (this.view.picturesOnly)
       parent.append(element("p", { class: "quiet" }, "This browser draws no WebGL: the view is a drawn picture, and slow to turn."));
     canvas.addEventListener("keydown", (event) => this.#key(event));
+    if (modes) this.mode = this.#firstElasticMode();
     this.colourBy(modes ? "displacement" : this.shape.fields.length ? "0" : "part");
-    if (modes) this.showMode(this.#firstElasticMode());
+    if (modes) this.showMode(this.mode);
     else this.showPlace(shape.states - 1);
   }
 
@@ -130,8 +131,12 @@ export class ViewPanel {
       });
       return input;
     };
-    const title = kind === "displacement" && this.modes ? "displacement, of the largest" : unit ? `${name} [${unit}]` : name;
-    this.legend.replaceChildren(element("div", {}, title), element("div", { class: "ramp", style: `background:${rampGradient}` }),
+
+    if (kind === "displacement" && this.modes) {
+      const ends = element("div", { class: "ends" }, element("span", {}, "0"), element("span", {}, "largest"));
+      return this.legend.replaceChildren(element("div", {}, name), element("div", { class: "ramp", style: `background:${rampGradient}` }), ends, ...welds);
+    }
+    this.legend.replaceChildren(element("div", {}, unit ? `${name} [${unit}]` : name), element("div", { class: "ramp", style: `background:${rampGradient}` }),
       element("div", { class: "ends" }, edit("low"), edit("high")),
       ...(kind === "field" ? [element("div", {}, `all states: ${number(this.shape.fields.find((f) => f.name === name).low)} to ${number(this.shape.fields.find((f) => f.name === name).high)}`)] : []), ...welds);
   }
@@ -178,12 +183,10 @@ export class ViewPanel {
     this.slider.value = this.mode;
     this.view.place = this.mode;
     this.time = null;
-    const largest = this.#largestDisplacement();
-    this.amplitude = largest > 0 ? (0.08 * this.shape.diagonal()) / largest : 1;
-    this.scaleInput.value = number(this.amplitude);
+    this.amplitude ??= 1; // of 6 % of the model's diagonal (view.cpp)
     this.view.scale = this.amplitude;
-    if (this.view.colouring.kind === "displacement") this.view.colouring = { kind: "displacement", low: 0, high: largest };
-    this.when.value = `mode ${this.shape.about.shown[this.mode] + 1}: ${number(this.shape.times[this.mode])} Hz`;
+    if (this.view.colouring.kind === "displacement") this.colourBy("displacement");
+    this.when.value = `mode ${this.shape.about.shown[this.mode] + 1}: ${withUnit(this.shape.times[this.mode], this.units.frequency)}`;
     this.onplace(null, this.shape.about.shown[this.mode]);
     this.view.show();
   }

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""report.html in a headless Chromium, without a network: web/drive.mjs turns it, plays it, clicks welds, sorts and saves tables,
+follows links. Skipped where Node, its packages or Chromium are missing."""
+import json
+import shutil
+import subprocess
+import unittest
+
+from lap_joint import deck
+from nugget_command import CommandTest, SOURCE
+from test_mode_studies import strips
+from test_responses import fields, frf, strip
+
+
+class InBrowser(CommandTest):
+    def drive(self, kind, folder="."):
+        node = shutil.which("node")
+        if not node or not (SOURCE / "web" / "node_modules" / "playwright-core").exists():
+            self.skipTest("no Node, or no packages in web/ (./dev setup)")
+        if 'id="run-data"' not in self.read(f"{folder}/report.html"):
+            self.skipTest("this program was built without the viewer")
+        run = subprocess.run([node, SOURCE / "web" / "drive.mjs", kind, self.folder / folder], capture_output=True, text=True, timeout=240)
+        if run.returncode == 77:
+            self.skipTest(run.stderr.strip())
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return json.loads(run.stdout)
+
+    def test_a_run(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        self.assertGreater(self.drive("impact")["colours"], 20)
+
+    def test_modes_of_welded_strips(self):
+        self.write(strips())
+        self.nugget("modes", "model.k", "-n", 12, "--quiet")
+        self.drive("modes")
+
+    def test_a_frequency_response(self):
+        self.write(strip(lambda tip: "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(5) +
+                         frf((tip, 0, 3, 3), (0.02,), (tip, 0, 3, 2), (0.0, 300.0, 100)), 20, 2))
+        self.nugget("frf", "model.k", "--quiet")
+        self.drive("responses")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drives report.html in a headless Chromium, offline: node drive.mjs KIND FOLDER [PICTURE.png]
+// KIND: impact, modes, responses. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
+// 77 where there is no Chromium.
+import assert from "node:assert/strict";
+import { existsSync, readFileSync } from "node:fs";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const [, , kind, folder, picture] = process.argv;
+const executablePath = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/google-chrome"].find((path) => path && existsSync(path));
+if (!executablePath) {
+  console.error("no Chromium here (apt-get install chromium, or set CHROMIUM)");
+  process.exit(77);
+}
+const browser = await chromium.launch({ executablePath, args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"] });
+const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, offline: true, acceptDownloads: true });
+const page = await context.newPage();
+const complaints = [];
+page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
+page.on("pageerror", (error) => complaints.push(error.stack));
+
+const address = pathToFileURL(resolve(folder, "report.html")).href;
+const began = Date.now();
+await page.goto(address);
+await page.waitForFunction(() => document.body.classList.contains("alive") && window.nugget.panel?.view.frames > 0, null, { timeout: 60000 })
+  .catch((error) => complaints.push(error.message));
+const measured = { milliseconds_to_first_picture: Date.now() - began };
+assert.deepEqual(complaints, []);
+
+/** Different colours in the middle of the canvas: an empty view has one or two. */
+const colours = () => page.evaluate(async () => {
+  const image = new Image();
+  image.src = window.nugget.panel.view.picture();
+  await image.decode();
+  const canvas = new OffscreenCanvas(image.width, image.height).getContext("2d");
+  canvas.drawImage(image, 0, 0);
+  const pixels = new Uint32Array(canvas.getImageData(0, 0, image.width, image.height).data.buffer);
+  return new Set(pixels).size;
+});
+const camera = () => page.evaluate(() => window.nugget.panel.view.camera.position.toArray());
+const text = (selector) => page.locator(selector).first().innerText();
+
+/** Saves what a button gives, as text. */
+async function saved(button) {
+  const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
+  return readFileSync(await download.path(), "utf8");
+}
+
+async function turn() {
+  const before = await camera(), box = await page.locator(".canvas").boundingBox();
+  await page.mouse.move(box.x + 200, box.y + 200);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 330, box.y + 240, { steps: 4 });
+  await page.mouse.up();
+  assert.notDeepEqual(await camera(), before, "the view turns with the mouse");
+}
+
+async function play() {
+  const place = () => page.evaluate(() => [window.nugget.panel.view.place, window.nugget.panel.view.scale]);
+  const before = await place();
+  await page.click("#play");
+  await page.waitForTimeout(400);
+  await page.click("#play");
+  assert.notDeepEqual(await place(), before, "play moves the model");
+}
+
+async function clickWeld() {
+  await page.click("text=fit");
+  const [id, x, y] = await page.evaluate(() => {
+    const { panel, welds } = window.nugget;
+    panel.view.look("+z");
+    panel.view.draw();
+    const weld = welds[0];
+    return [weld.id, ...panel.view.onScreen(weld)];
+  });
+  await page.mouse.click(x, y);
+  await page.waitForSelector("#weld-panel:not([hidden])");
+  assert.match(await text("#weld-panel h3"), new RegExp(`^Weld ${id}\\b`), "a click on the disc opens the weld");
+  assert.ok((await page.url()).includes(`weld=${id}`), "the address leads to the weld");
+}
+
+async function impact() {
+  measured.colours = await colours();
+  assert.ok(measured.colours > 20, "the model is drawn");
+  await turn();
+  await play();
+  await clickWeld();
+  assert.ok((await page.locator("#weld-panel .uplot").count()) > 0, "the weld's histories are drawn");
+  const heading = page.locator("#welds th").nth(7);  // shear
+  await heading.click();
+  const shear = await page.locator("#welds tr.weld td:nth-child(8)").allInnerTexts();
+  assert.deepEqual(shear, [...shear].sort((a, b) => a - b), "sorted by shear force");
+  const csv = await saved(page.locator(".tools button").first());
+  assert.equal(csv.trim().split("\r\n").length, 1 + shear.length, "the table as CSV");
+  for (const what of ["0", "displacement", "part"]) {
+    await page.selectOption("#colour-by", what);
+    assert.ok((await colours()) > 2, `coloured by ${what}`);
+  }
+  await page.selectOption("select[aria-label='cut plane']", "x");
+  await page.selectOption("select[aria-label='cut plane']", "no cut");
+  assert.ok((await page.locator("#histories .uplot").count()) === 1, "histories are drawn");
+  await page.selectOption("#histories select[aria-label='file']", "swforc");
+  const channels = await saved(page.locator("#histories button", { hasText: "CSV" }));
+  assert.match(channels, /^channel,unit,time,value\r\nswforc weld/);
+  await page.goto(`${address}#weld=${await page.evaluate(() => window.nugget.welds.at(-1).id)}&time=0`);
+  await page.reload();
+  await page.waitForSelector("#weld-panel:not([hidden])");
+  assert.equal(await page.evaluate(() => window.nugget.panel.view.place), 0, "the link leads to its time");
+}
+
+async function modes() {
+  assert.ok((await colours()) > 20, "the mode is drawn");
+  await page.locator("tr.mode").last().click();
+  const last = await page.locator("tr.mode").last().locator("td").first().innerText();
+  assert.match(await text("#when"), new RegExp(`^mode ${last}:`), "a click on a mode shows it");
+  await play();
+  await turn();
+}
+
+async function responses() {
+  const plots = () => page.locator("#responses .uplot").count();
+  assert.equal(await plots(), 2, "amplitude and phase");
+  const before = await page.locator("#responses canvas").first().evaluate((canvas) => canvas.toDataURL());
+  await page.locator("#responses label", { hasText: "linear" }).locator("input").check();
+  const after = await page.locator("#responses canvas").first().evaluate((canvas) => canvas.toDataURL());
+  assert.notEqual(after, before, "linear axes draw another picture");
+  assert.match(await text("#responses p"), /Peaks of/);
+}
+
+try {
+  await { impact, modes, responses }[kind]();
+  if (picture) await page.screenshot({ path: picture });
+  await page.setViewportSize({ width: 390, height: 800 });
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  assert.ok(wide <= 1, `on a narrow screen nothing reaches beyond the side (${wide} pixels)`);
+  assert.deepEqual(complaints, []);
+  console.log(JSON.stringify(measured));
+} catch (error) {
+  console.error(error.message, complaints.join("\n"));
+  process.exitCode = 1;
+} finally {
+  await browser.close();
+}
