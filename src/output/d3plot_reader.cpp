@@ -232,6 +232,7 @@ void read_shells(WordReader& in, const D3plotGeometry& g, D3plotState& s) {
 
 void read_beams(WordReader& in, const D3plotGeometry& g, D3plotState& s) {
   s.beams.resize(g.beams.size());
+  s.beam_points.clear();
   for (BeamRecord& r : s.beams) {
     for (double* value : {&r.axial, &r.shear_s, &r.shear_t, &r.moment_s, &r.moment_t, &r.torsion}) *value = in.real();
     for (int i = 0; i < g.beam_points; ++i) {
@@ -295,10 +296,15 @@ void D3plotReader::find_states(const fs::path& directory) {
 }
 
 D3plotState D3plotReader::read(std::size_t state) const {
+  D3plotState s;
+  read(state, s);
+  return s;
+}
+
+void D3plotReader::read(std::size_t state, D3plotState& s) const {
   const D3plotGeometry& g = geometry_;
   const Place& place = places_.at(state);
   WordReader in(place.member, read_bytes(place.member, place.offset, state_words_ * d3plot_word));
-  D3plotState s;
   s.time = in.real();
   read_globals(in, g, s);
   read_vectors(in, g.x.size(), s.x);
@@ -314,7 +320,6 @@ D3plotState D3plotReader::read(std::size_t state) const {
   read_alive(in, g.solids.size(), s.solid_alive);
   read_alive(in, g.shells.size(), s.shell_alive);
   read_alive(in, g.beams.size(), s.beam_alive);
-  return s;
 }
 
 }  // namespace nugget::output

@@ -24,6 +24,8 @@ class D3plotReader {
   const std::vector<double>& times() const { return times_; }
   /// Throws std::runtime_error where the file has become shorter.
   D3plotState read(std::size_t state) const;
+  /// Into a state that is there already: of a large file that saves most of the time.
+  void read(std::size_t state, D3plotState& into) const;
 
  private:
   struct Place {

@@ -89,7 +89,7 @@ void add_responses(PackedArrays& packed, const RunData& run) {
 }
 
 /// Most numbers of one file in the page.
-constexpr std::size_t most_of_file = 400'000;
+constexpr std::size_t most_of_file = 250'000;
 /// Times to which a file is thinned before channels are left out.
 constexpr std::size_t fewest_times = 200;
 

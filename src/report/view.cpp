@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "base/index.hpp"
@@ -37,7 +39,7 @@ double von_mises(const std::array<double, 6>& s) {
   return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
-/// A quantity of elements that colours facets; the largest of a shell's layers.
+/// A quantity of elements that colours them; the largest of a shell's layers.
 struct Field {
   const char *name, *dimension;
   double (*of_layer)(const StressRecord&);  ///< null: thickness
@@ -46,18 +48,55 @@ constexpr Field fields[] = {{"plastic strain", "", [](const StressRecord& r) { r
                             {"von Mises stress", "stress", [](const StressRecord& r) { return von_mises(r.stress); }},
                             {"thickness", "length", nullptr}};
 
-double field_of(const Field& field, const Facet& facet, const D3plotState& s, int layers) {
-  if (!facet.of_shell) return field.of_layer ? field.of_layer(s.solids[at(facet.element)]) : missing;
-  if (!field.of_layer) return s.shells[at(facet.element)].thickness;
+double of_shell(const Field& field, std::size_t shell, const D3plotState& s, std::size_t layers) {
+  if (!field.of_layer) return s.shells[shell].thickness;
   double largest = 0.0;
-  for (int i = 0; i < layers; ++i)
-    largest = std::max(largest, field.of_layer(s.shell_layers[at(facet.element) * at(layers) + at(i)]));
+  for (std::size_t i = 0; i < layers; ++i)
+    largest = std::max(largest, field.of_layer(s.shell_layers[shell * layers + i]));
   return largest;
 }
 
+/// What of a state the view shows.
+struct ShownState {
+  std::vector<Vec3d> x;
+  std::vector<char> shell_alive, solid_alive, beam_alive;
+  std::array<std::vector<float>, std::size(fields)> of_shells, of_solids;
+};
+
+ShownState shown_state(const D3plotGeometry& g, const D3plotState& s, bool modes) {
+  ShownState shown{s.x, s.shell_alive, s.solid_alive, s.beam_alive, {}, {}};
+  for (std::size_t f = 0; !modes && f < std::size(fields); ++f) {
+    for (std::size_t e = 0; e < g.shells.size(); ++e)
+      shown.of_shells[f].push_back(static_cast<float>(of_shell(fields[f], e, s, at(g.layers))));
+    for (std::size_t e = 0; e < g.solids.size(); ++e)
+      shown.of_solids[f].push_back(static_cast<float>(fields[f].of_layer ? fields[f].of_layer(s.solids[e]) : missing));
+  }
+  return shown;
+}
+
+/// States as they are asked for, each read once.
+class ShownStates {
+ public:
+  ShownStates(const D3plotReader& file, bool modes) : file_(file), modes_(modes) {}
+  const ShownState& operator[](std::size_t i) {
+    const auto found = known_.find(i);
+    if (found != known_.end()) return found->second;
+    file_.read(i, read_);
+    return known_.emplace(i, shown_state(file_.geometry(), read_, modes_)).first->second;
+  }
+  const D3plotReader& file() const { return file_; }
+  bool modes() const { return modes_; }
+
+ private:
+  const D3plotReader& file_;
+  bool modes_;
+  D3plotState read_;
+  std::map<std::size_t, ShownState> known_;
+};
+
 /// First chosen state in which each element is deleted; their number where it never is.
-std::vector<int> ends(std::size_t elements, const std::vector<D3plotState>& states,
-                      std::vector<char> D3plotState::*alive) {
+std::vector<int> ends(std::size_t elements, const std::vector<ShownState>& states,
+                      std::vector<char> ShownState::*alive) {
   std::vector<int> end(elements, static_cast<int>(states.size()));
   for (std::size_t e = 0; e < elements; ++e)
     for (std::size_t i = states.size(); i-- > 0 && (states[i].*alive)[e] == 0;) end[e] = static_cast<int>(i);
@@ -114,7 +153,7 @@ std::vector<std::uint16_t> in_steps(const std::vector<Vec3d>& x, const UsedNodes
 
 /// The box of what is seen in some state. Flat ones get some depth.
 Box box_of(const D3plotGeometry& g, const std::vector<Facet>& seen, const std::vector<int>& beam_end,
-           const std::vector<D3plotState>& states) {
+           const std::vector<ShownState>& states) {
   Box box;
   for (const Facet& facet : seen)
     for (const int node : facet.nodes) {
@@ -133,9 +172,9 @@ Box box_of(const D3plotGeometry& g, const std::vector<Facet>& seen, const std::v
 }
 
 void add_shapes(PackedArrays& arrays, const D3plotGeometry& g, const std::vector<Facet>& seen,
-                const std::vector<D3plotState>& states, Json& view) {
+                const std::vector<ShownState>& states, Json& view) {
   const UsedNodes used(g, seen);
-  const std::vector<int> beam_end = ends(g.beams.size(), states, &D3plotState::beam_alive);
+  const std::vector<int> beam_end = ends(g.beams.size(), states, &ShownState::beam_alive);
   const Box box = box_of(g, seen, beam_end, states);
   view["low"] = {box.low.x, box.low.y, box.low.z};
   view["high"] = {box.high.x, box.high.y, box.high.z};
@@ -180,30 +219,33 @@ void add_shapes(PackedArrays& arrays, const D3plotGeometry& g, const std::vector
 }
 
 /// 0 to 254 from the lowest to the highest value in any state; 255 where a facet has none.
-void add_fields(PackedArrays& arrays, const D3plotGeometry& g, const std::vector<Facet>& seen,
-                const std::vector<D3plotState>& states, Json& view) {
+void add_fields(PackedArrays& arrays, const std::vector<Facet>& seen, const std::vector<ShownState>& states,
+                Json& view) {
   constexpr double steps = 254.0;
   constexpr std::uint8_t none = 255;
   int number = 0;
-  for (const Field& field : fields) {
+  for (std::size_t f = 0; f < std::size(fields); ++f) {
+    const auto value_of = [&](const Facet& facet, const ShownState& state) {
+      return static_cast<double>((facet.of_shell ? state.of_shells : state.of_solids)[f][at(facet.element)]);
+    };
     double low = std::numeric_limits<double>::max(), high = -low;
-    std::vector<std::vector<double>> values(states.size());
     for (std::size_t i = 0; i < states.size(); ++i)
       for (const Facet& facet : seen) {
-        const double value = field_of(field, facet, states[i], g.layers);
-        values[i].push_back(value);
+        const double value = value_of(facet, states[i]);
         if (!std::isfinite(value) || static_cast<int>(i) < facet.from || static_cast<int>(i) >= facet.until) continue;
         low = std::min(low, value);
         high = std::max(high, value);
       }
     if (!(low < high)) continue;
-    view["fields"].push_back({{"name", field.name}, {"dimension", field.dimension}, {"low", low}, {"high", high}});
+    view["fields"].push_back(
+        {{"name", fields[f].name}, {"dimension", fields[f].dimension}, {"low", low}, {"high", high}});
     for (std::size_t i = 0; i < states.size(); ++i) {
       std::vector<std::uint8_t> scaled;
-      for (const double value : values[i])
-        scaled.push_back(std::isfinite(value) ? static_cast<std::uint8_t>(std::lround(
-                                                    steps * std::clamp((value - low) / (high - low), 0.0, 1.0)))
-                                              : none);
+      scaled.reserve(seen.size());
+      for (const Facet& facet : seen) {
+        const double value = value_of(facet, states[i]), share = std::clamp((value - low) / (high - low), 0.0, 1.0);
+        scaled.push_back(std::isfinite(value) ? static_cast<std::uint8_t>(std::lround(steps * share)) : none);
+      }
       arrays.add(fmt::format("field{}_{}", number, i), std::span<const std::uint8_t>(scaled));
     }
     ++number;
@@ -224,11 +266,11 @@ void describe(const D3plotReader& file, const std::vector<std::size_t>& chosen, 
 
 /// Modes have any size (their mass is normalized): each is brought to 6 % of the model's diagonal, by the factors
 /// that are returned.
-std::vector<double> scale_modes(const D3plotGeometry& g, std::vector<D3plotState>& states) {
+std::vector<double> scale_modes(const D3plotGeometry& g, std::vector<ShownState>& states) {
   Box box;
   for (const Vec3d& x : g.x) box.add(x);
   std::vector<double> factors;
-  for (D3plotState& state : states) {
+  for (ShownState& state : states) {
     double largest = 0.0;
     for (std::size_t i = 0; i < g.x.size(); ++i) largest = std::max(largest, norm(state.x[i] - g.x[i]));
     const double factor = largest > 0.0 ? 0.06 * norm(box.high - box.low) / largest : 1.0;
@@ -239,23 +281,23 @@ std::vector<double> scale_modes(const D3plotGeometry& g, std::vector<D3plotState
 }
 
 /// The view with these states.
-PackedArrays with_states(const D3plotReader& file, const std::vector<std::size_t>& chosen, bool modes) {
+PackedArrays with_states(ShownStates& of_file, const std::vector<std::size_t>& chosen) {
+  const D3plotReader& file = of_file.file();
   const D3plotGeometry& g = file.geometry();
-  std::vector<D3plotState> states;
-  for (const std::size_t i : chosen) {
-    states.push_back(file.read(i));
-    states.back().v = {}, states.back().a = {};
-  }
+  const bool modes = of_file.modes();
+  std::vector<ShownState> states;
+  states.reserve(chosen.size());
+  for (const std::size_t i : chosen) states.push_back(of_file[i]);
   const std::vector<Facet> seen =
-      facets(g, ends(g.shells.size(), states, &D3plotState::shell_alive),
-             ends(g.solids.size(), states, &D3plotState::solid_alive), static_cast<int>(states.size()));
+      facets(g, ends(g.shells.size(), states, &ShownState::shell_alive),
+             ends(g.solids.size(), states, &ShownState::solid_alive), static_cast<int>(states.size()));
   PackedArrays arrays;
   Json& view = arrays.about["view"];
   describe(file, chosen, seen, view);
   view["modes"] = modes;
   if (modes) view["factors"] = scale_modes(g, states);
   add_shapes(arrays, g, seen, states, view);
-  if (!modes) add_fields(arrays, g, seen, states, view);
+  if (!modes) add_fields(arrays, seen, states, view);
   return arrays;
 }
 
@@ -279,21 +321,23 @@ PackedArrays packed_view(const fs::path& directory, bool modes, const ViewLimits
     return none;
   }
   const std::size_t count = file->times().size();
-  // What a state takes is measured on two of them, so that a large file is not packed more often than needed.
+  ShownStates states(*file, modes);
+  // What a state takes is measured on two of them, so that of a large file no more are read than are shown.
   std::size_t stride = 1;
-  if (count > 2) {
-    const std::size_t two = with_states(*file, {0, count - 1}, modes).text().size();
-    const std::size_t one = with_states(*file, {0}, modes).text().size();
+  if (count > 2 && count * points > limits.text / 10) {
+    const std::size_t two = with_states(states, {0, count - 1}).text().size(),
+                      one = with_states(states, {0}).text().size();
     const std::size_t of_state = std::max<std::size_t>(1, two - std::min(two, one)), base = std::min(one, limits.text);
     const std::size_t fit = std::max<std::size_t>(2, 1 + (limits.text - base) / of_state);
     stride = (count - 1 + fit - 2) / (fit - 1);
   }
   for (;; stride *= 2) {
-    PackedArrays arrays = with_states(*file, every(stride, count), modes);
-    const std::size_t shown = every(stride, count).size();
+    const std::vector<std::size_t> chosen = every(stride, count);
+    PackedArrays arrays = with_states(states, chosen);
     if (stride < count && arrays.text().size() > limits.text) continue;
-    if (shown < count)
-      arrays.about["view"]["note"] = fmt::format("{} of {} states are shown; {} has all.", shown, count, g.stem());
+    if (chosen.size() < count)
+      arrays.about["view"]["note"] =
+          fmt::format("{} of {} states are shown; {} has all.", chosen.size(), count, g.stem());
     return arrays;
   }
 }

@@ -56,7 +56,8 @@ export class ViewPanel {
       ...this.shape.fields.map((f, i) => element("option", { value: i }, f.name)), element("option", { value: "displacement" }, "displacement"));
     colours.addEventListener("change", () => this.colourBy(colours.value));
     this.colourList = colours;
-    const edges = element("input", { type: "checkbox", checked: true });
+    this.view.edges = this.shape.facets < 100000;
+    const edges = element("input", { type: "checkbox", checked: this.view.edges });
     edges.addEventListener("change", () => ((this.view.edges = edges.checked), this.view.show()));
     const axis = element("select", { "aria-label": "cut plane" }, ...["no cut", "x", "y", "z"].map((a) => element("option", { value: a }, a === "no cut" ? a : `cut ${a}`)));
     const where = element("input", { type: "range", min: 0, max: 1, step: 0.001, value: 0.5, "aria-label": "place of the cut", disabled: true });
