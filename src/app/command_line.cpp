@@ -329,6 +329,16 @@ int nugget::app::command_line(int argc, char** argv) {
   CLI::App* report_command = cli.add_subcommand("report", "(re)make report.html from the results in a folder");
   report_command->add_option("directory", results, "folder with summary.json")->required();
 
+  nugget::app::ConvertArguments convert;
+  CLI::App* convert_command = cli.add_subcommand("convert", "writes the results in a folder in another format");
+  convert_command->add_option("directory", convert.directory, "folder with summary.json")->required();
+  convert_command
+      ->add_option("--to", convert.to,
+                   "vtk: states, modes and welds as .vtu and .pvd for ParaView; csv: all histories as one table")
+      ->required()
+      ->check(CLI::IsMember(nugget::app::conversion_names()));
+  convert_command->add_option("-o,--output", convert.target, "folder for them (default: the results' own)");
+
   std::vector<std::string> words = translated(argc, argv);
   if (is_unknown_command(cli, words)) {
     fmt::print(stderr,
@@ -366,6 +376,7 @@ int nugget::app::command_line(int argc, char** argv) {
   if (fit_command->parsed()) return static_cast<int>(nugget::app::fit(fit));
   if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
   if (coverage_command->parsed()) return static_cast<int>(nugget::app::coverage(coverage));
+  if (convert_command->parsed()) return static_cast<int>(nugget::app::convert(convert));
   if (report_command->parsed()) return static_cast<int>(nugget::app::report(results));
   return static_cast<int>(nugget::app::keywords(keyword));
 }

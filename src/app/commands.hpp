@@ -53,6 +53,12 @@ struct CheckArguments {
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 
+struct ConvertArguments {
+  std::string directory;  ///< with the results
+  std::string to;         ///< vtk: states, modes and welds as .vtu and .pvd; csv: all histories as one tidy table
+  std::string target;     ///< folder for what is written; empty: beside the results
+};
+
 struct WeldArguments {
   std::string points, deck, output;
   weld::WeldForm form = weld::WeldForm::beam;
@@ -114,6 +120,10 @@ ExitCode adapt_welds(const WeldArguments& arguments);
 const std::vector<std::string>& unit_names();
 /// (Re)makes report.html of the results in a folder.
 ExitCode report(const std::string& directory);
+/// Writes the results of a folder in another format.
+ExitCode convert(const ConvertArguments& arguments);
+/// Names of these formats.
+const std::vector<std::string>& conversion_names();
 /// Ranks the welds of a finished run on standard output.
 ExitCode welds(const WeldsArguments& arguments);
 /// Makes and runs the coupons of a weld's card.

@@ -13,6 +13,7 @@
 #include "base/index.hpp"
 #include "output/d3plot_reader.hpp"
 #include "report/skin.hpp"
+#include "report/stress.hpp"
 
 namespace nugget::report {
 namespace {
@@ -34,17 +35,12 @@ std::vector<std::size_t> every(std::size_t stride, std::size_t states) {
   return chosen;
 }
 
-double von_mises(const std::array<double, 6>& s) {
-  const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-}
-
 /// A quantity of elements that colours them; the largest of a shell's layers.
 struct Field {
   const char *name, *dimension;
   double (*of_layer)(const StressRecord&);  ///< null: thickness
 };
-constexpr Field fields[] = {{"plastic strain", "", [](const StressRecord& r) { return r.plastic_strain; }},
+constexpr Field colour_fields[] = {{"plastic strain", "", [](const StressRecord& r) { return r.plastic_strain; }},
                             {"von Mises stress", "stress", [](const StressRecord& r) { return von_mises(r.stress); }},
                             {"thickness", "length", nullptr}};
 
@@ -60,16 +56,16 @@ double of_shell(const Field& field, std::size_t shell, const D3plotState& s, std
 struct ShownState {
   std::vector<Vec3d> x;
   std::vector<char> shell_alive, solid_alive, beam_alive;
-  std::array<std::vector<float>, std::size(fields)> of_shells, of_solids;
+  std::array<std::vector<float>, std::size(colour_fields)> of_shells, of_solids;
 };
 
 ShownState shown_state(const D3plotGeometry& g, const D3plotState& s, bool modes) {
   ShownState shown{s.x, s.shell_alive, s.solid_alive, s.beam_alive, {}, {}};
-  for (std::size_t f = 0; !modes && f < std::size(fields); ++f) {
+  for (std::size_t f = 0; !modes && f < std::size(colour_fields); ++f) {
     for (std::size_t e = 0; e < g.shells.size(); ++e)
-      shown.of_shells[f].push_back(static_cast<float>(of_shell(fields[f], e, s, at(g.layers))));
+      shown.of_shells[f].push_back(static_cast<float>(of_shell(colour_fields[f], e, s, at(g.layers))));
     for (std::size_t e = 0; e < g.solids.size(); ++e)
-      shown.of_solids[f].push_back(static_cast<float>(fields[f].of_layer ? fields[f].of_layer(s.solids[e]) : missing));
+      shown.of_solids[f].push_back(static_cast<float>(colour_fields[f].of_layer ? colour_fields[f].of_layer(s.solids[e]) : missing));
   }
   return shown;
 }
@@ -224,7 +220,7 @@ void add_fields(PackedArrays& arrays, const std::vector<Facet>& seen, const std:
   constexpr double steps = 254.0;
   constexpr std::uint8_t none = 255;
   int number = 0;
-  for (std::size_t f = 0; f < std::size(fields); ++f) {
+  for (std::size_t f = 0; f < std::size(colour_fields); ++f) {
     const auto value_of = [&](const Facet& facet, const ShownState& state) {
       return static_cast<double>((facet.of_shell ? state.of_shells : state.of_solids)[f][at(facet.element)]);
     };
@@ -238,7 +234,7 @@ void add_fields(PackedArrays& arrays, const std::vector<Facet>& seen, const std:
       }
     if (!(low < high)) continue;
     view["fields"].push_back(
-        {{"name", fields[f].name}, {"dimension", fields[f].dimension}, {"low", low}, {"high", high}});
+        {{"name", colour_fields[f].name}, {"dimension", colour_fields[f].dimension}, {"low", low}, {"high", high}});
     for (std::size_t i = 0; i < states.size(); ++i) {
       std::vector<std::uint8_t> scaled;
       scaled.reserve(seen.size());
