@@ -70,7 +70,8 @@ std::vector<std::string> entities(const BinoutReader& binout, const ReadBranch& 
   for (std::size_t i = 0; i < ids.size(); ++i) {
     std::string name = fmt::format("{} {:.0f}", branch.kind, ids[i]);
     if (i < sides.size()) name += sides[i] == 0.0 ? " tracked side" : " reference side";
-    if (!nodal.empty() && static_cast<double>(i) >= static_cast<double>(ids.size()) - nodal[0]) name.insert(0, "nodal ");
+    if (!nodal.empty() && static_cast<double>(i) >= static_cast<double>(ids.size()) - nodal[0])
+      name.insert(0, "nodal ");
     names.push_back(name);
   }
   return names;

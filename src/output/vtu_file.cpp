@@ -16,7 +16,7 @@ class AppendedArrays {
  public:
   template <class T>
   std::string add(const char* type, const std::string& name, int components, const std::vector<T>& values) {
-    const std::string element = fmt::format(
+    std::string element = fmt::format(
         "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n", type,
         name, components, bytes_.size());
     const std::uint64_t size = values.size() * sizeof(T);

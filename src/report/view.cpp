@@ -40,9 +40,10 @@ struct Field {
   const char *name, *dimension;
   double (*of_layer)(const StressRecord&);  ///< null: thickness
 };
-constexpr Field colour_fields[] = {{"plastic strain", "", [](const StressRecord& r) { return r.plastic_strain; }},
-                            {"von Mises stress", "stress", [](const StressRecord& r) { return von_mises(r.stress); }},
-                            {"thickness", "length", nullptr}};
+constexpr Field colour_fields[] = {
+    {"plastic strain", "", [](const StressRecord& r) { return r.plastic_strain; }},
+    {"von Mises stress", "stress", [](const StressRecord& r) { return von_mises(r.stress); }},
+    {"thickness", "length", nullptr}};
 
 double of_shell(const Field& field, std::size_t shell, const D3plotState& s, std::size_t layers) {
   if (!field.of_layer) return s.shells[shell].thickness;
@@ -65,7 +66,8 @@ ShownState shown_state(const D3plotGeometry& g, const D3plotState& s, bool modes
     for (std::size_t e = 0; e < g.shells.size(); ++e)
       shown.of_shells[f].push_back(static_cast<float>(of_shell(colour_fields[f], e, s, at(g.layers))));
     for (std::size_t e = 0; e < g.solids.size(); ++e)
-      shown.of_solids[f].push_back(static_cast<float>(colour_fields[f].of_layer ? colour_fields[f].of_layer(s.solids[e]) : missing));
+      shown.of_solids[f].push_back(
+          static_cast<float>(colour_fields[f].of_layer ? colour_fields[f].of_layer(s.solids[e]) : missing));
   }
   return shown;
 }
