@@ -235,21 +235,31 @@ int nugget::app::command_line(int argc, char** argv) {
   weld_command->add_option("--reach", weld.search_distance, "how far a sheet may be from a point (default: 3 t)")
       ->check(length);
   weld_command->add_option("--material", weld.material,
-                           "[CLASS:]FIELD=VALUE,... of *MAT_SPOTWELD, e.g. nrr=8000,nrs=6000");
+                           "[CLASS:]FIELD=VALUE,... of *MAT_SPOTWELD, e.g. nrr=8000,nrs=6000; strengths hold for every "
+                           "weld as given, whatever its diameter, unless --scale-strength is given");
+  CLI::Option* scale_strength = weld_command
+                                    ->add_option("--scale-strength", weld.strength_diameter,
+                                                 "diameter D of the weld that the strengths of --material are of: a "
+                                                 "weld of diameter d has nrr, nrs, nrt by (d/D)^2, mrr, mss, mtt by "
+                                                 "(d/D)^3")
+                                    ->check(length);
   weld_command->add_option("-j,--threads", weld.threads, "threads (default: all cores)")->check(count);
   weld_command
       ->add_option("--stack", weld.stack,
                    "no placement, but the card of a weld through these sheets: T:RM,T:RM,... thickness in mm, tensile "
                    "strength in MPa")
       ->delimiter(',')
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->excludes(scale_strength);
   weld_command->add_option("--rule", weld.rule, "of --stack: diameter over sqrt(t), 4 or 5 (default)")
       ->check(CLI::IsMember({4, 5}));
   weld_command->add_option("--units", weld.units, "of the card of --stack (default: \"mm, t, s\")")
       ->check(CLI::IsMember(nugget::app::unit_names()));
-  weld_command->add_flag("--adapt", weld.adapt,
-                         "no placement, but MODEL.k with the sheets around its welds meshed so that each weld stands "
-                         "over the centre of an element of its size");
+  weld_command
+      ->add_flag("--adapt", weld.adapt,
+                 "no placement, but MODEL.k with the sheets around its welds meshed so that each weld stands "
+                 "over the centre of an element of its size")
+      ->excludes(scale_strength);
   weld_command
       ->add_option("--least-step", weld.least_step,
                    "of --adapt: share of the time step of the shells around a weld that must be left (default: 0.7)")

@@ -64,6 +64,7 @@ struct WeldArguments {
   weld::WeldForm form = weld::WeldForm::beam;
   double search_distance = 0.0, diameter = 0.0;  ///< see weld::PlacementOptions
   std::vector<std::string> material;             ///< `[CLASS:]FIELD=VALUE,...` of *MAT_SPOTWELD
+  double strength_diameter = 0.0;                ///< see weld::GivenMaterial
   std::vector<std::string> stack;                ///< `T:RM` of each sheet, in mm and MPa: a card and no placement
   std::string units = "mm, t, s";                ///< of that card
   double rule = 5.0;                             ///< diameter over sqrt(t)

@@ -80,6 +80,10 @@ void take_sheets(const model::Model& model, const CouponArguments& arguments, Ta
   }
 }
 
+double mean_diameter(const model::SectionBeam& section) {
+  return 0.5 * (section.outer[0] + section.outer[1]);
+}
+
 /// The weld: section and diameter of the card, or what was asked for, or 5 sqrt(t) in mm of the thinner sheet.
 void take_weld(const model::Model& model, const CouponArguments& arguments, TakenCard& taken) {
   weld::CouponCard& card = taken.card;
@@ -91,9 +95,12 @@ void take_weld(const model::Model& model, const CouponArguments& arguments, Take
   if (arguments.diameter > 0.0) {
     card.diameter = arguments.diameter;
     from = "as asked for";
+    if (!sections.empty() && mean_diameter(*sections.front()) != card.diameter)
+      from += fmt::format("; {:.4g} in section {} of the card, whose strengths are taken as they stand",
+                          mean_diameter(*sections.front()), sections.front()->id);
   } else if (!sections.empty()) {
     card.weld_section = sections.front()->id;
-    card.diameter = 0.5 * (sections.front()->outer[0] + sections.front()->outer[1]);
+    card.diameter = mean_diameter(*sections.front());
     from = fmt::format("section {} of the card", card.weld_section);
   } else {
     card.diameter = 5.0 * std::sqrt(thinner / card.units.millimetre) * card.units.millimetre;

@@ -40,13 +40,20 @@ std::string read_fields(const std::string& text, std::map<std::string, weld::Wel
   return {};
 }
 
+bool has_strengths(const std::map<std::string, weld::WeldFields>& fields) {
+  for (const auto& [spot_class, own] : fields)
+    for (const auto& [field, value] : own)
+      if (weld::strength_power(field) > 0) return true;
+  return false;
+}
+
 ExitCode refuse(const Findings& findings) {
   print_findings(findings);
   fmt::print(stderr, "no welds were placed; no file was changed\n");
   return ExitCode::refused;
 }
 
-ExitCode place_welds(const WeldArguments& arguments, const std::map<std::string, weld::WeldFields>& fields) {
+ExitCode place_welds(const WeldArguments& arguments, const weld::GivenMaterial& given) {
   use_threads(arguments.threads);
   Findings findings;
   const deck::Deck deck = deck::read(arguments.deck, findings);
@@ -62,7 +69,7 @@ ExitCode place_welds(const WeldArguments& arguments, const std::map<std::string,
   if (own.errors() > 0) return refuse(own);
   const fs::path folder = fs::absolute(arguments.output).parent_path();
   const std::string included = fs::proximate(fs::absolute(arguments.deck), folder).generic_string();
-  const weld::PlacementDeck placed = weld::write_placement(model, sheets, spots, arguments.form, fields, included, own);
+  const weld::PlacementDeck placed = weld::write_placement(model, sheets, spots, arguments.form, given, included, own);
   if (own.errors() > 0 || placed.spots == 0) return refuse(own);
   output::write_whole_file(arguments.output, placed.text);
   print_findings(own);
@@ -118,12 +125,18 @@ const std::vector<std::string>& unit_names() {
 }
 
 ExitCode weld(const WeldArguments& arguments) {
-  std::map<std::string, weld::WeldFields> fields;
+  weld::GivenMaterial given;
+  given.strength_diameter = arguments.strength_diameter;
   for (const std::string& text : arguments.material)
-    if (const std::string wrong = read_fields(text, fields); !wrong.empty()) {
+    if (const std::string wrong = read_fields(text, given.fields); !wrong.empty()) {
       fmt::print(stderr, "nugget: --material {}: {}\n", text, wrong);
       return ExitCode::wrong_command;
     }
+  if (given.strength_diameter > 0.0 && !has_strengths(given.fields)) {
+    fmt::print(stderr,
+               "nugget: --scale-strength: no strength is given; give some, e.g. --material nrr=8000,nrs=6000\n");
+    return ExitCode::wrong_command;
+  }
   std::error_code error;
   for (const std::string& input : {arguments.deck, arguments.points})
     if (fs::equivalent(arguments.output, input, error)) {
@@ -132,7 +145,7 @@ ExitCode weld(const WeldArguments& arguments) {
     }
   try {
     if (arguments.adapt) return adapt_welds(arguments);
-    return arguments.stack.empty() ? place_welds(arguments, fields) : weld_a_stack(arguments);
+    return arguments.stack.empty() ? place_welds(arguments, given) : weld_a_stack(arguments);
   } catch (const output::WriteError& e) {
     fmt::print(stderr, "nugget: {}\n", e.what());
     return ExitCode::cannot_write;

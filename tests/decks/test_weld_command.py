@@ -50,7 +50,7 @@ class Weld(CommandTest):
     def test_beams(self):
         run = self.place("--material", "nrr=8000,nrs=6000,nrt=6000", "--material", "inner:sigy=600")
         self.assertEqual(run.stdout, "2 of 2 spots placed as 2 beams; joined.k\n")
-        self.assertEqual(run.stderr, "")
+        self.assertEqual([line.split(": ", 2)[1] for line in run.stderr.splitlines()], ["note", "note"], run.stderr)
         text = self.read("joined.k")
         self.assertIn("*INCLUDE\ncar/sheets.k\n", text)
         self.nugget("check", "joined.k", "-o", "audit")
@@ -64,6 +64,24 @@ class Weld(CommandTest):
         self.assertGreater(inner["peak"]["shear"], 100.0)
         self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, 4)
         self.assertIn("swforc", self.files("results"))
+
+    def test_strengths_over_the_diameter(self):
+        """The same strengths for 4 and 6 mm are warned of; --scale-strength brings them to each weld's diameter."""
+        points = "9,9,0.6,6.0\n9,4.5,0.5,4.0\n"
+        strengths = ("--material", "nrr=9000,nrs=7200,nrt=7200,mrr=27000,mss=27000,mtt=27000")
+        run = self.place(*strengths, points=points)
+        self.assertIn("welds of diameters 4 to 6 have the same strengths, the smallest those of the largest: NRR = 9000, ",
+                      run.stderr)
+        run = self.place(*strengths, "--scale-strength", "6", points=points)
+        self.assertIn("welds of diameter 4 have NRR = 4000, NRS = 3200, NRT = 3200, MRR = 8000, MSS = 8000, MTT = 8000, scaled "
+                      "from diameter 6", run.stderr)
+        self.assertNotIn("warning", run.stderr)
+        self.nugget("check", "joined.k", "-o", "audit")
+        self.assertEqual([f for f in self.json("audit/findings.json") if f["severity"] == "error"], [])
+        for options, text in ((("--scale-strength", "6"), "no strength is given"),
+                              ((*strengths, "--scale-strength", "-6"), "'-6', expected a length above 0")):
+            self.assertIn(text, self.place(*options, points=points, expect=2).stderr)
+        self.nugget("weld", "--stack", "1.2:440,1.5:590", "-o", "card.k", "--scale-strength", "6", expect=2)
 
     def test_bricks(self):
         for form, count in (("solid", 1), ("solid4", 4), ("solid8", 8)):

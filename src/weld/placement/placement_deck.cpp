@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -47,10 +48,29 @@ struct WeldPart {
   std::string spot_class, diameter;  // the diameter as it will stand in the card
 };
 
+/// The strengths among the fields, as they would stand in a sentence: `NRR = 8000, NRS = 6000`; empty: none above 0.
+std::string name_strengths(const WeldFields& fields) {
+  std::string text;
+  for (const std::string& name : weld_fields()) {
+    const auto found = fields.find(name);
+    if (strength_power(name) == 0 || found == fields.end() || found->second == 0.0) continue;
+    text += text.empty() ? "" : ", ";
+    for (const char c : name) text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    text += fmt::format(" = {:.6g}", found->second);
+  }
+  return text;
+}
+
 class PlacementWriter {
  public:
-  PlacementWriter(const model::Model& model, const Sheets& sheets, WeldForm form, Findings& findings)
-      : model_(model), sheets_(sheets), form_(form), findings_(findings), units_(model::recognise_units(model)) {
+  PlacementWriter(const model::Model& model, const Sheets& sheets, WeldForm form, const GivenMaterial& given,
+                  Findings& findings)
+      : model_(model),
+        sheets_(sheets),
+        form_(form),
+        given_(given),
+        findings_(findings),
+        units_(model::recognise_units(model)) {
     node_ = largest_of(model.nodes.id);
     element_ = std::max({largest_of(model.shells.id), largest_of(model.solids.id), largest_of(model.beams.id)});
     part_ = std::max(largest(model.parts), largest(model.rigid_bodies));
@@ -61,8 +81,7 @@ class PlacementWriter {
     contact_ = largest(model.contacts);
   }
 
-  PlacementDeck write(const std::vector<Spot>& spots, const std::map<std::string, WeldFields>& fields,
-                      const std::string& included) {
+  PlacementDeck write(const std::vector<Spot>& spots, const std::string& included) {
     PlacementDeck deck;
     for (const Spot& spot : spots) {
       const std::size_t before = count_;
@@ -77,7 +96,7 @@ class PlacementWriter {
     // One after the other: each gives out ids that the next ones use.
     deck.text = head(included, deck.spots);
     deck.text += parts();
-    deck.text += materials(fields);
+    deck.text += materials();
     deck.text += ties();
     deck.text += mesh();
     return deck;
@@ -183,7 +202,7 @@ class PlacementWriter {
             "*SECTION_BEAM\n$#   secid    elform      shrf        qr       cst\n{:10d}{:10d}{:10.1f}{:10d}{:10d}\n"
             "$#     ts1       ts2       tt1       tt2\n{:>10}{:>10}{:10.1f}{:10.1f}\n",
             ++section_, 9, 1.0, 2, 1, p.diameter, p.diameter, 0.0, 0.0);
-      int& material = material_of_[p.spot_class];
+      int& material = material_of_[{p.spot_class, given_.strength_diameter > 0.0 ? p.diameter : std::string()}];
       if (material == 0) material = ++material_;
       s +=
           fmt::format("*PART\n{}\n$#     pid     secid       mid     eosid      hgid\n{:10d}{:10d}{:10d}{:10d}{:10d}\n",
@@ -193,7 +212,16 @@ class PlacementWriter {
     return s;
   }
 
-  std::string materials(const std::map<std::string, WeldFields>& given) {
+  /// What is given for a class.
+  WeldFields given_of(const std::string& spot_class) const {
+    WeldFields own;
+    for (const std::string& name : {std::string(), spot_class})
+      if (const auto found = given_.fields.find(name); found != given_.fields.end())
+        for (const auto& [field, value] : found->second) own[field] = value;
+    return own;
+  }
+
+  WeldFields default_fields() const {
     WeldFields usual{{"pr", 0.3}, {"dt", 0.0}, {"tfail", 0.0}};
     for (const std::string& name : weld_fields()) usual.try_emplace(name, 0.0);
     for (const char* name : {"ro", "e", "sigy", "eh"}) usual.erase(name);
@@ -204,16 +232,21 @@ class PlacementWriter {
                     {"sigy", 500.0 * megapascal},
                     {"eh", 1000.0 * megapascal}});
     }
+    return usual;
+  }
+
+  std::string materials() {
+    const WeldFields usual = default_fields();
     std::string s;
-    for (const auto& [spot_class, id] : material_of_) {
-      WeldFields own = usual;
-      bool failure = false;
-      for (const std::string& name : {std::string(), spot_class})
-        if (const auto found = given.find(name); found != given.end())
-          for (const auto& [field, value] : found->second) {
-            own[field] = value;
-            failure = failure || field == "efail" || field == "tfail" || field.front() == 'n' || field.front() == 'm';
-          }
+    for (const auto& [key, id] : material_of_) {
+      const auto& [spot_class, diameter] = key;
+      WeldFields own = given_of(spot_class);
+      const bool failure =
+          std::any_of(own.begin(), own.end(), [](const auto& f) { return strength_power(f.first) > 0; }) ||
+          own.count("efail") + own.count("tfail") > 0;
+      const std::string strengths =
+          diameter.empty() ? tell_same_strengths(spot_class, own) : scale_strengths(spot_class, diameter, own);
+      own.insert(usual.begin(), usual.end());
       for (const char* name : {"ro", "e", "sigy", "eh"})
         if (own.count(name) == 0) {
           findings_.error({model_.deck, 0, 0}, "*MAT_SPOTWELD",
@@ -222,18 +255,60 @@ class PlacementWriter {
           own[name] = 0.0;
         }
       s += fmt::format(
-          "$ {}{}\n", spot_class.empty() ? "All spots" : "Class " + spot_class,
+          "$ {}{}{}\n", spot_class.empty() ? "All spots" : "Class " + spot_class, strengths,
           failure ? "." : ". No failure is given: efail, or the resultants nrr to mtt, would say when a weld breaks.");
-      s += "*MAT_SPOTWELD\n$#     mid        ro         e        pr      sigy        eh        dt     tfail\n";
-      s += fmt::format("{:10d}", id);
-      for (const std::string& name : weld_fields()) {
-        if (name == "efail")
-          s += "\n$#   efail       nrr       nrs       nrt       mrr       mss       mtt        nf\n";
-        s += real_field(own[name]);
-      }
-      s += '\n';
+      s += material_card(id, own);
     }
     return s;
+  }
+
+  static std::string material_card(int id, const WeldFields& fields) {
+    std::string s = "*MAT_SPOTWELD\n$#     mid        ro         e        pr      sigy        eh        dt     tfail\n";
+    s += fmt::format("{:10d}", id);
+    for (const std::string& name : weld_fields()) {
+      if (name == "efail") s += "\n$#   efail       nrr       nrs       nrt       mrr       mss       mtt        nf\n";
+      s += real_field(fields.at(name));
+    }
+    return s + '\n';
+  }
+
+  /// Strengths as given, whatever the diameter: says so of the class. For the remark in the deck: nothing.
+  std::string tell_same_strengths(const std::string& spot_class, const WeldFields& own) {
+    const std::string strengths = name_strengths(own);
+    if (strengths.empty()) return {};
+    std::set<double> diameters;
+    for (const WeldPart& p : weld_parts_)
+      if (p.spot_class == spot_class) diameters.insert(std::strtod(p.diameter.c_str(), nullptr));
+    const std::string whose = spot_class.empty() ? "welds" : fmt::format("welds of class {}", spot_class);
+    if (diameters.size() == 1) {
+      findings_.note(
+          {model_.deck, 0, 0}, "*MAT_SPOTWELD",
+          fmt::format("{} of diameter {:.4g} have the strengths as given: {}", whose, *diameters.begin(), strengths),
+          "if these are of a weld of another diameter, give that: --scale-strength DIAMETER");
+      return {};
+    }
+    findings_.warning({model_.deck, 0, 0}, "*MAT_SPOTWELD",
+                      fmt::format("{} of diameters {:.4g} to {:.4g} have the same strengths, the smallest those of the "
+                                  "largest: {}",
+                                  whose, *diameters.begin(), *diameters.rbegin(), strengths),
+                      "--scale-strength DIAMETER, that of the weld they are of: forces by the square, moments by the "
+                      "cube of the diameter; or a class for each diameter with its own strengths");
+    return {};
+  }
+
+  /// Brings the strengths of a class from their diameter to that of its welds, and says so; a remark for the deck.
+  std::string scale_strengths(const std::string& spot_class, const std::string& diameter, WeldFields& own) {
+    const std::string before = name_strengths(own);
+    const double ratio = std::strtod(diameter.c_str(), nullptr) / given_.strength_diameter;
+    for (auto& [field, value] : own)
+      if (const int power = strength_power(field); power > 0) value *= std::pow(ratio, power);
+    if (before.empty() || before == name_strengths(own)) return {};
+    findings_.note({model_.deck, 0, 0}, "*MAT_SPOTWELD",
+                   fmt::format("welds{} of diameter {} have {}, scaled from diameter {:.4g}: {}",
+                               spot_class.empty() ? "" : " of class " + spot_class, diameter, name_strengths(own),
+                               given_.strength_diameter, before));
+    return fmt::format(", diameter {}: {} of diameter {:.5g}, forces by (d/D)^2, moments by (d/D)^3", diameter, before,
+                       given_.strength_diameter);
   }
 
   static std::string id_lines(const std::vector<int>& ids) {
@@ -272,6 +347,7 @@ class PlacementWriter {
   const model::Model& model_;
   const Sheets& sheets_;
   WeldForm form_;
+  const GivenMaterial& given_;
   Findings& findings_;
   std::optional<model::Units> units_;
   int node_ = 0, element_ = 0, part_ = 0, section_ = 0, material_ = 0, hourglass_ = 0, set_ = 0, contact_ = 0;
@@ -279,7 +355,7 @@ class PlacementWriter {
   std::string nodes_, elements_;
   std::vector<WeldPart> weld_parts_;
   std::set<int> sheet_parts_;
-  std::map<std::string, int> material_of_;  // by class
+  std::map<std::pair<std::string, std::string>, int> material_of_;  // by class, and diameter where strengths scale
 };
 
 }  // namespace
@@ -290,10 +366,15 @@ const std::vector<std::string>& weld_fields() {
   return names;
 }
 
+int strength_power(const std::string& field) {
+  static const std::set<std::string> forces{"nrr", "nrs", "nrt"}, moments{"mrr", "mss", "mtt"};
+  return forces.count(field) > 0 ? 2 : moments.count(field) > 0 ? 3 : 0;
+}
+
 PlacementDeck write_placement(const model::Model& model, const Sheets& sheets, const std::vector<Spot>& spots,
-                              WeldForm form, const std::map<std::string, WeldFields>& fields,
-                              const std::string& included, Findings& findings) {
-  return PlacementWriter(model, sheets, form, findings).write(spots, fields, included);
+                              WeldForm form, const GivenMaterial& given, const std::string& included,
+                              Findings& findings) {
+  return PlacementWriter(model, sheets, form, given, findings).write(spots, included);
 }
 
 }  // namespace nugget::weld

@@ -15,6 +15,13 @@ enum class WeldForm { beam, solid, solid4, solid8 };
 /// Fields of *MAT_SPOTWELD by their names (`sigy`, `nrr`), for one class of spots.
 using WeldFields = std::map<std::string, double>;
 
+/// What is given of *MAT_SPOTWELD.
+struct GivenMaterial {
+  std::map<std::string, WeldFields> fields;  ///< by class; the class "" holds for all
+  /// Diameter of the weld that the strengths NRR to MTT are those of; 0: they hold for every weld as they are [length]
+  double strength_diameter = 0.0;
+};
+
 struct PlacementDeck {
   std::string text;  ///< the deck
   std::size_t spots = 0, elements = 0;
@@ -23,17 +30,22 @@ struct PlacementDeck {
 /// A deck that includes `included` (as written after *INCLUDE) and adds the welds, with all that a run needs of them:
 /// nodes, elements, a part for each class and diameter, sections, a material for each class, hourglass control of
 /// bricks, sets, one *CONTACT_SPOTWELD, *DATABASE_SWFORC unless the model has it. Ids begin above the model's own.
-/// Beams of one stack share the nodes in its middle sheets; bricks stand on the sheets with every corner. `fields` by
-/// class; the class "" holds for all. Density and stiffness default to steel's in the units of the model, yield to 500
-/// MPa, hardening to 1000 MPa.
+/// Beams of one stack share the nodes in its middle sheets; bricks stand on the sheets with every corner. Density and
+/// stiffness default to steel's in the units of the model, yield to 500 MPa, hardening to 1000 MPa. With a strength
+/// diameter D a weld of diameter d has the given NRR, NRS, NRT by (d/D)^2 and MRR, MSS, MTT by (d/D)^3, in a material
+/// for each class and diameter.
 ///
 /// Findings: fields without a default where the units are not known, bricks that reach over the edge of a sheet (left
-/// out), ids too large for their columns.
+/// out), ids too large for their columns; of which diameters the given strengths are (a warning where welds of several
+/// diameters have the same).
 PlacementDeck write_placement(const model::Model& model, const Sheets& sheets, const std::vector<Spot>& spots,
-                              WeldForm form, const std::map<std::string, WeldFields>& fields,
-                              const std::string& included, Findings& findings);
+                              WeldForm form, const GivenMaterial& given, const std::string& included,
+                              Findings& findings);
 
 /// Names of the fields that may be given, in the order of the cards.
 const std::vector<std::string>& weld_fields();
+/// How a strength grows with the diameter: 2 of a force (`nrr`, `nrs`, `nrt`), 3 of a moment (`mrr`, `mss`, `mtt`); 0
+/// of every other field.
+int strength_power(const std::string& field);
 
 }  // namespace nugget::weld

@@ -142,8 +142,59 @@ TEST(Placement, BeamsOfAStackShareTheNodesBetweenAndBricksTheirFaces) {
   EXPECT_EQ(write_placement(a.model, sheets, placed.spots, WeldForm::solid8, {}, "m.k", findings).elements, 16u);
   EXPECT_EQ(findings.all().size(), 0u) << text(findings);
   EXPECT_THAT(
-      write_placement(a.model, sheets, placed.spots, WeldForm::beam, {{"", {{"nrr", 8000.0}}}}, "m.k", findings).text,
+      write_placement(a.model, sheets, placed.spots, WeldForm::beam, {{{"", {{"nrr", 8000.0}}}}}, "m.k", findings).text,
       HasSubstr("         0      8000         0"));
+}
+
+/// The lines of the second card of each *MAT_SPOTWELD.
+std::vector<std::string> strength_lines(const std::string& deck) {
+  std::vector<std::string> lines;
+  const std::string head = "mtt        nf\n";
+  for (std::size_t at = deck.find(head); at != std::string::npos; at = deck.find(head, at + 1)) {
+    const std::size_t begin = at + head.size();
+    lines.push_back(deck.substr(begin, deck.find('\n', begin) - begin));
+  }
+  return lines;
+}
+
+TEST(Placement, StrengthsHoldForEveryDiameterUnlessTheirsIsGiven) {
+  const Stack a;
+  std::vector<SpotPoint> list{at(12, 20, 1.0, {1, 2}), at(36, 20, 1.0, {1, 2})};
+  list[0].diameter = 4.0;
+  list[1].diameter = 6.0;
+  const Placed placed(a, list);
+  ASSERT_EQ(placed.spots.size(), 2u) << text(placed.findings);
+  const Sheets sheets(a.model);
+  GivenMaterial given{{{"", {{"nrr", 7200.0}, {"mss", 27000.0}, {"efail", 0.25}, {"nf", 3.0}, {"sigy", 400.0}}}}};
+  Findings same;
+  const std::string as_given = write_placement(a.model, sheets, placed.spots, WeldForm::beam, given, "m.k", same).text;
+  EXPECT_EQ(
+      strength_lines(as_given),
+      (std::vector<std::string>{"      0.25      7200         0         0         0     27000         0         3"}));
+  EXPECT_EQ(same.warnings(), 1);
+  EXPECT_THAT(text(same), HasSubstr("welds of diameters 4 to 6 have the same strengths, the smallest those of the "
+                                    "largest: NRR = 7200, MSS = 27000 [--scale-strength"));
+  given.strength_diameter = 6.0;
+  Findings scaled;
+  const std::string by = write_placement(a.model, sheets, placed.spots, WeldForm::beam, given, "m.k", scaled).text;
+  EXPECT_EQ(
+      strength_lines(by),
+      (std::vector<std::string>{"      0.25      3200         0         0         0      8000         0         3",
+                                "      0.25      7200         0         0         0     27000         0         3"}))
+      << "forces by (4/6)^2, moments by (4/6)^3, the rest as given";
+  EXPECT_EQ(scaled.warnings(), 0);
+  EXPECT_THAT(text(scaled), HasSubstr("welds of diameter 4 have NRR = 3200, MSS = 8000, scaled from diameter 6: NRR = "
+                                      "7200, MSS = 27000"));
+}
+
+TEST(Placement, StrengthsOfOneDiameterAreNoted) {
+  const Stack a;
+  const Placed placed(a, {at(12, 20, 1.0)}, {0.0, 4.0});
+  Findings findings;
+  write_placement(a.model, Sheets(a.model), placed.spots, WeldForm::beam, {{{"", {{"nrs", 6000.0}}}}}, "m.k", findings);
+  EXPECT_EQ(findings.warnings(), 0);
+  EXPECT_THAT(text(findings), HasSubstr("note: *MAT_SPOTWELD: welds of diameter 4 have the strengths as given: NRS = "
+                                        "6000 [if these are of a weld of another diameter"));
 }
 
 TEST(Placement, BricksOverTheEdgeAreToldAndLeftOut) {
