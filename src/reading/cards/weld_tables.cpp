@@ -118,7 +118,7 @@ struct ConnectionCard {
 const CardOf<ConnectionCard> connection_table_card{
     {&ConnectionCard::con_id, id("con_id", IdSpace::define, required, "number of this connection")},
     {&ConnectionCard::proprul,
-     integer("proprul", 0, between(0, 1), "which sheet counts: 0 and 1 that of lower rank; functions are not built")},
+     integer("proprul", 0, at_least(0), "which sheet counts: 0 and 1 that of lower rank; functions are not built")},
     {&ConnectionCard::areaeq,
      integer("areaeq", 0, between(-1, 1), "area: 0 as modelled, 1 of diameter 5 sqrt(t) in mm, -1 the same in m")},
     unused(),
@@ -327,10 +327,21 @@ void warn_of_hyperbola(Builder& b, const RowOf<RecordCard>& row) {
                                    "hyperbolic damage is not public: the damage is linear", "leave it blank");
 }
 
+/// PROPRUL 2 and more: functions of both sheets, whose arguments are not public.
+void refuse_functions_of_both_sheets(Builder& b, const RowOf<ConnectionCard>& first) {
+  if (first->proprul <= 1) return;
+  refuse(
+      b, first[&ConnectionCard::proprul],
+      "SIGY to GFAD would be functions of both sheets (*DEFINE_FUNCTION), the order of whose arguments is not public; "
+      "expected 0 or 1: the values of the sheet material of lower RANK",
+      "give each sheet material its values in a record of its own (MID), and PROPRUL 1");
+}
+
 void read_connection_table(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const auto first = cursor.read(connection_table_card);
+  refuse_functions_of_both_sheets(b, first);
   const auto second = cursor.read(connection_default_card);
   const auto third = cursor.read(connection_default_more_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
@@ -354,6 +365,7 @@ void read_connection_add(Builder& b, const Block& block, const Options& options)
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const auto first = cursor.read(connection_table_card);
+  refuse_functions_of_both_sheets(b, first);
   const std::vector<MaterialRows> rows = material_rows(cursor);
   // One phase later than the connections themselves.
   b.defer(Phase::mesh, [first, rows](Builder& later) {

@@ -211,7 +211,11 @@ TEST(WeldCards, ConnectionProperties) {
 TEST(WeldCards, TablesNameWhatIsMissing) {
   EXPECT_TRUE(built("*DEFINE_SPOTWELD_RUPTURE_STRESS\n77,300.0\n").error("part 77 is not defined", "pid"));
   EXPECT_TRUE(built("*DEFINE_CONNECTION_PROPERTIES_ADD\n5\n").error("5 is not defined", "con_id"));
-  EXPECT_TRUE(built("*DEFINE_CONNECTION_PROPERTIES\n5,2\n\n\n").error("expected 0 to 1", "proprul"));
+  for (const char* rule : {"2", "3"})
+    EXPECT_TRUE(built(fmt::format("*DEFINE_CONNECTION_PROPERTIES\n5,{}\n\n\n", rule))
+                    .error("expected 0 or 1: the values of the sheet material of lower RANK", "proprul"))
+        << rule;
+  EXPECT_TRUE(built("*DEFINE_CONNECTION_PROPERTIES\n5,-1\n\n\n").error("expected 0 or more", "proprul"));
   EXPECT_TRUE(built("*DEFINE_SPOTWELD_RUPTURE_PARAMETER\n1\n").error("OPT 9"));
   EXPECT_TRUE(built("*DEFINE_SPOTWELD_MULTISCALE\n1\n").error("this table of weld strengths is not built"));
 }
