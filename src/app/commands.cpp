@@ -207,16 +207,43 @@ std::string energy_warning(const output::Summary& summary) {
       much_of_internal ? fmt::format(", {:.3g} beside an internal energy of {:.3g}", e.step_change, e.internal) : "");
 }
 
+/// What the elements of a part are, and what keeps them from hourglassing.
+std::pair<std::string, std::string_view> elements_and_remedy(const model::Model& model, const model::Part& part) {
+  if (part.kind == model::ElementKind::shell) {
+    const int form = model.shell_sections[part.section].elform;
+    return {fmt::format("shells of ELFORM {}", form),
+            form == 16
+                ? "a smaller DRCPRM of *CONTROL_SHELL: these shells have no hourglass modes, it is their stiffness "
+                  "against drilling"
+                : "ELFORM 16 in its *SECTION_SHELL, or *HOURGLASS with IHQ 4 and QM 0.05; smaller elements where "
+                  "single nodes are pushed"};
+  }
+  if (part.kind == model::ElementKind::solid)
+    return {fmt::format("bricks of ELFORM {}", model.solid_sections[part.section].elform),
+            "*HOURGLASS with IHQ 5 and QM 0.05 where it is crushed, IHQ 6 and QM 1 where it bends, or ELFORM 2 in its "
+            "*SECTION_SOLID; smaller elements where single nodes are pushed"};
+  return {"its elements", "*HOURGLASS with IHQ 4 and QM 0.05"};
+}
+
 /// Hourglass energy is work that no material did. Where all flies or swings and little is internal, it says little.
-std::string hourglass_warning(const output::Summary& summary) {
+std::string hourglass_warning(const impact::Simulation& run, const output::Summary& summary) {
   const output::Summary::Energies& e = summary.energy;
-  if (summary.termination == "error" || e.hourglass <= output::EnergyLimits::hourglass * e.internal ||
+  const std::vector<impact::PartEnergy>& parts = run.part_energies();
+  if (summary.termination == "error" || parts.empty() || e.hourglass <= output::EnergyLimits::hourglass * e.internal ||
       e.hourglass <= 0.01 * std::abs(e.initial + e.external))
     return {};
+  const auto worst = std::ranges::max_element(parts, {}, &impact::PartEnergy::hourglass);
+  const model::Model& model = run.system().model;
+  const model::Part& part = model.parts[static_cast<std::size_t>(worst - parts.begin())];
+  const auto [elements, remedy] = elements_and_remedy(model, part);
   return fmt::format(
-      "warning: the hourglass energy, {:.3g}, is more than a tenth of the internal energy, {:.3g}; 5 % is usual [see "
-      "matsum for the parts; *CONTROL_HOURGLASS with IHQ 4 (bricks: 5) and QH 0.05, or fully integrated elements]",
-      e.hourglass, e.internal);
+      "warning: the hourglass energy, {:.3g}, is more than a tenth of the internal energy, {:.3g}; 5 % is usual: "
+      "elements fold in patterns in which their material has no stress, and hourglass control alone resists, so that "
+      "part "
+      "of the forces is none of the material's; most of it, {:.3g}, in part {} ({}), beside an internal energy of "
+      "{:.3g} "
+      "there [{}; matsum has all parts]",
+      e.hourglass, e.internal, worst->hourglass, part.id, elements, worst->internal, remedy);
 }
 
 /// A run in which nothing happens looks sound.
@@ -313,9 +340,12 @@ void report_end(const RunArguments& arguments, const fs::path& directory, const 
                 const impact::Outcome& outcome, const output::Summary& summary, Log& log) {
   log.add(log_mass(simulation.system()));
   log.add(log_run(simulation, summary));
-  const std::array<std::string, 6> warnings{
-      idle_warning(summary),      loose_weld_warning(summary),        energy_warning(summary),
-      hourglass_warning(summary), joint_warning(simulation, summary), dropped_spring_warning(simulation, summary)};
+  const std::array<std::string, 6> warnings{idle_warning(summary),
+                                            loose_weld_warning(summary),
+                                            energy_warning(summary),
+                                            hourglass_warning(simulation, summary),
+                                            joint_warning(simulation, summary),
+                                            dropped_spring_warning(simulation, summary)};
   for (const std::string& line : warnings) log.add(line.empty() ? "" : ' ' + line + "\n\n");
   log.add(log_termination(outcome));
   if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);

@@ -214,6 +214,8 @@ class PublicHabits(CommandTest):
         energy = self.json("summary.json")["energy"]
         self.assertGreater(energy["hourglass"], 0.1 * energy["internal"])
         self.assertIn(f"the hourglass energy, {energy['hourglass']:.3g}, is more than a tenth", run.stderr)
+        self.assertRegex(run.stderr, r"most of it, \S+, in part 1 \(shells of ELFORM 2\), beside an internal energy of \S+ there "
+                         r"\[ELFORM 16 in its \*SECTION_SHELL, or \*HOURGLASS with IHQ 4 and QM 0\.05")
         self.assertIn("the hourglass energy, ", self.read("run.log"))
         run = self.run_plates(sliding("AUTOMATIC_SURFACE_TO_SURFACE"), gap=1.05)
         self.assertNotIn("hourglass energy, ", run.stderr)

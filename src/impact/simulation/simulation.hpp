@@ -29,6 +29,7 @@ class Simulation {
   const system::System& system() const { return system_; }
   const system::State& state() const { return state_; }
   const Energy& energy() const { return energy_; }
+  const std::vector<PartEnergy>& part_energies() const { return parts_; }
   const Components& components() const { return components_; }
   const Relaxation& relaxation() const { return relaxation_; }
   /// How many nodes the glue of each contact held and lost, and how many elements of each part are deleted (of adhesive
