@@ -28,10 +28,12 @@ using Json = nlohmann::json;
 
 constexpr std::string_view style = R"(
 :root { color-scheme: light dark; --line: #8884; --bad: #c62828; --near: #b26a00; --good: #2e7d32; }
+@media (prefers-color-scheme: dark) { :root { --bad: #ef5350; --near: #ffb74d; --good: #66bb6a; } }
 body { font: 15px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 1.5rem auto; padding: 0 1rem; }
 h1 { font-size: 1.5rem; margin: 0; } h2 { font-size: 1.1rem; margin: 2rem 0 .5rem; }
 .sub { opacity: .7; margin: 0 0 1rem; overflow-wrap: anywhere; }
 .end { display: inline-block; padding: .1rem .6rem; border-radius: 1rem; color: #fff; }
+@media (prefers-color-scheme: dark) { .end { color: #111; } }
 .normal { background: var(--good); } .error { background: var(--bad); } .interrupted { background: var(--near); }
 dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); gap: .4rem 1.5rem; margin: 0; }
 dl div { border-top: 1px solid var(--line); padding-top: .2rem; } dt { font-size: .8rem; opacity: .7; } dd { margin: 0; }

@@ -80,7 +80,10 @@ async function start() {
   const showWeld = () => {
     if (!weldShown) return;
     const share = about.shares && mode !== null ? `${(100 * shares(weldShown.id, mode)).toFixed(2)} % of mode ${mode + 1}` : null;
-    weldPanel(section("weld-panel"), weldShown, { histories, units, currentTime, shares: share });
+    weldPanel(section("weld-panel"), weldShown, {
+      histories, units, currentTime, shares: share,
+      titleOfPart: (id) => shape?.parts.find((part) => String(part.id) === id)?.title ?? "",
+    });
   };
   const select = (id, move) => {
     weldShown = welds.find((weld) => weld.id === String(id)) ?? null;

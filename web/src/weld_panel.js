@@ -7,12 +7,13 @@ const CURVES = [
 ];
 
 /** Everything about one weld: what became of it, where it is tied, its histories. */
-export function weldPanel(parent, weld, { histories, units, currentTime, shares }) {
+export function weldPanel(parent, weld, { histories, units, currentTime, shares, titleOfPart }) {
   const row = (name, ...value) => element("div", {}, element("dt", {}, name), element("dd", {}, ...value));
   const c = weld.cells, has = (name) => c[name] !== undefined && c[name] !== "";
   const rows = [row("verdict", element("b", { class: weld.kindOfVerdict }, weld.verdict))];
   const add = (name, column, unit) => has(column) && rows.push(row(name, unit === undefined ? c[column] : withUnit(Number(c[column]), unit)));
-  rows.push(row("sheets", [c.sheet1, c.sheet2].filter(Boolean).join(" + ") || "–"));
+  const sheets = [c.sheet1, ...(c.sheet2 ?? "").split(" ")].filter(Boolean).map((id) => `${id} ${titleOfPart(id)}`.trim());
+  rows.push(row("sheets", sheets.join(" + ") || "–"));
   add("diameter", "diameter", units.length);
   add("length", "length", units.length);
   if (has("x")) rows.push(row("place", `${number(+c.x)}, ${number(+c.y)}, ${number(+c.z)} ${units.length ?? ""}`));
