@@ -335,9 +335,12 @@ int nugget::app::command_line(int argc, char** argv) {
   CLI::App* keywords_command = cli.add_subcommand("keywords", "what is supported, from the card tables");
   keywords_command->add_option("name", keyword, "one keyword: its fields, defaults, ranges, meaning");
 
-  std::string results;
-  CLI::App* report_command = cli.add_subcommand("report", "(re)make report.html from the results in a folder");
+  std::string results, other_results;
+  CLI::App* report_command =
+      cli.add_subcommand("report", "(re)make report.html from the results in a folder, or compare two runs");
   report_command->add_option("directory", results, "folder with summary.json")->required();
+  report_command->add_option("other", other_results,
+                             "folder of a second run: writes compare.html of both into the first");
 
   nugget::app::ConvertArguments convert;
   CLI::App* convert_command = cli.add_subcommand("convert", "writes the results in a folder in another format");
@@ -387,6 +390,6 @@ int nugget::app::command_line(int argc, char** argv) {
   if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
   if (coverage_command->parsed()) return static_cast<int>(nugget::app::coverage(coverage));
   if (convert_command->parsed()) return static_cast<int>(nugget::app::convert(convert));
-  if (report_command->parsed()) return static_cast<int>(nugget::app::report(results));
+  if (report_command->parsed()) return static_cast<int>(nugget::app::report(results, other_results));
   return static_cast<int>(nugget::app::keywords(keyword));
 }

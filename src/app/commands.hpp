@@ -119,8 +119,8 @@ ExitCode weld(const WeldArguments& arguments);
 ExitCode adapt_welds(const WeldArguments& arguments);
 /// Names of the systems of units.
 const std::vector<std::string>& unit_names();
-/// (Re)makes report.html of the results in a folder.
-ExitCode report(const std::string& directory);
+/// (Re)makes report.html of the results in a folder; with `other`, compare.html of both, in the first.
+ExitCode report(const std::string& directory, const std::string& other);
 /// Writes the results of a folder in another format.
 ExitCode convert(const ConvertArguments& arguments);
 /// Names of these formats.

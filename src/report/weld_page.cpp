@@ -21,26 +21,24 @@ double real(const WeldRow& weld, std::string_view column) {
 }
 
 /// What became of a weld: its class on the page and the word for it.
-struct KeywordStatus {
+struct WeldVerdict {
   std::string_view kind, word;
   int rank = 0;  ///< the worse ones first
 };
 
-KeywordStatus status(const WeldRow& weld) {
+WeldVerdict status(const WeldRow& weld) {
   constexpr double near = 0.8;
   if (cell(weld, "failed") == "yes") return {"failed", "failed", 0};
   if (cell(weld, "tied") != "yes") return {"untied", "not tied", 1};
   const double value = real(weld, "peak_failure");
   if (value >= near) return {"near", "near failure", 2};
-  return value > 0.0 ? KeywordStatus{"holds", "holds", 3} : KeywordStatus{"plain", "no failure value", 4};
+  return value > 0.0 ? WeldVerdict{"holds", "holds", 3} : WeldVerdict{"plain", "no failure value", 4};
 }
 
 std::string weld_line(const WeldRow& weld) {
-  const KeywordStatus v = status(weld);
+  const WeldVerdict v = status(weld);
   const double value = real(weld, "peak_failure");
-  std::string what(v.word);
-  if (v.kind == "failed")
-    what += fmt::format(" at {} by {}", number(real(weld, "failure_time")), cell(weld, "failure_mode"));
+  const std::string what = verdict(weld);
   const std::string bar = value > 0.0 ? fmt::format("<span class=\"bar\" style=\"width:{:.1f}rem\"></span> {}",
                                                     3.0 * std::min(value, 1.0), fmt::format("{:.3g}", value))
                                       : "";
@@ -69,6 +67,19 @@ std::string weld_link(const WeldRow& weld) {
 
 }  // namespace
 
+std::string verdict(const WeldRow& weld) {
+  const WeldVerdict v = status(weld);
+  std::string words(v.word);
+  if (v.kind == "failed")
+    words += fmt::format(" at {} by {}", number(real(weld, "failure_time")), cell(weld, "failure_mode"));
+  return words;
+}
+
+bool verdicts_differ(const WeldRow& a, const WeldRow& b) {
+  return status(a).kind != status(b).kind ||
+         (status(a).kind == "failed" && cell(a, "failure_mode") != cell(b, "failure_mode"));
+}
+
 std::string cell(const WeldRow& weld, std::string_view column) {
   const auto found = weld.find(column);
   return found == weld.end() ? std::string() : found->second;
@@ -79,7 +90,7 @@ std::vector<const WeldRow*> worst_first(const std::vector<WeldRow>& welds) {
   order.reserve(welds.size());
   for (const WeldRow& weld : welds) order.push_back(&weld);
   std::stable_sort(order.begin(), order.end(), [](const WeldRow* a, const WeldRow* b) {
-    const KeywordStatus va = status(*a), vb = status(*b);
+    const WeldVerdict va = status(*a), vb = status(*b);
     if (va.rank != vb.rank) return va.rank < vb.rank;
     if (va.rank == 0) return real(*a, "failure_time") < real(*b, "failure_time");
     return real(*a, "peak_failure") > real(*b, "peak_failure");
@@ -93,7 +104,7 @@ std::string welds_part(const RunData& run) {
   const std::vector<const WeldRow*> order = worst_first(run.welds);
   std::map<int, std::pair<std::string_view, std::size_t>> counts;
   for (const WeldRow* weld : order) {
-    const KeywordStatus v = status(*weld);
+    const WeldVerdict v = status(*weld);
     counts[v.rank].first = v.word;
     ++counts[v.rank].second;
   }

@@ -12,6 +12,11 @@ namespace nugget::report {
 /// A cell of a row; empty where it has none.
 std::string cell(const WeldRow& weld, std::string_view column);
 
+/// What became of a weld: `failed at 0.0041 by axial force`, `not tied`, `near failure`, `holds`, `no failure value`.
+std::string verdict(const WeldRow& weld);
+/// Whether two runs came to different ones; failures differ by their mode.
+bool verdicts_differ(const WeldRow& a, const WeldRow& b);
+
 /// Failed welds by time, those that are not tied, then by their largest failure value.
 std::vector<const WeldRow*> worst_first(const std::vector<WeldRow>& welds);
 

@@ -162,6 +162,28 @@ class Report(CommandTest):
         self.nugget("report", "out")
         self.assertEqual(self.read("out/report.html"), first)
 
+    def test_two_runs_side_by_side(self):
+        """The same joint, the second time with a weld that is too weak: its verdict changes, and the energies differ."""
+        self.write(deck())
+        self.nugget("run", "model.k", "-o", "a", "--quiet")
+        self.nugget("run", "model.k", "-o", "b", "--quiet", "--until", "1e-5")
+        rows = (self.folder / "b" / "welds.csv").read_text(encoding="utf-8").splitlines()
+        names, cells = rows[0].split(","), rows[1].split(",")
+        cells[names.index("failed")], cells[names.index("failure_time")] = "yes", "5e-06"
+        cells[names.index("failure_mode")] = "axial force"
+        (self.folder / "b" / "welds.csv").write_text("\n".join([rows[0], ",".join(cells)]) + "\n", encoding="utf-8")
+        self.assertIn("a/compare.html", self.nugget("report", "a", "b").stdout)
+        page = Page(self.read("a/compare.html"))
+        self.assertEqual((page.open, page.loads), ([], []))
+        self.assertIn("1 of 1 welds", page.by_id["weld-changes"])
+        weld, = [row for row, kind in zip(page.rows, page.classes) if kind == "weld"]
+        self.assertEqual(weld[1:3], ["holds", "failed at 5e-06 by axial force"])
+        internal, = [row for row, kind in zip(page.rows, page.classes) if kind == "number" and row[0].startswith("internal")]
+        a, b = (self.json(f"{run}/summary.json")["energy"]["internal"] for run in "ab")
+        self.assertAlmostEqual(float(internal[1]), a, delta=6e-6 * a)
+        self.assertAlmostEqual(float(internal[3].split()[0]), 100.0 * (b - a) / a, delta=0.06)
+        self.assertIn("holds no results", self.nugget("report", "a", "nowhere", expect=2).stderr)
+
     def test_a_folder_without_results_is_told(self):
         run = self.nugget("report", ".", expect=2)
         self.assertIn("holds no results of a run: there is no summary.json", run.stderr)

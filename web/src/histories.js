@@ -43,8 +43,27 @@ export class Histories {
 
 const option = (value, words = value) => element("option", { value }, words);
 
+/** `b` minus `a` at the times of `a`, on straight lines between samples. */
+function difference(a, b) {
+  let k = 0;
+  const y = Array.from(a.x, (t) => {
+    while (k < b.x.length - 2 && b.x[k + 1] < t) ++k;
+    const share = (t - b.x[k]) / (b.x[k + 1] - b.x[k]);
+    return b.y[k] + share * (b.y[k + 1] - b.y[k]);
+  });
+  return { ...a, name: `B − A ${a.name}`, y: y.map((v, i) => v - a.y[i]) };
+}
+
+/** A channel of this run; beside it, where there is another run, that of the other one and the difference. */
+function withOther(channel, other) {
+  if (!other) return [channel];
+  const theirs = other.find(channel.file, channel.entity, channel.quantity), ours = { ...channel, name: `A ${channel.name}` };
+  if (!theirs || theirs.x.length < 2) return [ours];
+  return [ours, { ...theirs, name: `B ${theirs.name}` }, difference(channel, theirs)];
+}
+
 /** Choose channels of any file, lay them over each other, filter, zoom, save. */
-export function historyBrowser(parent, histories, timeUnit, currentTime) {
+export function historyBrowser(parent, histories, timeUnit, currentTime, other = null) {
   if (histories.files.length === 0) {
     parent.append(empty("This run left no histories: *DATABASE_ cards ask for them."));
     return null;
@@ -99,7 +118,8 @@ export function historyBrowser(parent, histories, timeUnit, currentTime) {
     words.textContent = [note, ...told].filter(Boolean).join(" · ");
   };
   const choose = () => {
-    const chosen = [...quantityList.selectedOptions].map((o) => histories.find(fileList.value, entityList.value, o.value));
+    const chosen = [...quantityList.selectedOptions].flatMap((o) =>
+      withOther(histories.find(fileList.value, entityList.value, o.value), other));
     shown = keep.checked ? [...shown, ...chosen.filter((c) => !shown.some((s) => s.name === c.name))] : chosen;
     draw();
   };
@@ -125,7 +145,7 @@ export function historyBrowser(parent, histories, timeUnit, currentTime) {
   fileList.value = (histories.files.find((f) => f.file === "glstat") ?? histories.files[0]).file;
   fillEntities();
   if (fileList.value === "glstat")
-    for (const o of quantityList.options) o.selected = ["kinetic_energy", "internal_energy", "total_energy"].includes(o.value);
+    for (const o of quantityList.options) o.selected = (other ? ["internal_energy"] : ["kinetic_energy", "internal_energy", "total_energy"]).includes(o.value);
   choose();
   return { redraw: () => plot?.redraw(false) };
 }

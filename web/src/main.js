@@ -2,6 +2,7 @@
 // Makes the page of a run alive: the tables that are there get sorting, filters and CSV; the packed data become a view,
 // histories, responses. Without this script, and without a browser that draws, the page keeps what it says.
 import { uPlotStyle } from "./charts.js";
+import { compareRuns } from "./compare.js";
 import { element } from "./format.js";
 import { Histories, historyBrowser } from "./histories.js";
 import { unpack } from "./packed_arrays.js";
@@ -11,31 +12,7 @@ import style from "./style.css";
 import { enhance } from "./tables.js";
 import { ViewPanel } from "./view_panel.js";
 import { weldPanel } from "./weld_panel.js";
-
-/** Rows of welds.csv as objects with what the view needs. */
-function readWelds(table, shape) {
-  const partIndex = new Map(shape?.parts.map((part, i) => [String(part.id), i]) ?? []);
-  return (table?.rows ?? []).map((row) => {
-    const cells = Object.fromEntries(table.columns.map((name, i) => [name, row[i] ?? ""]));
-    const nodeColumns = table.columns.filter((name) => /^node\d+$/.test(name));
-    const nodes = (ids) => ids.map((id) => shape?.indexOfNode.get(Number(id))).filter((i) => i !== undefined);
-    const failed = cells.failed === "yes";
-    return {
-      id: cells.id, cells, failed, entity: `weld ${cells.id}`, part: partIndex.get(cells.part),
-      diameter: Number(cells.diameter), length: Number(cells.length), failureTime: failed ? Number(cells.failure_time) : Infinity,
-      peak: Number(cells.peak_failure) || 0,
-      nodes: nodes(nodeColumns.map((name) => cells[name]).filter(Boolean)),
-      segment: nodes((cells.segment1 ?? "").split(" ").filter(Boolean)),
-      verdict: verdictOf(cells), kindOfVerdict: failed ? "failed" : cells.tied !== "yes" ? "untied" : cells.peak_failure >= 0.8 ? "near" : "holds",
-    };
-  });
-}
-
-function verdictOf(cells) {
-  if (cells.failed === "yes") return `failed at ${Number(cells.failure_time).toPrecision(4)} by ${cells.failure_mode}`;
-  if (cells.tied !== "yes") return "not tied";
-  return Number(cells.peak_failure) > 0 ? "holds" : "no failure value";
-}
+import { readWelds } from "./welds.js";
 
 const section = (id) => document.getElementById(id);
 
@@ -149,7 +126,7 @@ async function start() {
 }
 
 document.head.append(element("style", {}, uPlotStyle + style));
-start().catch((error) => {
-  section("view")?.append(element("p", { class: "quiet" }, `The view cannot be shown here: ${error.message}`));
+(section("run-data-b") ? compareRuns() : start()).catch((error) => {
+  (section("view") ?? section("views"))?.append(element("p", { class: "quiet" }, `The view cannot be shown here: ${error.message}`));
   throw error;
 });

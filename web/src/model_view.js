@@ -317,6 +317,18 @@ export class ModelView {
     this.redraw();
   }
 
+  /** Looks as another view does. */
+  cameraAs(other) {
+    this.camera.position.copy(other.camera.position);
+    this.camera.up.copy(other.camera.up);
+    this.camera.zoom = other.camera.zoom;
+    this.camera.far = other.camera.far;
+    this.controls.target.copy(other.controls.target);
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.redraw();
+  }
+
   /** Brings a weld to the middle. */
   goTo(weld) {
     const pose = this.#poseOf(weld);

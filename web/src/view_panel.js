@@ -13,6 +13,8 @@ export class ViewPanel {
     this.modes = modes;
     this.onplace = onplace;
     this.onweld = onweld;
+    this.followers = []; // called when another state is shown
+    this.colourFollowers = []; // called with what colours the view, and its range
     const canvas = element("div", { class: "canvas", tabindex: 0, role: "img", "aria-label": "model in three dimensions" });
     this.readout = element("div", { class: "readout", "aria-live": "polite" });
     this.legend = element("div", { class: "legend-3d" });
@@ -99,14 +101,15 @@ export class ViewPanel {
   // ---- what is shown
 
   /** By part, by displacement, or by the field of that number. */
-  colourBy(what) {
+  colourBy(what, range = null) {
     this.colourList.value = what;
     const field = this.shape.fields[what];
-    if (field) this.view.colouring = { kind: "field", field, low: field.low, high: this.#usualHigh(field) };
+    if (field) this.view.colouring = { kind: "field", field, low: field.low, high: this.#usualHigh(field), ...range };
     else if (what === "displacement") this.view.colouring = { kind: what, low: 0, high: this.#largestDisplacement() };
     else this.view.colouring = { kind: "part" };
     this.#drawLegend(field ? field.name : what, field ? this.units[field.dimension] : this.units.length);
     this.view.show();
+    for (const follow of this.colourFollowers) follow(what, field ? { low: this.view.colouring.low, high: this.view.colouring.high } : null);
   }
 
   /** What all but a few facets stay below in the last state: one torn element does not take the colours from the others. */
@@ -159,6 +162,7 @@ export class ViewPanel {
     this.when.value = `t = ${withUnit(this.time, this.units.time)}`;
     this.onplace(this.time);
     this.view.show();
+    for (const follow of this.followers) follow();
   }
 
   showTime(time) {
