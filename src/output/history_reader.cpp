@@ -135,10 +135,10 @@ void add_titles(const BinoutReader& binout, const ReadFile& file, HistoryRecord&
 
 HistoryRecord read_one(const std::filesystem::path& directory, const BinoutReader& binout, const ReadFile& file) {
   HistorySamples samples{std::string(file.name)};
-  std::set<std::string> states;
+  std::set<std::pair<std::size_t, std::string>> states;  // d01000000 follows d999999
   for (const ReadBranch& branch : file.branches)
-    for (const std::string& state : binout.states(branch.path)) states.insert(state);
-  for (const std::string& state : states)
+    for (const std::string& state : binout.states(branch.path)) states.emplace(state.size(), state);
+  for (const auto& [length, state] : states)
     for (const ReadBranch& branch : file.branches) read_state(binout, branch, state, samples);
   HistoryRecord record = samples.take();
   if (record.times.empty())

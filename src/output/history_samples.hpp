@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,12 +39,27 @@ class HistorySamples {
     channel.values.back() = value;
   }
 
+  /// Without a last state that lacks entities of the one before it: it was cut off.
   HistoryRecord take() {
+    if (is_cut_off()) drop_last();
     fill();
     return std::move(record_);
   }
 
  private:
+  bool is_cut_off() const {
+    std::set<std::string> before, last;
+    for (const Channel& channel : record_.channels) {
+      if (channel.values.size() + 1 >= record_.times.size()) before.insert(channel.entity);
+      if (channel.values.size() == record_.times.size()) last.insert(channel.entity);
+    }
+    return record_.times.size() > 1 && !std::includes(last.begin(), last.end(), before.begin(), before.end());
+  }
+  void drop_last() {
+    record_.times.pop_back();
+    for (Channel& channel : record_.channels)
+      if (channel.values.size() > record_.times.size()) channel.values.pop_back();
+  }
   void fill() {
     for (Channel& channel : record_.channels) channel.values.resize(record_.times.size(), 0.0);
   }

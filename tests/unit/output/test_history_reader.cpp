@@ -231,12 +231,15 @@ TEST(HistoryReader, AStateThatIsCutOffIsLeftOut) {
   Scratch scratch;
   {
     AsciiHistory ascii(rwforc(), scratch / "rwforc", header);
-    for (const double time : {0.25, 0.5}) ascii.write({time, {{1, 10.0 * time, {1.0, 2.0, 3.0}}}});
+    for (const double time : {0.25, 0.5})
+      ascii.write({time, {{1, 10.0 * time, {1.0, 2.0, 3.0}}, {2, 5.0, {1.0, 2.0, 3.0}}}});
   }
   std::filesystem::resize_file(scratch / "rwforc", std::filesystem::file_size(scratch / "rwforc") - 5);
   const std::vector<HistoryRecord> records = read_histories(scratch.path());
   ASSERT_EQ(records.size(), 1u);
   EXPECT_THAT(records[0].times, testing::ElementsAre(0.25));
+  for (const Channel& channel : records[0].channels) EXPECT_EQ(channel.values.size(), 1u);
+  EXPECT_EQ(value(records[0], "wall 2", "normal_force", 0), 5.0);
 }
 
 TEST(HistoryReader, NothingOfAnEmptyFolder) {
