@@ -66,6 +66,7 @@ constexpr bool by_area(WeldTie tie) {
 struct Control {
   // *CONTROL_TERMINATION
   double end_time = 0.0;
+  Place end_time_place;           ///< where ENDTIM stands; no line: nowhere
   long end_cycle = 0;             ///< 0: none
   double smallest_step = 0.0;     ///< DTMIN, as a share of the first step; 0: none
   double energy_limit = 0.0;      ///< ENDENG, percent change of the energy ratio; 0: none

@@ -150,6 +150,38 @@ class EdgesOfNumbers(CommandTest):
                 if value == "1e-320":
                     self.assertEqual(run.returncode, 1, f"line {line}: {match[0]} -> {value}")
 
+    def refusals(self, *changes):
+        """The errors of the lap joint with the changes made."""
+        self.write(lap_joint.deck(*changes))
+        run = self.nugget("check", "model.k", expect=1)
+        return [line for line in run.stderr.splitlines() if ": error: " in line]
+
+    def test_as_many_layers_as_no_memory_holds(self):
+        extent = "*DATABASE_EXTENT_BINARY\n         0         0  99999999\n"
+        errors = self.refusals(("*PART\nlower", extent + "*PART\nlower"))
+        self.assertEqual(len(errors), 1, errors)
+        self.assertRegex(errors[0], r"model\.k:\d+:\d+: error: \*DATABASE_EXTENT_BINARY maxint = 99999999: expected -1000 to 1000")
+
+    def test_more_frequencies_than_can_be_computed(self):
+        request = ("*FREQUENCY_DOMAIN_FRF\n       216         0         3         3\n      0.02\n"
+                   "       216         0         3         2\n       1.0     300.0  99999999\n")
+        errors = self.refusals(("*PART\nlower", request + "*PART\nlower"))
+        self.assertRegex(errors[0], r"model\.k:\d+:\d+: error: \*FREQUENCY_DOMAIN_FRF nfreq = 99999999: expected 2 to 1000000")
+
+    def test_an_end_time_of_zero_has_its_place(self):
+        errors = self.refusals((END, "       0.0"))
+        self.assertEqual(len(errors), 1, errors)
+        self.assertIn("model.k:5:1: error: *CONTROL_TERMINATION: no end time is given", errors[0])
+
+    def test_a_tie_that_begins_later_is_told_beside_the_step(self):
+        """Both at once, each with its field; the tie was told when all else was mended."""
+        errors = self.refusals(("       0.0       0.9\n", "       0.0       0.9         0    1.0e-7\n"),
+                               ("         3         1         3         2\n       0.0\n",
+                                "         3         1         3         2\n" + "       0.0" * 6 + "    1.0e-5\n"))
+        self.assertEqual(len(errors), 2, errors)
+        self.assertIn("*CONTROL_TIMESTEP tslimt = 1.0e-7: ", errors[0])
+        self.assertIn("*CONTACT_SPOTWELD bt = 1.0e-5: a tie of rotations that begins later is not built", errors[1])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -431,6 +431,14 @@ void report_same_id(Builder& builder, const Contact& contact) {
           "give each an id of its own, with _ID");
 }
 
+/// A tie of translations that begins at BT is glue from then on; one of rotations is refused.
+void tie_from_birth(Builder& builder, const deck::Entry& bt, Contact& contact) {
+  if (!contact.ties_rotations()) return tie_later(contact);
+  refuse(builder, bt, "a tie of rotations that begins later is not built",
+         "leave BT blank, or tie translations alone (*CONTACT_TIED_NODES_TO_SURFACE); DT, the end of a tie, is obeyed");
+  contact.birth = 0.0;  // said: the weld audit of a refused deck need not say it again
+}
+
 /// A contact that is activated after the end of the run never acts.
 void report_late_birth(Builder& builder, const Contact& contact) {
   const double end = builder.model.control.end_time;
@@ -501,7 +509,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     else
       take_tie(b, sides, contact);
     if (contact.slides()) take_boxes(b, sides, contact);
-    if (contact.birth > 0.0 && contact.tie() && !contact.ties_rotations()) tie_later(contact);
+    if (contact.birth > 0.0 && contact.tie()) tie_from_birth(b, friction[&FrictionCard::bt], contact);
     refuse_adhesive(b, sides, contact);
     if (glue) finish_glue(b, *glue, contact);
     if (contact.ignore == 0) contact.ignore = b.model.control.ignore_penetration;

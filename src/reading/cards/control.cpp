@@ -408,7 +408,8 @@ void read_model_title(Builder& b, const Block& block, const Options&) {
 
 void read_termination(Builder& b, const Block& block, const Options&) {
   TerminationCard card{b.model.control};
-  read_one(b, block, termination_card, card);
+  const auto row = read_one(b, block, termination_card, card);
+  card.end_time_place = row[&TerminationCard::end_time].place;
   card.end_cycle = card.endcyc;
   b.model.control = card;
 }

@@ -83,7 +83,7 @@ const CardOf<ExtentCard1> extent_card1{
     {&ExtentCard1::neiph, integer("neiph", 0, between(0, 1000), "extra history variables of solids")},
     {&ExtentCard1::neips, integer("neips", 0, between(0, 1000), "extra history variables of shells")},
     {&ExtentCard1::maxint,
-     integer("maxint", 3, any_value,
+     integer("maxint", 3, between(-1000, 1000),
              "3: middle, bottom and top of a shell; another number: so many layers from the bottom")},
     {&ExtentCard1::strflg,
      integer("strflg", 0, between(0, 111), "last digit 1: strains are written; the other digits: not built")},
