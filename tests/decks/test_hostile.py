@@ -171,7 +171,7 @@ class EdgesOfNumbers(CommandTest):
     def test_an_end_time_of_zero_has_its_place(self):
         errors = self.refusals((END, "       0.0"))
         self.assertEqual(len(errors), 1, errors)
-        self.assertIn("model.k:5:1: error: *CONTROL_TERMINATION: no end time is given", errors[0])
+        self.assertIn("model.k:5:8: error: *CONTROL_TERMINATION: no end time is given", errors[0])
 
     def test_a_tie_that_begins_later_is_told_beside_the_step(self):
         """Both at once, each with its field; the tie was told when all else was mended."""
