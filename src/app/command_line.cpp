@@ -14,6 +14,9 @@
 
 #include "app/commands.hpp"
 #include "app/weld_drop_runs.hpp"
+#include "base/sae_filter.hpp"
+#include "base/vec3.hpp"
+#include "report/picture_file.hpp"
 
 namespace {
 
@@ -88,6 +91,45 @@ CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
 CLI::Option* add_case(CLI::App* command, int& load_case, const char* without) {
   return command->add_option("--case", load_case, fmt::format("the *CASE of the deck ({})", without))
       ->check(number_above_zero("the number of a *CASE", true));
+}
+
+CLI::Validator picture_name() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return nugget::report::is_picture_name(text)
+                   ? std::string()
+                   : fmt::format("'{}', expected a name ending in .svg or .png", text);
+      },
+      "");
+}
+
+/// The direction that `-x` or `X,Y,Z` says; nothing where it says none.
+std::optional<nugget::Vec3d> direction_of(const std::string& text) {
+  constexpr std::string_view axes = "xyz";
+  std::array<double, 3> d{};
+  const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  if (text.size() == sign + 1 && axes.find(text[sign]) != axes.npos) {
+    d[axes.find(text[sign])] = text.starts_with('-') ? -1.0 : 1.0;
+  } else {
+    int length = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &d[0], &d[1], &d[2], &length) != 3 ||
+        static_cast<std::size_t>(length) != text.size())
+      return std::nullopt;
+  }
+  const nugget::Vec3d direction{d[0], d[1], d[2]};
+  const double length = norm(direction);
+  if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
+  return direction;
+}
+
+CLI::Validator direction(bool iso) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        return (iso && text == "iso") || direction_of(text)
+                   ? std::string()
+                   : fmt::format("'{}', expected an axis (x, -x, y, ...) or three numbers X,Y,Z", text);
+      },
+      "");
 }
 
 /// The first word is no command: people try the deck's name there.
@@ -352,6 +394,52 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(CLI::IsMember(nugget::app::conversion_names()));
   convert_command->add_option("-o,--output", convert.target, "folder for them (default: the results' own)");
 
+  nugget::app::PlotArguments plot;
+  CLI::App* plot_command = cli.add_subcommand("plot", "draws histories and responses, and prints their extremes");
+  plot_command->add_option("directory", plot.directory, "folder with summary.json")->required();
+  plot_command->add_option("channel", plot.channels,
+                           "FILE/ENTITY/QUANTITY, FILE/QUANTITY or FILE, with wildcards, e.g. swforc/50002/axial, "
+                           "glstat/*energy (default: the channels are listed)");
+  plot_command->add_option("-o,--output", plot.picture, "the picture, .svg or .png (default: none, only the extremes)")
+      ->check(picture_name());
+  plot_command->add_option("--cfc", plot.channel_class, "filter of SAE J211-1: 60, 180, 600 or 1000")
+      ->check(CLI::IsMember(std::vector<int>(nugget::channel_classes.begin(), nugget::channel_classes.end())));
+  plot_command->add_option("--over", plot.over, "a channel in the place of time, e.g. nodout/17/x_displacement");
+  plot_command->add_option("--with", plot.other, "folder of another run: the same channels of both");
+  plot_command->add_option("--width", plot.width, "pixels of a .png (default: 1440)")->check(CLI::Range(100, 20000));
+
+  nugget::app::PictureArguments picture;
+  nugget::report::PictureOptions& seen = picture.options;
+  std::string view = "iso", up;
+  CLI::App* picture_command = cli.add_subcommand("picture", "draws the model of a run at a state, or a natural mode");
+  picture_command->add_option("directory", picture.directory, "folder with summary.json and d3plot")->required();
+  picture_command->add_option("-o,--output", picture.picture, "the picture, .svg or .png")
+      ->required()
+      ->check(picture_name());
+  picture_command->add_option("--time", seen.time, "the state nearest to it (default: the last)");
+  picture_command->add_option("--mode", seen.mode, "number of a natural mode (default: the first elastic one)")
+      ->check(count);
+  picture_command
+      ->add_option("--field", seen.field,
+                   "what colours elements (default: plastic_strain where there is some, else part)")
+      ->check(CLI::IsMember(nugget::report::picture_fields()));
+  picture_command->add_option("--range", seen.range, "of its colours: LOW,HIGH (default: as the values are)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  picture_command
+      ->add_option("--view", view, "where the eye is: iso, x, -x, y, -y, z, -z or X,Y,Z (--view=-x; default: iso)")
+      ->check(direction(true));
+  picture_command->add_option("--up", up, "what is up in the picture: an axis or X,Y,Z (default: z)")
+      ->check(direction(false));
+  picture_command->add_option("--scale", seen.scale, "of displacements (default: 1; of modes 6 % of the model's size)");
+  picture_command->add_option("--part", seen.parts, "ids of parts that are shown, separated by commas (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  picture_command->add_option("--weld", seen.weld, "id of a weld to look at from near");
+  picture_command->add_flag("!--no-edges", seen.edges, "without the edges of elements");
+  picture_command->add_option("--width", seen.width, "pixels (default: 1440)")->check(CLI::Range(200, 8000));
+  picture_command->add_option("--height", seen.height, "pixels (default: 960)")->check(CLI::Range(200, 8000));
+
   std::vector<std::string> words = translated(argc, argv);
   if (is_unknown_command(cli, words)) {
     fmt::print(stderr,
@@ -390,6 +478,12 @@ int nugget::app::command_line(int argc, char** argv) {
   if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
   if (coverage_command->parsed()) return static_cast<int>(nugget::app::coverage(coverage));
   if (convert_command->parsed()) return static_cast<int>(nugget::app::convert(convert));
+  if (picture_command->parsed()) {
+    if (view != "iso") seen.towards = *direction_of(view);
+    if (!up.empty()) seen.up = *direction_of(up);
+    return static_cast<int>(nugget::app::picture(picture));
+  }
+  if (plot_command->parsed()) return static_cast<int>(nugget::app::plot(plot));
   if (report_command->parsed()) return static_cast<int>(nugget::app::report(results, other_results));
   return static_cast<int>(nugget::app::keywords(keyword));
 }

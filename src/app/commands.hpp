@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "report/model_picture.hpp"
 #include "weld/placement/placement_deck.hpp"
 
 // The verbs of the `nugget` command. Findings and progress go to standard error, results to files.
@@ -57,6 +58,21 @@ struct ConvertArguments {
   std::string directory;  ///< with the results
   std::string to;         ///< vtk: states, modes and welds as .vtu and .pvd; csv: all histories as one tidy table
   std::string target;     ///< folder for what is written; empty: beside the results
+};
+
+struct PlotArguments {
+  std::string directory;              ///< with the results
+  std::vector<std::string> channels;  ///< see report::matching(); none: they are listed
+  std::string picture;                ///< .svg or .png; empty: only a table of extremes
+  std::string over;                   ///< channel that takes the place of time; empty: time
+  std::string other;                  ///< folder of another run, whose curves are drawn too; empty: none
+  int channel_class = 0;              ///< CFC of the filter; 0: none
+  int width = 1440;                   ///< pixels of a .png
+};
+
+struct PictureArguments {
+  std::string directory, picture;  ///< with the results; .svg or .png
+  report::PictureOptions options;
 };
 
 struct WeldArguments {
@@ -125,6 +141,10 @@ ExitCode report(const std::string& directory, const std::string& other);
 ExitCode convert(const ConvertArguments& arguments);
 /// Names of these formats.
 const std::vector<std::string>& conversion_names();
+/// Draws channels of a run's histories and responses, and prints their extremes.
+ExitCode plot(const PlotArguments& arguments);
+/// Draws the model of a run.
+ExitCode picture(const PictureArguments& arguments);
 /// Ranks the welds of a finished run on standard output.
 ExitCode welds(const WeldsArguments& arguments);
 /// Makes and runs the coupons of a weld's card.

@@ -141,8 +141,8 @@ void write_coupon_study(const std::filesystem::path& directory, const CouponStud
   output::write_whole_file(directory / "coupon.csv", result_csv(study));
   output::write_whole_file(directory / "curves.csv", curve_csv(study));
   output::write_whole_file(directory / "surface.csv", surface_csv(study));
-  output::write_whole_file(directory / "coupon.svg", to_svg_file(force_over_angle(study)));
-  output::write_whole_file(directory / "curves.svg", to_svg_file(force_over_displacement(study)));
+  output::write_whole_file(directory / "coupon.svg", to_svg_file({{force_over_angle(study)}}));
+  output::write_whole_file(directory / "curves.svg", to_svg_file({{force_over_displacement(study)}}));
   output::write_whole_file(directory / "coupon.html", coupon_html(study));
 }
 

@@ -15,6 +15,8 @@
 #include "output/history.hpp"
 #include "output/result_file.hpp"
 #include "output/summary.hpp"
+#include "report/model_picture.hpp"
+#include "report/packed_arrays.hpp"
 #include "report/page_data.hpp"
 #include "report/plot.hpp"
 #include "report/quantity.hpp"
@@ -258,6 +260,25 @@ std::string conclusions(const RunData& run) {
   return s + "</ul>\n";
 }
 
+/// The picture of the model, in a page with a viewer only where its script does not run: mail programs block it.
+std::string still(const std::string& picture, bool alive) {
+  if (picture.empty()) return {};
+  const std::string shown = fmt::format(
+      "<img alt=\"the model\" style=\"width: 100%\" src=\"data:image/svg+xml;base64,{}\">", base64(picture));
+  return alive ? "<noscript>" + shown + "</noscript>\n" : shown + "\n";
+}
+
+/// Nothing where the run left no states.
+std::string picture_of(const std::filesystem::path& directory) {
+  try {
+    PictureOptions options;
+    options.width = 1080, options.height = 720;
+    return model_picture(directory, options);
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 std::string html_page(const std::string& title, const std::string& body) {
@@ -268,9 +289,9 @@ std::string html_page(const std::string& title, const std::string& body) {
       escaped(title), style, body);
 }
 
-std::string page(const RunData& run, const std::string& packed) {
+std::string page(const RunData& run, const std::string& packed, const std::string& picture) {
   const bool linear = of_linear_analysis(run.summary), alive = !packed.empty() && !viewer_script().empty();
-  std::string s = head(run.summary) + conclusions(run);
+  std::string s = head(run.summary) + conclusions(run) + still(picture, alive);
   if (alive) s += "<section id=\"view\"></section>\n<section id=\"weld-panel\" hidden></section>\n";
   if (linear) {
     if (alive && run.summary.contains("responses")) s += "<h2>Responses</h2>\n<section id=\"responses\"></section>\n";
@@ -291,7 +312,7 @@ std::string page(const RunData& run, const std::string& packed) {
 void write_report(const std::filesystem::path& directory) {
   const RunData run = read_run(directory);
   const std::string packed = viewer_script().empty() ? std::string() : page_data(directory, run).text();
-  output::write_whole_file(directory / "report.html", page(run, packed));
+  output::write_whole_file(directory / "report.html", page(run, packed, picture_of(directory)));
 }
 
 }  // namespace nugget::report

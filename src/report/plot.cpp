@@ -206,24 +206,28 @@ std::string to_svg(const Plot& plot) {
       width, height, drawn, legend);
 }
 
-std::string to_svg_file(const Plot& plot) {
+std::string to_svg_file(std::span<const Plot> plots) {
   constexpr double line = 16.0;
-  std::vector<std::pair<std::string, const char*>> names;
-  const std::string drawn = drawing(plot, names);
-  std::string legend;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const double y = height + line * static_cast<double>(i) + 4.0;
-    legend += fmt::format(
-        "<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"14\" height=\"4\" fill=\"{}\"/><text x=\"{:.0f}\" "
-        "y=\"{:.0f}\">{}</text>\n",
-        left, y, names[i].second, left + 20.0, y + 6.0, escaped(names[i].first));
+  std::string all;
+  double down = 0.0;
+  for (const Plot& plot : plots) {
+    std::vector<std::pair<std::string, const char*>> names;
+    all += fmt::format("<g transform=\"translate(0 {:.0f})\">\n{}", down, drawing(plot, names));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const double y = height + line * static_cast<double>(i) + 4.0;
+      all += fmt::format(
+          "<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"14\" height=\"4\" fill=\"{}\"/><text x=\"{:.0f}\" "
+          "y=\"{:.0f}\">{}</text>\n",
+          left, y, names[i].second, left + 20.0, y + 6.0, escaped(names[i].first));
+    }
+    all += "</g>\n";
+    down += height + line * static_cast<double>(names.size()) + 8.0;
   }
-  const double high = height + line * static_cast<double>(names.size()) + 8.0;
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
       "height=\"{1:.0f}\">\n<style>text {{ font: 11px sans-serif; }} .grid {{ stroke: #ddd; }}</style>\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}{3}</svg>\n",
-      width, high, drawn, legend);
+      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
+      width, down, all);
 }
 
 }  // namespace nugget::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,8 +27,8 @@ struct Plot {
 /// a curve, peaks among them. Empty without points. Colours follow the page's (currentColor for lines and text).
 std::string to_svg(const Plot& plot);
 
-/// The same as a file of its own, its legend in the picture; black on white.
-std::string to_svg_file(const Plot& plot);
+/// Plots below each other as a file of its own, their legends in the picture; black on white.
+std::string to_svg_file(std::span<const Plot> plots);
 
 /// A number in six digits, as the page shows it.
 std::string number(double value);

@@ -12,8 +12,8 @@
 
 #include "base/index.hpp"
 #include "output/d3plot_reader.hpp"
+#include "report/colour_field.hpp"
 #include "report/skin.hpp"
-#include "report/stress.hpp"
 
 namespace nugget::report {
 namespace {
@@ -23,9 +23,6 @@ using Json = nlohmann::json;
 using output::D3plotGeometry;
 using output::D3plotReader;
 using output::D3plotState;
-using output::StressRecord;
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 /// States of the file that are shown: the first, every `stride`th, the last.
 std::vector<std::size_t> every(std::size_t stride, std::size_t states) {
@@ -35,22 +32,9 @@ std::vector<std::size_t> every(std::size_t stride, std::size_t states) {
   return chosen;
 }
 
-/// A quantity of elements that colours them; the largest of a shell's layers.
-struct Field {
-  const char *name, *dimension;
-  double (*of_layer)(const StressRecord&);  ///< null: thickness
-};
-constexpr Field colour_fields[] = {
-    {"plastic strain", "", [](const StressRecord& r) { return r.plastic_strain; }},
-    {"von Mises stress", "stress", [](const StressRecord& r) { return von_mises(r.stress); }},
-    {"thickness", "length", nullptr}};
-
-double of_shell(const Field& field, std::size_t shell, const D3plotState& s, std::size_t layers) {
-  if (!field.of_layer) return s.shells[shell].thickness;
-  double largest = 0.0;
-  for (std::size_t i = 0; i < layers; ++i)
-    largest = std::max(largest, field.of_layer(s.shell_layers[shell * layers + i]));
-  return largest;
+/// As the page's table of units calls it.
+std::string dimension_name(const ColourField& field) {
+  return field.dimension == dimension::stress ? "stress" : field.dimension == dimension::length ? "length" : "";
 }
 
 /// What of a state the view shows.
@@ -64,10 +48,9 @@ ShownState shown_state(const D3plotGeometry& g, const D3plotState& s, bool modes
   ShownState shown{s.x, s.shell_alive, s.solid_alive, s.beam_alive, {}, {}};
   for (std::size_t f = 0; !modes && f < std::size(colour_fields); ++f) {
     for (std::size_t e = 0; e < g.shells.size(); ++e)
-      shown.of_shells[f].push_back(static_cast<float>(of_shell(colour_fields[f], e, s, at(g.layers))));
+      shown.of_shells[f].push_back(static_cast<float>(colour_fields[f].of_shell(e, s, g.layers)));
     for (std::size_t e = 0; e < g.solids.size(); ++e)
-      shown.of_solids[f].push_back(
-          static_cast<float>(colour_fields[f].of_layer ? colour_fields[f].of_layer(s.solids[e]) : missing));
+      shown.of_solids[f].push_back(static_cast<float>(colour_fields[f].of_solid(e, s)));
   }
   return shown;
 }
@@ -235,8 +218,10 @@ void add_fields(PackedArrays& arrays, const std::vector<Facet>& seen, const std:
         high = std::max(high, value);
       }
     if (!(low < high)) continue;
-    view["fields"].push_back(
-        {{"name", colour_fields[f].name}, {"dimension", colour_fields[f].dimension}, {"low", low}, {"high", high}});
+    view["fields"].push_back({{"name", colour_fields[f].name},
+                              {"dimension", dimension_name(colour_fields[f])},
+                              {"low", low},
+                              {"high", high}});
     for (std::size_t i = 0; i < states.size(); ++i) {
       std::vector<std::uint8_t> scaled;
       scaled.reserve(seen.size());

@@ -14,6 +14,7 @@
 #include "output/history_reader.hpp"
 #include "output/vtu_file.hpp"
 #include "report/quantity.hpp"
+#include "report/shown_welds.hpp"
 #include "report/stress.hpp"
 #include "report/weld_page.hpp"
 
@@ -168,36 +169,6 @@ VtuGrid grid_of(const D3plotGeometry& g, const D3plotState& s) {
 
 // ---- welds
 
-/// A weld as VTK shows it.
-struct WeldCell {
-  int id = 0;
-  double diameter = 0.0, failure_time = 0.0;
-  bool tied = false, failed = false;
-  std::vector<std::size_t> nodes;  ///< positions in D3plotGeometry::node_ids
-};
-
-std::vector<WeldCell> weld_cells(const RunData& run, const D3plotGeometry& g) {
-  std::map<int, std::size_t> place;
-  for (std::size_t i = 0; i < g.node_ids.size(); ++i) place[g.node_ids[i]] = i;
-  std::vector<WeldCell> welds;
-  for (const WeldRow& row : run.welds) {
-    WeldCell weld;
-    weld.id = std::atoi(cell(row, "id").c_str());
-    weld.diameter = std::strtod(cell(row, "diameter").c_str(), nullptr);
-    weld.tied = cell(row, "tied") == "yes";
-    weld.failed = cell(row, "failed") == "yes";
-    weld.failure_time = std::strtod(cell(row, "failure_time").c_str(), nullptr);
-    for (int end = 1;; ++end) {
-      const std::string node = cell(row, fmt::format("node{}", end));
-      if (node.empty()) break;
-      if (const auto found = place.find(std::atoi(node.c_str())); found != place.end())
-        weld.nodes.push_back(found->second);
-    }
-    if (!weld.nodes.empty()) welds.push_back(std::move(weld));
-  }
-  return welds;
-}
-
 /// swforc by weld.
 class WeldHistories {
  public:
@@ -223,10 +194,10 @@ class WeldHistories {
 };
 
 /// A line from the first end of a weld beam to the second; a point in the middle of what has more nodes.
-VtuGrid grid_of_welds(const std::vector<WeldCell>& welds, const D3plotState& s, const WeldHistories& histories) {
+VtuGrid grid_of_welds(const std::vector<ShownWeld>& welds, const D3plotState& s, const WeldHistories& histories) {
   VtuGrid grid;
   CellFields fields;
-  for (const WeldCell& weld : welds) {
+  for (const ShownWeld& weld : welds) {
     const auto first = static_cast<std::int64_t>(grid.points.size());
     if (weld.nodes.size() == 2) {
       for (const std::size_t node : weld.nodes) grid.points.push_back(s.x[node]);
@@ -241,7 +212,7 @@ VtuGrid grid_of_welds(const std::vector<WeldCell>& welds, const D3plotState& s, 
     fields.begin_cell();
     fields.put_id("weld", weld.id);
     fields.put_id("tied", weld.tied ? 1 : 0);
-    fields.put_id("failed", weld.failed && weld.failure_time <= s.time ? 1 : 0);
+    fields.put_id("failed", weld.has_failed_by(s.time) ? 1 : 0);
     fields.put("diameter", weld.diameter);
     histories.put(fields, weld.id, s.time);
   }
@@ -255,7 +226,7 @@ std::vector<std::string> write_family(const fs::path& directory, const fs::path&
   const D3plotReader file(directory, family);
   const bool modes = family == D3plotGeometry::Family::d3eigv;
   const std::string stem = modes ? "mode" : "state";
-  const std::vector<WeldCell> welds = modes ? std::vector<WeldCell>{} : weld_cells(run, file.geometry());
+  const std::vector<ShownWeld> welds = modes ? std::vector<ShownWeld>{} : shown_welds(run, file.geometry());
   const WeldHistories histories(directory);
   std::vector<std::pair<double, std::string>> states, of_welds;
   D3plotState s;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/picture_file.hpp"
+
+#include <librsvg/rsvg.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "output/result_file.hpp"
+
+namespace nugget::report {
+namespace {
+
+struct Unref {
+  void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+
+[[noreturn]] void throw_drawing_error(GError* error) {
+  const std::string reason = error ? error->message : "out of memory";
+  if (error) g_error_free(error);
+  throw std::runtime_error("the picture cannot be drawn: " + reason);
+}
+
+std::string png_bytes(cairo_surface_t* surface) {
+  std::string png;
+  const auto append = [](void* to, const unsigned char* data, unsigned int length) {
+    static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  if (cairo_surface_write_to_png_stream(surface, append, &png) != CAIRO_STATUS_SUCCESS) throw_drawing_error(nullptr);
+  return png;
+}
+
+std::string drawn_as_png(const std::string& svg, int width) {
+  GError* error = nullptr;
+  const std::unique_ptr<RsvgHandle, Unref> handle(
+      rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
+  if (!handle) throw_drawing_error(error);
+  double own_width = 0.0, own_height = 0.0;
+  if (!rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &own_width, &own_height) || !(own_width > 0.0))
+    throw std::runtime_error("the picture cannot be drawn: it has no size in pixels");
+  const int height = static_cast<int>(std::lround(width * own_height / own_width));
+  const std::unique_ptr<cairo_surface_t, Unref> surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+  const std::unique_ptr<cairo_t, Unref> context(cairo_create(surface.get()));
+  const RsvgRectangle all{0.0, 0.0, static_cast<double>(width), static_cast<double>(height)};
+  if (!rsvg_handle_render_document(handle.get(), context.get(), &all, &error)) throw_drawing_error(error);
+  return png_bytes(surface.get());
+}
+
+}  // namespace
+
+bool is_picture_name(const std::filesystem::path& file) {
+  return file.extension() == ".svg" || file.extension() == ".png";
+}
+
+void write_picture(const std::filesystem::path& file, const std::string& svg, int width) {
+  output::write_whole_file(file, file.extension() == ".png" ? drawn_as_png(svg, width) : svg);
+}
+
+std::string png_of(std::vector<std::uint32_t> pixels, int width) {
+  const int height = static_cast<int>(pixels.size()) / width;
+  const std::unique_ptr<cairo_surface_t, Unref> surface(cairo_image_surface_create_for_data(
+      reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_ARGB32, width, height, 4 * width));
+  return png_bytes(surface.get());
+}
+
+}  // namespace nugget::report

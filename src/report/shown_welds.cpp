@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/shown_welds.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+#include "report/weld_page.hpp"
+
+namespace nugget::report {
+
+std::vector<ShownWeld> shown_welds(const RunData& run, const output::D3plotGeometry& geometry) {
+  std::map<int, std::size_t> place;
+  for (std::size_t i = 0; i < geometry.node_ids.size(); ++i) place[geometry.node_ids[i]] = i;
+  const auto add = [&](int node, std::vector<std::size_t>& nodes) {
+    if (const auto found = place.find(node); found != place.end()) nodes.push_back(found->second);
+  };
+  std::vector<ShownWeld> welds;
+  for (const WeldRow& row : run.welds) {
+    const auto number = [&](const char* column) { return std::strtod(cell(row, column).c_str(), nullptr); };
+    ShownWeld weld;
+    weld.id = std::atoi(cell(row, "id").c_str());
+    weld.diameter = number("diameter");
+    weld.tied = cell(row, "tied") == "yes";
+    weld.failed = cell(row, "failed") == "yes";
+    weld.failure_time = number("failure_time");
+    weld.peak_failure = number("peak_failure");
+    weld.peak_failure_time = number("peak_failure_time");
+    for (int end = 1;; ++end) {
+      const std::string node = cell(row, fmt::format("node{}", end));
+      if (node.empty()) break;
+      add(std::atoi(node.c_str()), weld.nodes);
+    }
+    std::istringstream segment(cell(row, "segment1"));
+    for (int node = 0; segment >> node;) add(node, weld.segment);
+    if (!weld.nodes.empty()) welds.push_back(std::move(weld));
+  }
+  return welds;
+}
+
+}  // namespace nugget::report

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "output/d3plot.hpp"
+#include "report/run_data.hpp"
+
+namespace nugget::report {
+
+/// A weld of welds.csv as pictures show it.
+struct ShownWeld {
+  int id = 0;
+  double diameter = 0.0, failure_time = 0.0;
+  bool tied = false, failed = false;
+  double peak_failure = 0.0, peak_failure_time = 0.0;
+  std::vector<std::size_t> nodes;    ///< its own, as positions in D3plotGeometry::node_ids
+  std::vector<std::size_t> segment;  ///< those of the segment that its first end is tied to
+
+  bool has_failed_by(double time) const { return failed && failure_time <= time; }
+};
+
+/// Those that have nodes in the file.
+std::vector<ShownWeld> shown_welds(const RunData& run, const output::D3plotGeometry& geometry);
+
+}  // namespace nugget::report
