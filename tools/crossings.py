@@ -12,7 +12,7 @@ import pathlib
 
 import numpy as np
 
-import picture
+import states
 
 
 def edges_of(facets):
@@ -117,12 +117,12 @@ def main():
     which.add_argument("--passed", action="store_true")
     a = parser.parse_args()
     if not a.passed:
-        x, facets = picture.read(a.folder, a.first)[:2]
+        x, facets = states.read(a.folder, a.first)[:2]
         edges, _ = crossings(x, facets)
         print(f"{len(edges)} crossings of edges and facets, {len(np.unique(edges, axis=0))} different edges of {len(edges_of(facets))}")
         return
     before, count, events = None, 0, 0
-    for x, facets, *_, time in picture.states(a.folder):
+    for x, facets, *_, time in states.states(a.folder):
         for node, *corners in passed(before, x, facets) if before is not None else ():
             events += 1
             print(f"by {time:g} the node in place {node + 1} has passed the facet of the nodes in places {', '.join(str(c + 1) for c in corners)}")

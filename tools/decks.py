@@ -10,16 +10,14 @@ import pathlib
 import subprocess
 import sys
 
-import numpy as np
-
 import crossings
-import picture
+import states
 
 DECKS = {  # name: deck, direction from the model to the eye
-    "ball_plate": ("ball_plate/ball_plate.k", (1, -0.7, 0.6)),
-    "box_drop": ("box_drop/main.k", (1, -0.7, 0.4)),
-    "tensile_test": ("tensile_test/zug_test3_RS.k", (0.3, -0.6, 1)),
-    "bumper_beam": ("bumper_beam/Bumper_Beam_AP_meshed.k", (-1, -0.7, 0.5)),
+    "ball_plate": ("ball_plate/ball_plate.k", "1,-0.7,0.6"),
+    "box_drop": ("box_drop/main.k", "1,-0.7,0.4"),
+    "tensile_test": ("tensile_test/zug_test3_RS.k", "0.3,-0.6,1"),
+    "bumper_beam": ("bumper_beam/Bumper_Beam_AP_meshed.k", "-1,-0.7,0.5"),
 }
 HEAD = """\
 | deck | end | cycles | energy ratio | internal | hourglass | share | crossings | contact, share of time |
@@ -29,7 +27,7 @@ HEAD = """\
 def row(name, folder):
     s = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     e, phases = s["energy"], s["seconds"]["phases"]
-    x, facets = picture.read(folder)[:2]
+    x, facets = states.read(folder)[:2]
     edges, _ = crossings.crossings(x, facets)
     share = 100.0 * e["hourglass"] / e["internal"] if e["internal"] else 0.0
     contact = 100.0 * phases["contact"] / s["seconds"]["solve"]
@@ -47,8 +45,7 @@ def main(nugget, folder, *names):
         if not (out / "summary.json").exists():
             subprocess.run([nugget, "run", shared / deck, "-o", out, "-j1", "--quiet"], check=True, stderr=subprocess.DEVNULL)
         print(row(name, out), flush=True)
-        svg = picture.draw(out, 800, np.array(view, float), np.array((0.0, 0.0, 1.0)))
-        (pathlib.Path(folder) / f"{name}.svg").write_text(svg, encoding="utf-8")
+        subprocess.run([nugget, "picture", out, "-o", pathlib.Path(folder) / f"{name}.svg", f"--view={view}"], check=True)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import matplotlib.patches
 from matplotlib.figure import Figure
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
-import picture  # noqa: E402
+import states  # noqa: E402
 
 matplotlib.rcParams.update({"svg.hashsalt": "nugget", "svg.fonttype": "none", "font.family": "sans-serif", "font.size": 9,
                             "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False, "path.simplify_threshold": 0.5})
@@ -28,13 +28,13 @@ def save(figure, path):
 
 def first_state(folder):
     """Places of the nodes, corners of the shells and ends of the beams, as a run begins."""
-    x, shells, _, beams, _ = picture.read(folder, first=True)
+    x, shells, _, beams, _ = states.read(folder, first=True)
     return x, shells, beams
 
 
 def state_at(folder, time):
     """As first_state, of the state nearest to a time."""
-    x, shells, _, beams, _, _ = min(picture.states(folder), key=lambda state: abs(state[5] - time))
+    x, shells, _, beams, _, _ = min(states.states(folder), key=lambda state: abs(state[5] - time))
     return x, shells, beams
 
 

@@ -8,7 +8,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import binout  # noqa: E402
-from picture import states  # noqa: E402, F401
+from states import states  # noqa: E402, F401
 
 
 def summary(folder):

@@ -416,9 +416,11 @@ int nugget::app::command_line(int argc, char** argv) {
   picture_command->add_option("-o,--output", picture.picture, "the picture, .svg or .png")
       ->required()
       ->check(picture_name());
-  picture_command->add_option("--time", seen.time, "the state nearest to it (default: the last)");
-  picture_command->add_option("--mode", seen.mode, "number of a natural mode (default: the first elastic one)")
-      ->check(count);
+  CLI::Option* state = picture_command
+                           ->add_option("--state", seen.state,
+                                        "number of the state or mode (default: the last state, the first elastic mode)")
+                           ->check(count);
+  picture_command->add_option("--time", seen.time, "the state nearest to it")->excludes(state);
   picture_command
       ->add_option("--field", seen.field,
                    "what colours elements (default: plastic_strain where there is some, else part)")

@@ -138,9 +138,9 @@ std::vector<Plot> plots_of(const std::vector<ChannelCurve>& curves) {
   }
   for (std::size_t i = 0; i < plots.size(); ++i) {
     constexpr std::size_t most_names = 3;
-    const std::string unit = first[i]->unit.empty() ? std::string() : fmt::format(" [{}]", first[i]->unit.substr(1));
-    plots[i].ordinate =
-        (quantities[i].size() <= most_names ? fmt::format("{}", fmt::join(quantities[i], ", ")) : std::string()) + unit;
+    std::string& words = plots[i].ordinate;
+    if (quantities[i].size() <= most_names) words = fmt::format("{}", fmt::join(quantities[i], ", "));
+    if (!first[i]->unit.empty()) words += fmt::format("{}[{}]", words.empty() ? "" : " ", first[i]->unit.substr(1));
   }
   return plots;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -37,10 +38,10 @@ constexpr Colour sheet{196, 202, 208};                    // what has no value
 constexpr double margin = 24.0;                           // pixels
 constexpr double above_model = 46.0, below_model = 54.0;  // pixels above and below the model
 
-/// `plastic strain` as options name it: `plastic_strain`.
+/// `von Mises stress` as options name it: `von_mises_stress`.
 std::string option_name(std::string_view name) {
-  std::string text(name);
-  std::replace(text.begin(), text.end(), ' ', '_');
+  std::string text;
+  for (const char c : name) text += c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
 
@@ -67,6 +68,14 @@ struct Scene {
     return options.parts.empty() ||
            std::find(options.parts.begin(), options.parts.end(), geometry().parts[at(part)].id) != options.parts.end();
   }
+  /// The nodes of a failed weld may fly anywhere: its place is that of the sheet that it was tied to.
+  Vec3d place_of(const ShownWeld& weld) const {
+    const std::vector<std::size_t>& nodes =
+        weld.has_failed_by(state.time) && !weld.segment.empty() ? weld.segment : weld.nodes;
+    Vec3d centre{};
+    for (const std::size_t node : nodes) centre += 1.0 / static_cast<double>(nodes.size()) * x[node];
+    return centre;
+  }
 };
 
 /// Rigid body motions come first and have next to no frequency.
@@ -78,15 +87,14 @@ std::size_t first_elastic(const std::vector<double>& frequencies) {
 
 std::size_t asked_state(const PictureOptions& options, const std::vector<double>& times, bool modes) {
   if (times.empty()) throw std::runtime_error("there is no whole state to draw");
-  if (!modes) {
-    const auto nearer = [&](double a, double b) { return std::abs(a - options.time) < std::abs(b - options.time); };
-    if (std::isinf(options.time)) return times.size() - 1;
-    return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
-  }
-  if (options.mode == 0) return first_elastic(times);
-  if (at(options.mode) > times.size())
-    throw std::runtime_error(fmt::format("there is no mode {}, expected 1 to {}", options.mode, times.size()));
-  return at(options.mode) - 1;
+  if (at(options.state) > times.size())
+    throw std::runtime_error(
+        fmt::format("there is no {} {}, expected 1 to {}", modes ? "mode" : "state", options.state, times.size()));
+  if (options.state != 0) return at(options.state) - 1;
+  if (modes) return first_elastic(times);
+  if (std::isinf(options.time)) return times.size() - 1;
+  const auto nearer = [&](double a, double b) { return std::abs(a - options.time) < std::abs(b - options.time); };
+  return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
 }
 
 /// Displacements times the scale; those of modes, which have any size, first brought to 6 % of the model's diagonal.
@@ -241,7 +249,7 @@ class Camera {
         std::find_if(s.welds.begin(), s.welds.end(), [&](const ShownWeld& w) { return w.id == options_.weld; });
     if (weld == s.welds.end())
       throw std::runtime_error(fmt::format("there is no weld {} in the picture", options_.weld));
-    const Vec3d& x = s.x[weld->segment.empty() ? weld->nodes.front() : weld->segment.front()];
+    const Vec3d x = s.place_of(*weld);
     u_ = dot(x, right_), v_ = dot(x, top_);
     fit(diameters * weld->diameter, diameters * weld->diameter);
   }
@@ -390,12 +398,7 @@ std::string drawn_welds(const Scene& s, const Camera& camera, const DrawnFacets&
   const FailureValues failure(directory, s.modes ? 0.0 : s.state.time);
   std::string text;
   for (const ShownWeld& weld : s.welds) {
-    // The nodes of a failed weld may fly anywhere: its place is that of the sheet that it was tied to.
-    const std::vector<std::size_t>& nodes =
-        weld.has_failed_by(s.state.time) && !weld.segment.empty() ? weld.segment : weld.nodes;
-    Vec3d centre{};
-    for (const std::size_t node : nodes) centre += 1.0 / static_cast<double>(nodes.size()) * s.x[node];
-    const PicturePoint p = camera(centre);
+    const PicturePoint p = camera(s.place_of(weld));
     const bool hidden = sheets.hide(p, weld.diameter);
     const std::string colour = css(s.modes ? colour_of_failure(0.0) : colour_of_failure(failure.of(weld)));
     text += fmt::format(
@@ -428,6 +431,7 @@ std::string drawn_beams(const Scene& s, const Camera& camera) {
 // ---- words
 
 std::string text_at(double x, double y, const std::string& text, const char* more = "") {
+  if (text.empty()) return {};
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n", x, y, more, escaped(text));
 }
 
@@ -531,7 +535,8 @@ std::string model_picture(const fs::path& directory, const PictureOptions& optio
   const std::string title = scene.run.summary.value("title", scene.geometry().title);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {0} {1}\" "
-      "width=\"{0}\" height=\"{1}\">\n<style>text {{ font: 13px sans-serif; fill: #234; }}</style>\n"
+      "width=\"{0}\" height=\"{1}\">\n<style>text {{ font: 13px sans-serif; fill: #234; stroke: #fff; stroke-width: "
+      "3px; paint-order: stroke; }}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}{3}{4}{5}{6}{7}{8}{9}</svg>\n",
       options.width, options.height, options.shapes ? sheets.as_shapes() : sheets.as_pixels(),
       drawn_beams(scene, camera), drawn_welds(scene, camera, sheets, directory),

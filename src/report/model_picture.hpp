@@ -13,8 +13,8 @@ namespace nugget::report {
 
 /// What of a run is drawn, and from where.
 struct PictureOptions {
-  double time = std::numeric_limits<double>::infinity();  ///< the state nearest to it; of natural modes not used
-  int mode = 0;                                           ///< of natural modes: its number, or 0: the first elastic one
+  int state = 0;  ///< of its file, or the natural mode; from 1. 0: by time, of modes the first elastic one
+  double time = std::numeric_limits<double>::infinity();  ///< the state nearest to it, the last at infinity
   std::string field;  ///< see picture_fields(); empty: plastic strain where there is some, else parts
   std::pair<double, double> range{0, 0};  ///< of the field's colours; both 0: as the values are
   Vec3d towards{0.6, -0.7, 0.45};         ///< from the model to the eye

@@ -54,7 +54,7 @@ class Coupon(CommandTest):
                 last = [r for r in self.table("curves") if r["test"] == row["test"]][-1]
                 self.assertGreater(float(last["force"]), 0.5 * expected)  # not beyond failure
         picture = xml.fromstring(self.read("out/coupon.svg"))
-        self.assertEqual(len(picture.findall("{http://www.w3.org/2000/svg}circle")), 3)
+        self.assertEqual(len(list(picture.iter("{http://www.w3.org/2000/svg}circle"))), 3)
         page = self.read("out/coupon.html")
         self.assertEqual(re.findall(r'<tr class="coupon" id="(\w+)">', page), ["ks2_00", "ks2_45", "ks2_90"])
         self.assertIn("report.html", self.files("out/ks2_45"))

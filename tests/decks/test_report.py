@@ -22,7 +22,7 @@ class Page(html.parser.HTMLParser):
 
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)
-        self.loads += [v for k, v in attributes.items() if k in ("src", "href", "data", "action") and not v.startswith("#")]
+        self.loads += [v for k, v in attributes.items() if k in ("src", "href", "data", "action") and not v.startswith(("#", "data:"))]
         if tag not in VOID:
             self.open.append((tag, attributes.get("id")))
         if tag == "tr":

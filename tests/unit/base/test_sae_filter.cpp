@@ -63,8 +63,7 @@ TEST(SaeFilter, ShiftsNoPhaseOfUnevenSamples) {
     values.push_back(std::sin(2.0 * pi * 20.0 * times.back()));
   }
   const TimeHistory out = sae_filtered(times, values, 180, 1.0);
-  for (std::size_t i = 200; i < 1800; ++i)
-    EXPECT_NEAR(out.values[i], std::sin(2.0 * pi * 20.0 * out.times[i]), 0.01);
+  for (std::size_t i = 200; i < 1800; ++i) EXPECT_NEAR(out.values[i], std::sin(2.0 * pi * 20.0 * out.times[i]), 0.01);
 }
 
 // A blow of one cycle, then a half sine of 90 that peaks at 6 ms: the blow was no force that had long been there.
