@@ -394,6 +394,12 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(CLI::IsMember(nugget::app::conversion_names()));
   convert_command->add_option("-o,--output", convert.target, "folder for them (default: the results' own)");
 
+  std::string watched;
+  bool once = false;
+  CLI::App* watch_command = cli.add_subcommand("watch", "follows a run of another process, with small plots");
+  watch_command->add_option("directory", watched, "folder of the run")->required();
+  watch_command->add_flag("--once", once, "only how far it is now");
+
   nugget::app::PlotArguments plot;
   CLI::App* plot_command = cli.add_subcommand("plot", "draws histories and responses, and prints their extremes");
   plot_command->add_option("directory", plot.directory, "folder with summary.json")->required();
@@ -485,6 +491,7 @@ int nugget::app::command_line(int argc, char** argv) {
     if (!up.empty()) seen.up = *direction_of(up);
     return static_cast<int>(nugget::app::picture(picture));
   }
+  if (watch_command->parsed()) return static_cast<int>(nugget::app::watch(watched, once));
   if (plot_command->parsed()) return static_cast<int>(nugget::app::plot(plot));
   if (report_command->parsed()) return static_cast<int>(nugget::app::report(results, other_results));
   return static_cast<int>(nugget::app::keywords(keyword));

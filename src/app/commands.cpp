@@ -22,6 +22,7 @@
 #include "app/progress.hpp"
 #include "app/restart.hpp"
 #include "app/run_log.hpp"
+#include "app/run_status.hpp"
 #include "app/statics.hpp"
 #include "app/weld_drop_runs.hpp"
 #include "base/parallel.hpp"
@@ -154,21 +155,38 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
                          output::RestartHead head, output::RestartReader* from, Log& log) {
   interrupt_on_signals(arguments.stop_after);
   ProgressDisplay display;
+  StatusFile status(directory, arguments.deck);
+  const auto progress = [&](const impact::Progress& p) {
+    status.update(p);
+    if (!arguments.quiet) display(p);
+  };
   try {
     const system::System& system = simulation.system();
     if (from != nullptr) head.date = from->head().date;
     impact::ResultFiles files(system, directory,
                               {system.model.title, fmt::format("nugget {}", NUGGET_VERSION), head.date,
                                from == nullptr ? output::OpenMode::create : output::OpenMode::append});
-    impact::Outcome outcome = simulation.run(options_of(arguments, head, directory, simulation, files, from), files,
-                                             arguments.quiet ? impact::ProgressCallback{} : std::ref(display));
+    impact::Options options = options_of(arguments, head, directory, simulation, files, from);
+    options.sense_switches = [&] {
+      const impact::SenseSwitches asked = take_sense_switch(directory);
+      if (asked.report || asked.restart_file || asked.state) {
+        display.finish();
+        fmt::print(stderr, "d3kil: {}\n", progress_line(status.last()));
+      }
+      if (asked.state && !system.model.requests.d3plot.asked())
+        fmt::print(stderr, "d3kil: sw4 writes nothing, since the deck asks for no d3plot [*DATABASE_BINARY_D3PLOT]\n");
+      return asked;
+    };
+    impact::Outcome outcome = simulation.run(options, files, progress);
     display.finish();
+    status.finish(outcome.termination);
     // In a dynamic relaxation there is none.
     if (outcome.termination == impact::Termination::interrupted && fs::exists(directory / "restart"))
       outcome.message += fmt::format("; to go on: nugget run --resume {}", directory.string());
     return outcome;
   } catch (const output::WriteError& error) {
     display.finish();
+    status.finish(impact::Termination::error);
     log.try_to_add(log_termination({impact::Termination::error, error.what()}));
     throw;
   }
@@ -352,8 +370,8 @@ void report_end(const RunArguments& arguments, const fs::path& directory, const 
   for (const std::string& line : warnings)
     if (!line.empty()) fmt::print(stderr, "{}\n", line);
   if (!arguments.quiet)
-    fmt::print(stderr, "{} cycles in {:.2f} s, energy ratio {:.5f}; results in {}, to begin with {}\n", summary.cycles,
-               summary.seconds.solve, summary.energy.ratio, directory.string(), (directory / "report.html").string());
+    fmt::print(stderr, "{}results in {}, to begin with {}\n", in_short(summary), directory.string(),
+               (directory / "report.html").string());
   fmt::print("{}", log_termination({outcome.termination, {}}));
 }
 

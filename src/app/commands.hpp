@@ -143,6 +143,8 @@ ExitCode convert(const ConvertArguments& arguments);
 const std::vector<std::string>& conversion_names();
 /// Draws channels of a run's histories and responses, and prints their extremes.
 ExitCode plot(const PlotArguments& arguments);
+/// Follows a run of another process on standard output, until it ends; `once`: only how far it is.
+ExitCode watch(const std::string& directory, bool once);
 /// Draws the model of a run.
 ExitCode picture(const PictureArguments& arguments);
 /// Ranks the welds of a finished run on standard output.

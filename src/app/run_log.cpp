@@ -11,6 +11,7 @@
 
 #include "app/finding_list.hpp"
 #include "base/parallel.hpp"
+#include "model/units.hpp"
 #include "weld/failure/function.hpp"
 
 namespace nugget::app {
@@ -219,6 +220,42 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
                      summary.seconds.solve > 0.0 ? 100.0 * seconds / summary.seconds.solve : 0.0);
   return s + fmt::format(" {:.1f} ns per element and cycle on {} threads\n\n", summary.ns_per_element_cycle,
                          summary.threads);
+}
+
+std::string in_short(const output::Summary& summary) {
+  const auto units = model::units_named(summary.units);
+  const auto with_unit = [&](double value, const Dimension& dimension) {
+    return fmt::format("{:.4g}{}", value, units ? ' ' + model::symbol(*units, dimension) : std::string());
+  };
+  const auto place = [](const output::WeldReport& weld) {
+    return fmt::format("at ({:.4g}, {:.4g}, {:.4g})", weld.middle.x, weld.middle.y, weld.middle.z);
+  };
+  const output::Summary::Energies& e = summary.energy;
+  std::string text = fmt::format("{} cycles in {:.2f} s to time {}; energy ratio {:.5f}\n", summary.cycles,
+                                 summary.seconds.solve, with_unit(summary.time, dimension::time), e.ratio);
+  text += fmt::format("energy: kinetic {}, internal {}", with_unit(e.kinetic, dimension::energy),
+                      with_unit(e.internal, dimension::energy));
+  if (e.internal > 0.0) text += fmt::format(", hourglass {:.2g} % of it", 100.0 * e.hourglass / e.internal);
+  if (summary.mass.physical > 0.0)
+    text += fmt::format("; mass added {:.2g} %", 100.0 * summary.mass.added / summary.mass.physical);
+  text += '\n';
+  const output::WeldReport *first = nullptr, *nearest = nullptr;
+  std::size_t failed = 0;
+  for (const output::WeldReport& weld : summary.welds) {
+    failed += weld.failed;
+    if (weld.failure_time && (!first || *weld.failure_time < *first->failure_time)) first = &weld;
+    if (!weld.failed && weld.peak_failure > (nearest ? nearest->peak_failure : 0.0)) nearest = &weld;
+  }
+  if (summary.welds.empty()) return text;
+  text += fmt::format("welds: {} of {} failed", failed, summary.welds.size());
+  if (first)
+    text += fmt::format(", first {} {} at {} by {}", first->id, place(*first),
+                        with_unit(*first->failure_time, dimension::time), first->failure_mode);
+  if (nearest)
+    text +=
+        fmt::format("; nearest to it {}{} {}, failure value {:.3g} at {}", first ? "of the others " : "", nearest->id,
+                    place(*nearest), nearest->peak_failure, with_unit(nearest->peak_failure_time, dimension::time));
+  return text + '\n';
 }
 
 std::string log_resumption(const output::RestartHead& head, const std::string& date) {

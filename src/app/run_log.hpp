@@ -28,6 +28,8 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
 std::string log_tied_nodes(const model::Model& model, const weld::Ties& ties);
 std::string log_mass(const system::System& system);
 std::string log_run(const impact::Simulation& simulation, const output::Summary& summary);
+/// What matters of a run in a few lines: energies, mass, which weld failed first and where, which is nearest to it.
+std::string in_short(const output::Summary& summary);
 /// Where a run begins again.
 std::string log_resumption(const output::RestartHead& head, const std::string& date);
 /// LS-DYNA's words, which tools look for: ` N o r m a l    t e r m i n a t i o n`.

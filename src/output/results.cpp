@@ -14,6 +14,9 @@ namespace {
 
 /// Besides the history files.
 constexpr auto names = std::to_array<std::string_view>({"run.log",
+                                                        "status.out",
+                                                        "status.out.part",
+                                                        "d3kil",
                                                         "check.log",
                                                         "summary.json",
                                                         "findings.json",

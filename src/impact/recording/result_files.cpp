@@ -64,7 +64,7 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   geometry.shell_histories = ask.shell_histories;
   auto file = std::make_shared<output::D3plot>(directory, std::move(geometry), header.mode);
   channels_.push_back({ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); },
-                       [file](Archive& a) { a(*file); }, first_mark(ask.d3plot, model_.curves)});
+                       [file](Archive& a) { a(*file); }, first_mark(ask.d3plot, model_.curves), true});
 }
 
 void ResultFiles::add(const HistoryFile& history, const system::System& system) {
@@ -96,27 +96,29 @@ bool ResultFiles::due(const Channel& channel, const system::State& state) const 
 
 bool ResultFiles::due(const system::State& state) {
   for (const Channel& c : channels_)
-    if (due(c, state)) return true;
+    if (due(c, state) || (state_asked_ && c.of_states)) return true;
   return false;
 }
 
 void ResultFiles::Channel::archive(Archive& a) {
   archive_file(a);
   a(next);
-  a.built(request, write);
+  a.built(request, write, of_states);
 }
 
 void ResultFiles::archive(Archive& a) {
   a.section("result files");
   a(channels_);
   if (binout_) a(*binout_);
-  a.built(model_, directory_, header_);
+  a.built(model_, directory_, header_, state_asked_);
 }
 
 void ResultFiles::write(const Snapshot& now, bool last) {
   for (Channel& c : channels_) {
-    if (!last && !due(c, now.state)) continue;
+    const bool is_due = last || due(c, now.state);
+    if (!is_due && !(state_asked_ && c.of_states)) continue;
     c.write(now);
+    if (!is_due) continue;
     if (c.request.curve != model::none) {
       c.next = next_on_curve(c.request, model_.curves[c.request.curve], c.next, now.state.time);
       continue;
@@ -129,6 +131,7 @@ void ResultFiles::write(const Snapshot& now, bool last) {
     do c.next += interval;
     while (c.next <= now.state.time && c.next + interval > c.next);
   }
+  state_asked_ = false;
 }
 
 }  // namespace nugget::impact

@@ -21,6 +21,7 @@ class ResultFiles : public Recorder {
 
   bool due(const system::State& state) override;
   void write(const Snapshot& now, bool last) override;
+  void ask_for_state() override { state_asked_ = true; }
   /// Sizes of the files and when they are next due. Reading, what was written later is cut off.
   void archive(Archive& a) override;
 
@@ -31,6 +32,7 @@ class ResultFiles : public Recorder {
     std::function<void(const Snapshot&)> write;
     std::function<void(Archive&)> archive_file;
     double next = 0.0;
+    bool of_states = false;  ///< d3plot
     void archive(Archive& a);
   };
   bool due(const Channel& channel, const system::State& state) const;
@@ -43,6 +45,7 @@ class ResultFiles : public Recorder {
   output::Header header_;
   std::shared_ptr<output::Binout> binout_;
   std::vector<Channel> channels_;
+  bool state_asked_ = false;
 };
 
 }  // namespace nugget::impact

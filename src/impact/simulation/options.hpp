@@ -13,6 +13,14 @@ struct Checkpoints {
   double minutes = 0.0, time = 0.0;
 };
 
+/// What somebody asks of a run that is under way; LS-DYNA's word for it.
+struct SenseSwitches {
+  bool stop = false;          ///< with a restart file
+  bool report = false;        ///< a line of progress
+  bool restart_file = false;  ///< and go on
+  bool state = false;         ///< one of d3plot that is not due
+};
+
 /// What the command line says about a run.
 struct Options {
   double until = 0.0;   ///< end time; 0: the deck's
@@ -20,6 +28,7 @@ struct Options {
   Checkpoints checkpoints{};
   std::function<void()> write_checkpoint{};  ///< writes a restart file, between two cycles; empty: there are none
   std::function<void()> restore{};  ///< takes the state from one, in place of the start's; empty: a run from its start
+  std::function<SenseSwitches()> sense_switches{};  ///< asked a few times a second; empty: nobody asks for anything
 };
 
 enum class Termination { normal, error, interrupted };

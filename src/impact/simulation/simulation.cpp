@@ -21,6 +21,8 @@
 namespace nugget::impact {
 namespace {
 
+constexpr double between_reports = 0.2;  // seconds
+
 const char* volatile interrupted_by = nullptr;  ///< by whom; null: not at all
 
 // TSSFAC is a share of the stable step. Where the formula's step goes beyond what the bricks allow as they are
@@ -229,7 +231,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   checkpoint_time_ = state_.time;
   checkpoint_seconds_ = solve_seconds_;
   add_time(elements);
-  const Outcome relaxed = options.restore ? Outcome{} : relax(options, progress);
+  const Outcome relaxed = options.restore ? Outcome{} : relax(options, recorder, progress);
   Outcome outcome;
   double next_report = 0.0;
   for (bool last = false; !last;) {
@@ -244,9 +246,10 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (balance) update_energy_balance();
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_) write_results(recorder, last);
-    if (progress && elapsed() >= next_report) {
-      report_progress(progress, end_time);
-      next_report = elapsed() + 0.2;
+    if (elapsed() >= next_report) {
+      if (progress) report_progress(progress, end_time);
+      if (options.sense_switches) obey(options.sense_switches(), recorder);
+      next_report = elapsed() + between_reports;
     }
     add_time(output);
     if (!last) step();
@@ -292,6 +295,12 @@ void Simulation::report_progress(const ProgressCallback& progress, double end_ti
             components_.failed_welds(), elapsed()});
 }
 
+void Simulation::obey(const SenseSwitches& switches, Recorder& recorder) {
+  if (switches.stop) interrupt("d3kil");
+  if (switches.state) recorder.ask_for_state();
+  restart_file_asked_ = restart_file_asked_ || switches.restart_file;
+}
+
 void Simulation::write_checkpoint_if_due(const Options& options) {
   // Asked once a cycle: the run ends in the cycle that begins with the restart file.
   stop_requested_ = interrupted_by != nullptr;
@@ -301,11 +310,13 @@ void Simulation::write_checkpoint_if_due(const Options& options) {
   const auto passed = [](double before, double now, double interval) {
     return interval > 0.0 && std::floor(now / interval) > std::floor(before / interval);
   };
-  const bool due = (every.cycles > 0 && state_.cycle > checkpoint_cycle_ && state_.cycle % every.cycles == 0) ||
+  const bool due = restart_file_asked_ ||
+                   (every.cycles > 0 && state_.cycle > checkpoint_cycle_ && state_.cycle % every.cycles == 0) ||
                    passed(checkpoint_time_, state_.time, every.time) ||
                    passed(checkpoint_seconds_, solve_seconds_, 60.0 * every.minutes);
   if (!due && !stop_requested_) return;
   options.write_checkpoint();
+  restart_file_asked_ = false;
   checkpoint_cycle_ = state_.cycle;
   checkpoint_time_ = state_.time;
   checkpoint_seconds_ = solve_seconds_;
@@ -386,7 +397,7 @@ void Simulation::internal_force_at_rest() {
   w.swap(state_.w);
 }
 
-Outcome Simulation::relax(const Options& options, const ProgressCallback& progress) {
+Outcome Simulation::relax(const Options& options, Recorder& recorder, const ProgressCallback& progress) {
   const model::Relaxation& control = system_.model.control.relaxation;
   if (!control.on()) return {};
   const std::vector<Row> v(state_.v), w(state_.w);
@@ -417,11 +428,12 @@ Outcome Simulation::relax(const Options& options, const ProgressCallback& progre
     update_velocities();
     step();
     relaxation_.watch(system_, state_);
-    if (progress && elapsed() >= next_report) {
+    if (elapsed() >= next_report) {
       Progress p{state_.time, 0.0, state_.dt, state_.cycle, 1.0, 0, 0, elapsed()};
       p.kinetic_energy_ratio = relaxation_.kinetic_energy_ratio();
-      progress(p);
-      next_report = elapsed() + 0.2;
+      if (progress) progress(p);
+      if (options.sense_switches) obey(options.sense_switches(), recorder);
+      next_report = elapsed() + between_reports;
     }
   }
   if (stop.stops()) {

@@ -60,7 +60,7 @@ class Simulation {
   void internal_force_at_rest();
   /// Dynamic relaxation, where the deck asks for it. Afterwards the run begins at time 0 with the stresses and places
   /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
-  Outcome relax(const Options& options, const ProgressCallback& progress);
+  Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
   /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
   void update_velocities();
   /// The step from t(n) to t(n+1), up to the forces there.
@@ -96,6 +96,8 @@ class Simulation {
   void store_velocities();
   void write_results(Recorder& recorder, bool last);
   void report_progress(const ProgressCallback& progress, double end_time) const;
+  /// Does between two cycles what somebody has asked for.
+  void obey(const SenseSwitches& switches, Recorder& recorder);
   /// Energies at the present time; the previous ones stay where the solution is not a number.
   void update_energy_balance();
   /// Ten times the energy that was ever put in has come from nowhere, and it is most of what there is.
@@ -119,7 +121,8 @@ class Simulation {
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
-  long checkpoint_cycle_ = 0;    ///< of the last restart file; its time, and the clock then
+  bool restart_file_asked_ = false;
+  long checkpoint_cycle_ = 0;  ///< of the last restart file; its time, and the clock then
   double checkpoint_time_ = 0.0, checkpoint_seconds_ = 0.0;
   bool diverged_ = false;
   bool unstable_ = false;  ///< energy_is_made at the last cycle that is a multiple of 100

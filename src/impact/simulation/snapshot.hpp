@@ -51,6 +51,8 @@ class Recorder {
   virtual bool due(const system::State& state) = 0;
   /// `last`: the run ends here, whatever is due.
   virtual void write(const Snapshot& now, bool last) = 0;
+  /// A state of d3plot is wanted that is not due.
+  virtual void ask_for_state() {}
   virtual void archive(Archive&) {}
 };
 
