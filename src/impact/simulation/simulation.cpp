@@ -694,8 +694,8 @@ void Simulation::archive(Archive& a) {
     stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, stop_requested_, checkpoint_cycle_, checkpoint_time_, checkpoint_seconds_, begin_,
-          timed_until_);
+          block_power_, stop_requested_, restart_file_asked_, checkpoint_cycle_, checkpoint_time_, checkpoint_seconds_,
+          begin_, timed_until_);
 }
 
 }  // namespace nugget::impact
