@@ -179,14 +179,13 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
     };
     impact::Outcome outcome = simulation.run(options, files, progress);
     display.finish();
-    status.finish(outcome.termination);
     // In a dynamic relaxation there is none.
     if (outcome.termination == impact::Termination::interrupted && fs::exists(directory / "restart"))
       outcome.message += fmt::format("; to go on: nugget run --resume {}", directory.string());
     return outcome;
   } catch (const output::WriteError& error) {
     display.finish();
-    status.finish(impact::Termination::error);
+    status.fail();
     log.try_to_add(log_termination({impact::Termination::error, error.what()}));
     throw;
   }
@@ -407,6 +406,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   const output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
   output::write_welds(directory, p.welds);
   output::write_summary(directory, summary);
+  remove_status(directory);
   report::write_report(directory);
   report_end(arguments, directory, *simulation, outcome, summary, log);
   switch (outcome.termination) {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "app/progress.hpp"
 #include "output/result_file.hpp"
@@ -49,6 +50,25 @@ std::string text_of(const RunStatus& status) {
   return fmt::format("{}", fmt::join(lines, ""));
 }
 
+std::optional<RunStatus> status_of_ended_run(const fs::path& directory) {
+  std::ifstream file(directory / "summary.json");
+  if (!file) return std::nullopt;
+  const auto summary = nlohmann::json::parse(file, nullptr, false);
+  if (!summary.is_object() || !summary.contains("termination") || !summary.contains("cycles")) return std::nullopt;
+  RunStatus status;
+  status.deck = summary.value("deck", "");
+  status.state = summary.value("termination", "");
+  status.at.cycle = summary.value("cycles", 0L);
+  status.at.time = summary.value("time", 0.0);
+  status.at.end_time = status.state == "normal" ? status.at.time : 0.0;
+  status.at.dt = summary["time_step"].value("smallest", 0.0);
+  status.at.energy_ratio = summary["energy"].value("ratio", 1.0);
+  status.at.welds = summary.value("welds", 0);
+  for (const auto& weld : summary["weld"]) status.at.welds_failed += weld.value("failed", false) ? 1 : 0;
+  status.at.seconds = summary["seconds"].value("solve", 0.0);
+  return status;
+}
+
 }  // namespace
 
 StatusFile::StatusFile(fs::path directory, std::string deck)
@@ -62,12 +82,6 @@ void StatusFile::update(const impact::Progress& progress) {
   write("running");
 }
 
-void StatusFile::finish(impact::Termination termination) {
-  write(termination == impact::Termination::normal  ? "normal"
-        : termination == impact::Termination::error ? "error"
-                                                    : "interrupted");
-}
-
 void StatusFile::write(const std::string& state) const {
   try {
     output::write_whole_file(directory_ / status_name, text_of({deck_, state, last_, seconds_since_1970()}));
@@ -78,7 +92,7 @@ void StatusFile::write(const std::string& state) const {
 
 std::optional<RunStatus> read_status(const fs::path& directory) {
   std::ifstream file(directory / status_name);
-  if (!file) return std::nullopt;
+  if (!file) return status_of_ended_run(directory);
   std::map<std::string, std::string> of;
   for (std::string line; std::getline(file, line);) {
     if (line.size() <= width_of_names + 1) continue;
@@ -101,6 +115,11 @@ std::optional<RunStatus> read_status(const fs::path& directory) {
   p.seconds = number("elapsed seconds");
   status.updated = static_cast<long>(number("updated"));
   return status;
+}
+
+void remove_status(const fs::path& directory) {
+  std::error_code ignored;
+  fs::remove(directory / status_name, ignored);
 }
 
 impact::SenseSwitches take_sense_switch(const fs::path& directory) {

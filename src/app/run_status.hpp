@@ -16,14 +16,14 @@ struct RunStatus {
   long updated = 0;  ///< seconds since 1970
 };
 
-/// Writes `status.out` in the folder of a run: once a second at most.
+/// Writes `status.out` in the folder of a run, once a second at most, until summary.json says what became of it.
 class StatusFile {
  public:
   StatusFile(std::filesystem::path directory, std::string deck);
   void update(const impact::Progress& progress);
   const impact::Progress& last() const { return last_; }
-  /// The run has ended where it was last updated.
-  void finish(impact::Termination termination);
+  /// The run ended where it was last updated, without a summary.
+  void fail() const { write("error"); }
 
  private:
   /// Without a word where it cannot be written: the results will say so.
@@ -35,8 +35,11 @@ class StatusFile {
   double next_ = 0.0;
 };
 
-/// What `status.out` says; nothing where there is none.
+/// What `status.out` says, or of a run that ended summary.json; nothing where there is neither.
 std::optional<RunStatus> read_status(const std::filesystem::path& directory);
+
+/// There is a summary now.
+void remove_status(const std::filesystem::path& directory);
 
 /// What `d3kil` in the folder asks for, as in LS-DYNA: sw1 to stop with a restart file, sw2 to tell time and cycle, sw3
 /// to write a restart file, sw4 a state of d3plot; the file is removed. Anything else is told on standard error.

@@ -83,9 +83,11 @@ std::vector<std::string> small_plots(const fs::path& directory, double end_time)
 
 std::vector<std::string> lines_of(const fs::path& directory, const RunStatus& status) {
   constexpr long quiet_seconds = 30;
-  std::vector<std::string> lines{fmt::format("{}  {}  {:.1f} % in {}", status.deck, status.state,
-                                             100.0 * share_done(status.at), clock_time(status.at.seconds)),
-                                 progress_line(status.at)};
+  const std::string done =
+      status.at.end_time > 0.0 ? fmt::format("{:.1f} % in ", 100.0 * share_done(status.at)) : std::string("after ");
+  std::vector<std::string> lines{
+      fmt::format("{}  {}  {}{}", status.deck, status.state, done, clock_time(status.at.seconds)),
+      progress_line(status.at)};
   const long silent = static_cast<long>(std::time(nullptr)) - status.updated;
   if (status.state == "running" && silent > quiet_seconds)
     lines.push_back(
@@ -116,7 +118,9 @@ ExitCode watch(const std::string& directory, bool once) {
   for (;;) {
     const std::optional<RunStatus> status = read_status(directory);
     if (!status) {
-      fmt::print(stderr, "nugget: there is no status.out in {}, which an explicit run writes as it goes\n", directory);
+      fmt::print(stderr,
+                 "nugget: there is no status.out in {}, which an explicit run writes as it goes, and no summary.json\n",
+                 directory);
       return ExitCode::wrong_command;
     }
     print_lines(lines_of(directory, *status), drawn, terminal);
