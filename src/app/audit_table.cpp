@@ -113,7 +113,7 @@ double worst_excess(const weld::Report& report) {
 
 std::string audit_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports) {
   if (ties.welds.empty()) return {};
-  const auto units = model::recognise_units(model);
+  const auto units = model::units_of(model);
   std::string s = fmt::format("Audit: {}; spots: {}; units {}\n\n", weld_kinds(ties), spots(reports),
                               units ? units->name : "not recognised, so limits in millimetres are not looked at");
   s += fmt::format(" {:<10}{:<22}{:>9}{:>10}{:>14}  {}\n", "check", "measured", "least", "most", "remarks",

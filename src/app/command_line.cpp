@@ -88,6 +88,13 @@ CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
       ->check(CLI::Validator(known, ""));
 }
 
+void add_units(CLI::App* command, std::string& units) {
+  command
+      ->add_option("--units", units,
+                   "of the deck: length, mass, time (default: recognised by density and Young's modulus of its sheets)")
+      ->check(CLI::IsMember(nugget::app::unit_names()));
+}
+
 CLI::Option* add_case(CLI::App* command, int& load_case, const char* without) {
   return command->add_option("--case", load_case, fmt::format("the *CASE of the deck ({})", without))
       ->check(number_above_zero("the number of a *CASE", true));
@@ -165,6 +172,7 @@ int nugget::app::command_line(int argc, char** argv) {
   const char* weld_law = "shared library with your own failure function of welds: OPT 2, 12, 22";
   run_command->add_option("--weld-law", run.weld_law, weld_law);
   CLI::Option* run_weld_tie = add_weld_tie(run_command, run.weld_tie);
+  add_units(run_command, run.units);
   CLI::Option* run_drop = run_command->add_option(
       "--drop-weld", run.drop_weld,
       "run without welds: ids separated by commas (together); all, or each:ID,ID (one run without each, ranked)");
@@ -231,6 +239,7 @@ int nugget::app::command_line(int argc, char** argv) {
   modes_command->add_flag("--skip-unsupported", modes.run.skip_unsupported,
                           "leave out what is not supported, with a warning each");
   add_weld_tie(modes_command, modes.run.weld_tie);
+  add_units(modes_command, modes.run.units);
   add_case(modes_command, modes.run.load_case, "needed where it has several");
   modes_command->add_flag("--quiet", modes.run.quiet, "no progress on the terminal");
 
@@ -244,6 +253,7 @@ int nugget::app::command_line(int argc, char** argv) {
   frf_command->add_flag("--skip-unsupported", frf.skip_unsupported,
                         "leave out what is not supported, with a warning each");
   add_weld_tie(frf_command, frf.weld_tie);
+  add_units(frf_command, frf.units);
   add_case(frf_command, frf.load_case, "needed where it has several");
   frf_command->add_flag("--quiet", frf.quiet, "no progress on the terminal");
 
@@ -256,6 +266,7 @@ int nugget::app::command_line(int argc, char** argv) {
   check_command->add_option("-j,--threads", check.deck.threads, "threads (default: all cores)")->check(count);
   check_command->add_option("--weld-law", check.deck.weld_law, weld_law);
   add_weld_tie(check_command, check.deck.weld_tie);
+  add_units(check_command, check.deck.units);
   add_case(check_command, check.deck.load_case, "without: each, one after the other");
   check_command->add_flag("--skip-unsupported", check.deck.skip_unsupported, "unsupported keywords are warnings");
 

@@ -47,7 +47,7 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.deck = arguments.deck;
   s.load_case = arguments.load_case;
   s.files = p.files;
-  s.units = recognised_units(p.model);
+  s.units = unit_name(p.model);
   s.title = p.model.title;
   s.date = today();
   s.termination = outcome.termination == impact::Termination::normal  ? "normal"
@@ -129,6 +129,7 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .checkpoint = arguments.checkpoint,
           .weld_law = arguments.weld_law,
           .weld_tie = arguments.weld_tie,
+          .units = arguments.units,
           .drop_weld = arguments.drop_weld,
           .load_case = arguments.load_case};
 }

@@ -32,6 +32,7 @@ struct RunArguments {
   std::string weld_law;     ///< shared library with the user's own failure function of welds; empty: none
   std::string resume;       ///< folder of a run that is resumed; empty: a new run
   std::string weld_tie;     ///< `area` or `joint`: form of tie of welds, whatever the deck says; empty: as it says
+  std::string units;        ///< of the deck, by name (model/units.hpp); empty: recognised
   std::string drop_weld;    ///< welds that are not there: ids separated by commas; `all` or `each:` ids: one run each
   std::vector<std::string> intrusion;  ///< of those runs: pairs of nodes `A,B`
   int load_case = 0;                   ///< *CASE of the deck; 0: all of them, one after the other
@@ -40,8 +41,8 @@ struct RunArguments {
 };
 
 struct ModesArguments {
-  RunArguments run;              ///< of these: deck, directory, threads, weld_tie, load_case, skip_unsupported, quiet
-  int count = 0;                 ///< 0: the deck's NEIG, or 20
+  RunArguments run;  ///< of these: deck, directory, threads, weld_tie, units, load_case, skip_unsupported, quiet
+  int count = 0;     ///< 0: the deck's NEIG, or 20
   double low = 0.0, high = 0.0;  ///< frequencies [cycles/time]; 0: the deck's
   bool response = false;         ///< the frequency response that the deck asks for as well
   std::string drop;              ///< welds to be taken out: ids separated by commas, or `all`; empty: none
@@ -50,7 +51,7 @@ struct ModesArguments {
 };
 
 struct CheckArguments {
-  RunArguments deck;         ///< of these: deck, directory, threads, weld_tie, load_case, skip_unsupported, weld_law
+  RunArguments deck;  ///< of these: deck, directory, threads, weld_tie, units, load_case, skip_unsupported, weld_law
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 

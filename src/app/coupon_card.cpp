@@ -185,7 +185,7 @@ TakenCard take_card(const CouponArguments& arguments, const fs::path& directory)
   card.weld_material = material.id;
   taken.law = model.weld_laws[material.weld];
   taken.place = material.place;
-  const auto units = model::recognise_units(model);
+  const auto units = model::units_of(model);
   if (!units)
     throw CardFault(
         fmt::format("{}: the units are not recognised: density and Young's modulus of no material fit a "

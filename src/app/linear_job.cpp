@@ -81,7 +81,7 @@ output::Summary LinearJob::summary() const {
   s.deck = arguments_.deck;
   s.load_case = arguments_.load_case;
   s.files = deck_.files;
-  s.units = recognised_units(deck_.model);
+  s.units = unit_name(deck_.model);
   s.title = deck_.model.title;
   s.date = today();
   s.count = counts(deck_.model, deck_.ties);

@@ -17,8 +17,8 @@ ExitCode refuse(const std::filesystem::path& directory, Log& log, const Findings
   return ExitCode::refused;
 }
 
-std::string recognised_units(const model::Model& model) {
-  const auto units = model::recognise_units(model);
+std::string unit_name(const model::Model& model) {
+  const auto units = model::units_of(model);
   return units ? std::string(units->name) : std::string();
 }
 

@@ -13,7 +13,7 @@ namespace nugget::app {
 ExitCode refuse(const std::filesystem::path& directory, Log& log, const Findings& findings);
 
 /// Name of the deck's units as recognised; empty where they are not.
-std::string recognised_units(const model::Model& model);
+std::string unit_name(const model::Model& model);
 
 output::Summary::Counts counts(const model::Model& model, const weld::Ties& ties);
 

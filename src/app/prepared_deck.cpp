@@ -110,6 +110,16 @@ void coarsen(PreparedDeck& p, const deck::Deck& deck, bool skip_unsupported, Fin
                   merged.hanging.size()));
 }
 
+/// Units that were given and are none of the deck's make every number that has one wrong.
+void warn_of_other_units(const model::Model& model, Findings& findings) {
+  const auto seen = model::recognise_units(model);
+  if (model.units.empty() || !seen || seen->name == model.units) return;
+  findings.warning({model.deck, 0}, "",
+                   fmt::format("--units \"{}\", but density and Young's modulus are those of a metal in \"{}\"",
+                               model.units, seen->name),
+                   "leave --units out, or look at RO and E of the materials");
+}
+
 }  // namespace
 
 PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
@@ -129,6 +139,8 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   p.model = reading::build(deck, findings, arguments.skip_unsupported, library);
   if (p.model.coarsen.on && findings.errors() == 0) coarsen(p, deck, arguments.skip_unsupported, findings);
   if (library) note_unused_library(p.model, findings);
+  p.model.units = arguments.units;
+  warn_of_other_units(p.model, findings);
   if (arguments.weld_tie == "area") p.model.control.weld_tie = model::WeldTie::area;
   if (arguments.weld_tie == "joint") p.model.control.weld_tie = model::WeldTie::joint;
   p.read_seconds = clock.seconds();

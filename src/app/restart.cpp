@@ -49,6 +49,7 @@ RunArguments resumed_arguments(const RunArguments& asked, const output::RestartH
   run.skip_unsupported = head.skip_unsupported;
   run.weld_tie = head.weld_tie;
   run.drop_weld = head.drop_weld;
+  if (run.units.empty()) run.units = head.units;
   run.load_case = head.load_case;
   if (run.until == 0.0) run.until = head.until;
   if (run.max_cycles == 0) run.max_cycles = head.max_cycles;

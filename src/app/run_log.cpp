@@ -100,10 +100,15 @@ std::string log_findings(const Findings& findings) {
 }
 
 std::string log_model(const model::Model& model) {
+  const auto units = model::units_of(model);
   std::string s = fmt::format(
-      "Model: {}\n\n nodes {}, shells {}, solids {}, beams {}, parts {}, rigid bodies {}, SPCs {}, "
+      "Model: {}\n\n units {}\n nodes {}, shells {}, solids {}, beams {}, parts {}, rigid bodies {}, SPCs {}, "
       "prescribed motions {}, contacts {}, rigid walls {}\n\n",
-      model.title, model.nodes.size(), model.shells.size(), model.solids.size(), model.beams.size(), model.parts.size(),
+      model.title,
+      units ? fmt::format("{} (force {}, stress {}){}", units->name, units->force, units->stress,
+                          model.units.empty() ? ", as density and Young's modulus say" : ", as given")
+            : "not recognised: give --units",
+      model.nodes.size(), model.shells.size(), model.solids.size(), model.beams.size(), model.parts.size(),
       model.rigid_bodies.size(), model.spcs.size(), model.motions.size(),
       model.contacts.size() + model.interiors.size(), model.walls.size());
   std::vector<std::size_t> count(model.parts.size(), 0);

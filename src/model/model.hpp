@@ -172,7 +172,8 @@ struct KeywordUse {
 
 struct Model : LoadLists {
   std::string title;
-  std::string deck;  ///< path of the master file as given
+  std::string deck;   ///< path of the master file as given
+  std::string units;  ///< name of the units that the user gave (model/units.hpp); empty: as recognised
   Control control;
   CoarsenControl coarsen;
   Implicit implicit;

@@ -94,4 +94,8 @@ std::optional<Units> recognise_units(const Model& model) {
   return systems[most - votes.begin()];
 }
 
+std::optional<Units> units_of(const Model& model) {
+  return model.units.empty() ? recognise_units(model) : units_named(model.units);
+}
+
 }  // namespace nugget::model

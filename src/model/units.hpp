@@ -39,4 +39,7 @@ std::string symbol(const Units& units, const Dimension& dimension);
 /// are no sheets: a deck does not say its units.
 std::optional<Units> recognise_units(const Model& model);
 
+/// Those that the user gave (Model::units), else those recognised.
+std::optional<Units> units_of(const Model& model);
+
 }  // namespace nugget::model

@@ -37,6 +37,7 @@ Json to_json(const RestartHead& h) {
           {"checkpoint", h.checkpoint},
           {"weld_law", h.weld_law},
           {"weld_tie", h.weld_tie},
+          {"units", h.units},
           {"drop_weld", h.drop_weld},
           {"load_case", h.load_case},
           {"time", h.time},
@@ -57,6 +58,7 @@ RestartHead from_json(const Json& j) {
   j.at("checkpoint").get_to(h.checkpoint);
   j.at("weld_law").get_to(h.weld_law);
   j.at("weld_tie").get_to(h.weld_tie);
+  j.at("units").get_to(h.units);
   j.at("drop_weld").get_to(h.drop_weld);
   j.at("load_case").get_to(h.load_case);
   j.at("time").get_to(h.time);

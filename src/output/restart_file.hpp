@@ -29,6 +29,7 @@ struct RestartHead {
   std::string checkpoint;
   std::string weld_law;  ///< library, as it was named
   std::string weld_tie;
+  std::string units;
   std::string drop_weld;
   int load_case = 0;
   double time = 0.0;  ///< of the model

@@ -6,7 +6,7 @@ import math
 import re
 import unittest
 
-from lap_joint import deck
+from lap_joint import deck, edited
 from nugget_command import CommandTest
 
 RESULTS = ["d3plot", "d3plot01", "findings.json", "glstat", "matsum", "nodout", "report.html", "run.log", "summary.json", "swforc", "welds.csv"]
@@ -168,6 +168,26 @@ class RunFiles(CommandTest):
         self.assertEqual(self.json("summary.json")["threads"], 2)
         self.nugget("run", "i=model.k", "ncpu=-1")
         self.assertEqual(self.json("summary.json")["threads"], 1)
+
+    def test_units_that_are_given(self):
+        """A deck of scaled density is none of a metal in any units: then, and only then, they have to be given."""
+        self.write(edited(deck(), ("         1  7.85e-09  210000.0       0.3     300.0", "         1  7.85e-10  210000.0       0.3     300.0"),
+                          ("         3  7.85e-09  210000.0", "         3  7.85e-10  210000.0")))
+        self.nugget("run", "model.k", "-o", "unknown")
+        self.assertEqual(self.json("unknown/summary.json")["units"], "")
+        self.assertIn("units not recognised: give --units", self.read("unknown/run.log"))
+        said = self.nugget("run", "model.k", "-o", "given", "--units", "mm, t, s")
+        self.assertEqual(self.json("given/summary.json")["units"], "mm, t, s")
+        self.assertIn("units mm, t, s (force N, stress MPa), as given", self.read("given/run.log"))
+        self.assertIn("kinetic", said.stderr)
+        self.assertRegex(said.stderr, r"internal \S+ N mm")
+        self.assertEqual((self.folder / "unknown/d3plot01").read_bytes(), (self.folder / "given/d3plot01").read_bytes())
+
+    def test_units_that_are_not_those_of_the_deck_are_warned_of(self):
+        self.write(deck())
+        said = self.nugget("check", "model.k", "--units", "mm, kg, ms").stderr
+        self.assertIn('warning: --units "mm, kg, ms", but density and Young\'s modulus are those of a metal in "mm, t, s"', said)
+        self.assertIn("not in", self.nugget("check", "model.k", "--units", "mm", expect=2).stderr)
 
     def test_until_and_max_cycles(self):
         self.write(deck())

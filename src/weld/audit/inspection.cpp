@@ -27,7 +27,7 @@ bool share_a_sheet(const std::vector<Index>& a, const std::vector<Index>& b) {
 Inspection::Inspection(const model::Model& model, const Ties& ties)
     : model_(model),
       ties_(ties),
-      units_(model::recognise_units(model)),
+      units_(model::units_of(model)),
       mesh_(model, ties.x),
       stacks_(ties, model.nodes.size()) {
   find_borders();

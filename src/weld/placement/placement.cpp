@@ -33,7 +33,7 @@ std::string name_sheets(const model::Model& model, const SpotPoint& point, const
 class Placing {
  public:
   Placing(const model::Model& model, const Sheets& sheets, const PlacementOptions& options, Findings& findings)
-      : model_(model), sheets_(sheets), options_(options), findings_(findings), units_(model::recognise_units(model)) {}
+      : model_(model), sheets_(sheets), options_(options), findings_(findings), units_(model::units_of(model)) {}
 
   std::optional<Spot> spot(const SpotPoint& point) const {
     std::optional<std::vector<SpotSheet>> stack = point.parts.empty() ? found_stack(point) : named_stack(point);

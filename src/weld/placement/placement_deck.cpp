@@ -70,7 +70,7 @@ class PlacementWriter {
         form_(form),
         given_(given),
         findings_(findings),
-        units_(model::recognise_units(model)) {
+        units_(model::units_of(model)) {
     node_ = largest_of(model.nodes.id);
     element_ = std::max({largest_of(model.shells.id), largest_of(model.solids.id), largest_of(model.beams.id)});
     part_ = std::max(largest(model.parts), largest(model.rigid_bodies));

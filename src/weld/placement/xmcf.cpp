@@ -68,7 +68,7 @@ class XmcfReader {
   void take_units(const pugi::xml_node& units) {
     const std::string unit = units.attribute("length").as_string("mm");  // the schema's default
     const double in_mm = millimetres(unit);
-    const auto own = model::recognise_units(model_);
+    const auto own = model::units_of(model_);
     if (in_mm == 0.0)
       error(units, fmt::format("length unit '{}', expected mm, m, in or ft", unit), "correct the attribute");
     else if (own)

@@ -24,6 +24,7 @@ RestartHead head(long cycle) {
           .checkpoint = "5min",
           .weld_law = "law.so",
           .weld_tie = "area",
+          .units = "mm, t, s",
           .drop_weld = "7,12",
           .time = 1.0 / 3.0,
           .cycle = cycle};
@@ -59,6 +60,7 @@ TEST(RestartFile, HeadAndStateComeBack) {
   EXPECT_EQ(file->head().checkpoint, "5min");
   EXPECT_EQ(file->head().weld_law, "law.so");
   EXPECT_EQ(file->head().weld_tie, "area");
+  EXPECT_EQ(file->head().units, "mm, t, s");
   EXPECT_EQ(file->head().drop_weld, "7,12");
   std::vector<double> values;
   (*file)(values);
