@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bundles the viewer into one script: node build.mjs OUTPUT
+// Bundles the viewer into one script: node build.mjs OUTPUT. OUTPUT.inputs.json lists the files that went into it, from which
+// packaging/papers.py knows whose licences go with the program.
+import { writeFileSync } from "node:fs";
 import { build } from "esbuild";
 
-await build({
+const { metafile } = await build({
   entryPoints: [new URL("src/main.js", import.meta.url).pathname],
   outfile: process.argv[2],
   bundle: true,
@@ -13,4 +15,7 @@ await build({
   loader: { ".css": "text" },
   legalComments: "inline",
   logLevel: "warning",
+  metafile: true,
 });
+const [{ inputs }] = Object.values(metafile.outputs);
+writeFileSync(`${process.argv[2]}.inputs.json`, JSON.stringify(Object.keys(inputs), null, 1));

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command_text.hpp"
 #include "app/commands.hpp"
 #include "app/weld_drop_runs.hpp"
 #include "base/sae_filter.hpp"
@@ -85,7 +86,7 @@ CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
           "--weld-tie", form,
           "area: welds are tied to their sheets by the nugget's disc, wherever in the mesh; joint: so, and a joint "
           "carries what a coarse mesh lacks")
-      ->check(CLI::Validator(known, ""));
+      ->check(CLI::Validator(known, "{area,joint}"));  // help and completion show them
 }
 
 void add_units(CLI::App* command, std::string& units) {
@@ -459,7 +460,13 @@ int nugget::app::command_line(int argc, char** argv) {
   picture_command->add_option("--width", seen.width, "pixels (default: 1440)")->check(CLI::Range(200, 8000));
   picture_command->add_option("--height", seen.height, "pixels (default: 960)")->check(CLI::Range(200, 8000));
 
+  std::string demo_directory = "nugget_demo";
+  CLI::App* demo_command = cli.add_subcommand("demo", "run the main example that comes with the program");
+  demo_command->add_option("-o,--output", demo_directory, "folder for the results (default: nugget_demo)");
+
   std::vector<std::string> words = translated(argc, argv);
+  name_values(cli);
+  if (const std::optional<int> code = write_descriptions(cli, words)) return *code;
   if (is_unknown_command(cli, words)) {
     fmt::print(stderr,
                "nugget: there is no command '{}'; to run a deck: nugget run MODEL.k; for all commands: nugget --help\n",
@@ -504,6 +511,8 @@ int nugget::app::command_line(int argc, char** argv) {
   }
   if (watch_command->parsed()) return static_cast<int>(nugget::app::watch(watched, once));
   if (plot_command->parsed()) return static_cast<int>(nugget::app::plot(plot));
+
+  if (demo_command->parsed()) return static_cast<int>(nugget::app::demo(demo_directory));
   if (report_command->parsed()) return static_cast<int>(nugget::app::report(results, other_results));
   return static_cast<int>(nugget::app::keywords(keyword));
 }

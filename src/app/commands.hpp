@@ -159,5 +159,7 @@ ExitCode fit(const FitArguments& arguments);
 /// Checks or runs the decks of a folder: which are accepted, and what refuses the others.
 ExitCode coverage(const CoverageArguments& arguments);
 ExitCode keywords(const std::string& name);
+/// Runs the main example, found beside the program or where it is installed, and says where its results are.
+ExitCode demo(const std::string& directory);
 
 }  // namespace nugget::app
