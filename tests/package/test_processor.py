@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A processor that lacks what the programs are compiled for: a message that says so, and no illegal instruction."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+NUGGET = pathlib.Path(os.environ["NUGGET"])
+QEMU = shutil.which("qemu-x86_64")
+ARCH = re.search(r"^NUGGET_ARCH:STRING=(.*)$", pathlib.Path(os.environ["NUGGET_BUILD"], "CMakeCache.txt").read_text(), re.M)[1]
+
+
+@unittest.skipUnless(QEMU, "qemu-x86_64 is not installed (Debian: qemu-user)")
+@unittest.skipUnless(ARCH == "x86-64-v3", f"compiled for {ARCH}")
+class Processor(unittest.TestCase):
+    def on(self, processor, program="nugget"):
+        return subprocess.run([QEMU, "-cpu", processor, NUGGET.with_name(program), "--version"], capture_output=True, text=True, timeout=120)
+
+    def lacks(self, run):
+        self.assertEqual((run.returncode, run.stdout), (2, ""), run.stderr)
+        message = next(line for line in run.stderr.splitlines() if line.startswith("nugget: "))
+        self.assertIn("; the program is compiled for x86-64-v3. ", message)
+        return re.search(r"lacks (.*?);", message)[1].split(", ")
+
+    def test_without_avx(self):
+        for program in ("nugget", "nugget-mpi"):
+            self.assertEqual(self.lacks(self.on("qemu64", program)), ["SSE4.2", "AVX", "AVX2", "F16C", "BMI1", "BMI2", "LZCNT", "MOVBE"])
+        self.assertEqual(self.lacks(self.on("Nehalem"))[:2], ["AVX", "AVX2"])
+
+    def test_without_one_of_them(self):
+        for name, option in (("BMI2", "-bmi2"), ("AVX2", "-avx2"), ("LZCNT", "-abm"), ("MOVBE", "-movbe"), ("F16C", "-f16c")):
+            with self.subTest(lacks=name):
+                self.assertEqual(self.lacks(self.on(f"max,{option}")), [name])
+
+    def test_with_all(self):
+        run = self.on("Haswell")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertRegex(run.stdout, r"^nugget \d")
+
+
+if __name__ == "__main__":
+    unittest.main()
