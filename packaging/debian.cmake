@@ -12,6 +12,6 @@ papers(copyright ${doc}/copyright)
 papers(changelog ${doc}/changelog ${CPACK_DEBIAN_PACKAGE_MAINTAINER})
 execute_process(COMMAND gzip -9n ${doc}/changelog COMMAND_ERROR_IS_FATAL ANY)
 papers(sbom ${doc}/nugget.spdx.json)
-file(COPY ${doc}/nugget.spdx.json DESTINATION ${CPACK_NUGGET_BUILD})  # beside the package, too
+file(COPY ${doc}/nugget.spdx.json DESTINATION ${CPACK_PACKAGE_DIRECTORY})  # beside the package, too
 file(REMOVE_RECURSE ${root}/share/zsh/vendor-completions)
 file(RENAME ${root}/share/zsh/site-functions ${root}/share/zsh/vendor-completions)  # where Debian's zsh looks

@@ -20,9 +20,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAMS = ("nugget", "nugget-mpi")
 TOOLCHAIN = {"gcc-12", "glibc", "linux", "gcc-defaults", "libxcrypt", "llvm-toolchain-14"}  # runtimes: linked, not carried
-SPDX_NAMES = {"Expat": "MIT", "MIT": "MIT", "Apache-2": "Apache-2.0", "Apache-2.0": "Apache-2.0",
+SPDX_NAMES = {"Expat": "MIT", "MIT": "MIT", "Apache": "Apache-2.0", "Apache-2": "Apache-2.0", "Apache-2.0": "Apache-2.0",
               "BSD-2-clause": "BSD-2-Clause", "BSD-3-clause": "BSD-3-Clause", "BSD-3-Clause": "BSD-3-Clause",
-              "GPL-2+": "GPL-2.0-or-later", "GPL-2.0+": "GPL-2.0-or-later", "GPL-3+": "GPL-3.0-or-later",
+              "CeCILL-C-V1": "CECILL-C", "GPL-2+": "GPL-2.0-or-later", "GPL-2.0+": "GPL-2.0-or-later", "GPL-3+": "GPL-3.0-or-later",
               "LGPL-2+": "LGPL-2.0-or-later", "LGPL-2.0+": "LGPL-2.0-or-later",
               "LGPL-2.1+": "LGPL-2.1-or-later", "MPL-2": "MPL-2.0", "MPL-2.0": "MPL-2.0", "Zlib": "Zlib", "zlib": "Zlib"}
 
@@ -98,7 +98,7 @@ def debian_packages(build):
     rows = {}
     for how, names in (("linked", set(libraries.values())), ("compiled in", set(headers.values())), ("bundled", site)):
         for name in sorted(names):
-            form = "${source:Package}\t${Version}\t${Homepage}"
+            form = "${source:Package}\t${source:Version}\t${Homepage}"
             source, version, home = run("dpkg-query", "-W", f"-f={form}", name).split("\n")[0].split("\t")
             if how == "compiled in" and source in TOOLCHAIN:
                 continue
