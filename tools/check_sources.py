@@ -12,7 +12,7 @@ import re
 import subprocess
 import sys
 
-FOLDERS = ("src", "tests", "bench", "examples", "tools", ".ci")
+FOLDERS = ("src", "tests", "bench", "examples", "packaging", "tools", ".ci")
 TOP_FILES = ("CMakeLists.txt", "dev")
 SUFFIXES = {".cpp", ".hpp", ".h", ".inl", ".py", ".sh", ".cmake"}
 LICENCE = "SPDX-License-Identifier: Apache-2.0"

@@ -25,6 +25,7 @@ struct OptionText {
   std::vector<std::string> choices;  ///< its values, where only these are allowed
   std::string help;
   bool required = false;
+  bool many = false;  ///< takes several values: the last of the places
 };
 
 struct CommandText {

@@ -42,7 +42,8 @@ std::string bash_command(const CommandText& command) {
     values += fmt::format("        {}) {}; return ;;\n", fmt::join(option.names, "|"), bash_offer(option));
   }
   for (std::size_t i = 0; i < command.places.size(); ++i)
-    places += fmt::format("        {}) {} ;;\n", i, bash_offer(command.places[i]));
+    places += fmt::format("        {}) {} ;;\n", command.places[i].many ? "*" : std::to_string(i),
+                          bash_offer(command.places[i]));
   // Which word comes next: those before that are neither options nor their values are counted.
   const std::string skip =
       with_value.empty() ? "" : fmt::format("        case $word in {}) skip=1 ;; esac\n", fmt::join(with_value, "|"));
@@ -112,8 +113,8 @@ std::string zsh_command(const CommandText& command) {
                                       zsh_described(option.help), value));
   }
   for (std::size_t i = 0; i < command.places.size(); ++i)
-    out += " \\\n        " +
-           shell_quoted(fmt::format("{}:{}:{}", i + 1, command.places[i].place, zsh_offer(command.places[i])));
+    out += " \\\n        " + shell_quoted(fmt::format("{}:{}:{}", command.places[i].many ? "*" : std::to_string(i + 1),
+                                                      command.places[i].place, zsh_offer(command.places[i])));
   return out + " ;;\n";
 }
 

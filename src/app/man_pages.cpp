@@ -68,7 +68,8 @@ std::string synopsis(const CommandText& command) {
   if (command.name.empty()) return ".B nugget\n\\fICOMMAND\\fR [\\fIOPTIONS\\fR] ...\n";
   std::string out = fmt::format(".B nugget {}\n[\\fIOPTIONS\\fR]", command.name);
   for (const OptionText& place : command.places)
-    out += fmt::format(" {}\\fI{}\\fR{}", place.required ? "" : "[", troff(place.place), place.required ? "" : "]");
+    out += fmt::format(" {}\\fI{}\\fR{}{}", place.required ? "" : "[", troff(place.place), place.many ? " ..." : "",
+                       place.required ? "" : "]");
   return out + '\n';
 }
 

@@ -95,6 +95,9 @@ class Deb(InstallTest):
         comments = " ".join(package.get("comment", "") for package in packages.values())
         for dependency in self.field("Depends").split(", "):
             self.assertIn(re.sub(r"-?\d*$", "", dependency.split()[0].split("-pthread")[0])[:8], comments)
+        page = (SOURCE / "docs" / "manual" / "versions.md").read_text(encoding="utf-8")
+        listed = {name for row in re.findall(r"^\| ([a-z][^|]*) \|", page.split("## Licences")[1], re.M) for name in row.split(", ")}
+        self.assertLessEqual(set(how) - {"nugget"}, listed)
         licences = {package["name"]: package["licenseDeclared"] for package in packages.values()}
         self.assertEqual([licences[name] for name in ("nugget", "cli11", "mumps")], ["Apache-2.0", "BSD-3-Clause", "CECILL-C"])
 
