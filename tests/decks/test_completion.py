@@ -25,7 +25,7 @@ zpty -d shell
 
 def option_names(help_text):
     """The names of the options that --help lists."""
-    return {name for line in re.findall(r"^  (-\S+)", help_text, re.M) for name in line.split(",")}
+    return {name for line in re.findall(r"^  (-\S+)", help_text, re.M) for name in re.sub(r"{.*?}", "", line).split(",")}
 
 
 class Completion(CommandTest):
@@ -35,6 +35,17 @@ class Completion(CommandTest):
             self.write("", name)
         self.helps = {"": self.nugget("--help").stdout}
         self.commands = re.findall(r"^  ([a-z]+) ", self.helps[""].split("Subcommands:")[1], re.M)
+
+
+class KindsOfValues(Completion):
+    def test_what_help_calls_a_folder_or_a_deck_is_one(self):
+        """A new option or word without its row in src/app/command_text.cpp would be completed with nothing."""
+        seen = []
+        for command in self.commands:
+            text = re.sub(r"\n {20,}", "   ", self.nugget(command, "--help").stdout)
+            seen += re.findall(r"^  (\S+) ([A-Z]+)\b.*?   +(?:the )?(folder|deck)\b", text, re.M)
+        self.assertGreater(len(seen), 15)
+        self.assertEqual([row for row in seen if row[1] != row[2].upper()], [])
 
 
 @unittest.skipUnless(BASH, "bash is not installed")
