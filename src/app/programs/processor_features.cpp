@@ -6,7 +6,7 @@ namespace nugget::app {
 namespace {
 // SSE and AVX; also the masks and registers of AVX-512. Which are used depends on -march.
 [[maybe_unused]] constexpr unsigned with_wide = 0x6, with_wider = 0xe6;
-}
+}  // namespace
 
 // Bits: Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2A, CPUID; AMD64 Architecture Programmer's
 // Manual, volume 3, for LZCNT.
