@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bundles the viewer into one script: node build.mjs OUTPUT. OUTPUT.inputs.json lists the files that went into it, from which
-// packaging/papers.py knows whose licences go with the program.
-import { writeFileSync } from "node:fs";
+// Bundles the viewer into one script: node build.mjs OUTPUT. The licences of the packages that went into it stand at its
+// head, since every report.html carries them away. OUTPUT.inputs.json lists its files for packaging/papers.py.
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
 
-const { metafile } = await build({
+const output = process.argv[2];
+const { metafile, outputFiles } = await build({
   entryPoints: [new URL("src/main.js", import.meta.url).pathname],
-  outfile: process.argv[2],
+  outfile: output,
   bundle: true,
   minify: true,
   format: "iife",
@@ -16,6 +17,15 @@ const { metafile } = await build({
   legalComments: "inline",
   logLevel: "warning",
   metafile: true,
+  write: false,
 });
-const [{ inputs }] = Object.values(metafile.outputs);
-writeFileSync(`${process.argv[2]}.inputs.json`, JSON.stringify(Object.keys(inputs), null, 1));
+const inputs = Object.keys(Object.values(metafile.outputs)[0].inputs);
+const packages = new Set(inputs.map((path) => path.match(/node_modules\/((?:@[^/]+\/)?[^/]+)\//)?.[1]).filter(Boolean));
+const licences = [...packages].sort().map((name) => {
+  const folder = new URL(`node_modules/${name}/`, import.meta.url);
+  const file = readdirSync(folder).find((each) => /^licen[cs]e/i.test(each));
+  const { version } = JSON.parse(readFileSync(new URL("package.json", folder), "utf8"));
+  return `/*! ${name} ${version}\n${readFileSync(new URL(file, folder), "utf8").trim()} */\n`;
+});
+writeFileSync(output, licences.join("").replaceAll("\u00a9", "(c)") + outputFiles[0].text);
+writeFileSync(`${output}.inputs.json`, JSON.stringify(inputs, null, 1));

@@ -49,6 +49,13 @@ class Viewer(CommandTest):
         size = [(high - low) / 65535 for low, high in zip(view["low"], view["high"])]
         return [[view["low"][k] + size[k] * steps[k * count + i] for k in range(3)] for i in range(count)]
 
+    def test_page_carries_the_licences_of_its_libraries(self):
+        self.run_deck()
+        page = self.read("report.html")
+        for line in ("Copyright (c) 2010-2026 three.js authors", "Copyright (c) 2022 Leon Sorokin"):
+            self.assertIn(line, page)
+        self.assertEqual(page.count("Permission is hereby granted, free of charge"), 2)
+
     def test_coordinates_are_those_of_d3plot(self):
         about, arrays = self.run_deck()
         view = about["view"]
