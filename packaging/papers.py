@@ -57,10 +57,10 @@ def headers_of_programs(build):
 
 
 def shared_libraries(program):
-    """Those that the program itself asks for; what these load is theirs."""
+    """(those that the program itself asks for, all that are loaded with them)"""
     asked = set(re.findall(r"\(NEEDED\).*\[(.*)\]", run("readelf", "-d", program)))
-    where = dict(re.findall(r"^\s*(\S+) => (/\S+)", run("ldd", program), re.M))
-    return {os.path.realpath(where[name]) for name in asked if name in where}
+    where = {name: os.path.realpath(path) for name, path in re.findall(r"^\s*(\S+) => (/\S+)", run("ldd", program), re.M)}
+    return {where[name] for name in asked if name in where}, set(where.values())
 
 
 def bundled(build):
@@ -90,17 +90,24 @@ def licence_of(text):
     return None
 
 
+def source_of(package):
+    """(source package, its version, its home page)"""
+    form = "${source:Package}\t${source:Version}\t${Homepage}\n"
+    return run("dpkg-query", "-W", f"-f={form}", package).split("\n")[0].split("\t")
+
+
 def debian_packages(build):
     """A row per Debian source package: linked (a shared library of it is loaded) or compiled in (only its headers are)."""
-    libraries = owners(path for program in PROGRAMS for path in shared_libraries(build / program))
+    asked, loaded = (set().union(*each) for each in zip(*(shared_libraries(build / program) for program in PROGRAMS)))
+    libraries = owners(asked)
+    beside = {source_of(name)[0] for name in owners(loaded).values()} | TOOLCHAIN  # their headers only declare
     headers = owners(headers_of_programs(build))
-    site = {"libjs-katex", "mkdocs-material"} if (build / "site").is_dir() else set()  # of the manual as a web site
+    site = {"libjs-katex", "mkdocs", "mkdocs-material"} if (build / "site").is_dir() else set()  # of the manual as a web site
     rows = {}
     for how, names in (("linked", set(libraries.values())), ("compiled in", set(headers.values())), ("bundled", site)):
         for name in sorted(names):
-            form = "${source:Package}\t${source:Version}\t${Homepage}"
-            source, version, home = run("dpkg-query", "-W", f"-f={form}", name).split("\n")[0].split("\t")
-            if how == "compiled in" and source in TOOLCHAIN:
+            source, version, home = source_of(name)
+            if how == "compiled in" and source in beside:
                 continue
             row = rows.setdefault(source, {"name": source, "version": version, "home": home, "how": how, "from": "deb",
                                            "packages": []})
@@ -136,7 +143,7 @@ def copyright_file(build):
         else:
             owner = re.findall(r"^\s*(?:Copyright\b.*|\(c\).*)$", row["text"], re.M | re.I)
         owner = [line.strip() for line in owner] or ["see below"]
-        what = "report.html" if row["from"] == "npm" else "programs"
+        what = "report.html" if row["from"] == "npm" else "html" if row["how"] == "bundled" else "programs"
         parts.append(f"Files: {what}/{row['name']}\nCopyright:\n" + "\n".join(f" {line}" for line in owner[:20]) +
                      f"\nLicense: {row['name']}\n" +
                      f" {row['name']} {row['version']}, {row['how']}. Its licence reads:\n .\n" + indented(row["text"]))
