@@ -31,6 +31,7 @@ HOUSE = {
     "nvh": ("modes, frequency response, linear statics", ["output"], ["matrices", "eigen", "response", "statics"]),
     "report": ("report.html", ["impact", "nvh"], []),
     "app": ("the command nugget", ["report", "reading"], []),
+    "python": ("import nugget", ["app"], []),
 }
 
 # A kernel is a pure function of one element or point: it does no input or output and starts no threads.

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/pybind11.h>
+
+#include "python/topics.hpp"
+
+PYBIND11_MODULE(_nugget, module) {
+  module.doc() = "The compiled half of nugget: what it holds is shown by the package.";
+  module.attr("version") = NUGGET_VERSION;
+  nugget::python::add_findings(module);
+  nugget::python::add_results(module);
+}
