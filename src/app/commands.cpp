@@ -159,7 +159,10 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
   StatusFile status(directory, arguments.deck);
   const auto progress = [&](const impact::Progress& p) {
     status.update(p);
-    if (!arguments.quiet) display(p);
+    if (arguments.progress)
+      arguments.progress(p);
+    else if (!arguments.quiet)
+      display(p);
   };
   try {
     const system::System& system = simulation.system();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "impact/simulation/options.hpp"
 #include "report/model_picture.hpp"
 #include "weld/placement/placement_deck.hpp"
 
@@ -38,6 +39,7 @@ struct RunArguments {
   int load_case = 0;                   ///< *CASE of the deck; 0: all of them, one after the other
   bool skip_unsupported = false;
   bool quiet = false;
+  impact::ProgressCallback progress;  ///< of an explicit run, instead of its display; empty: that, unless quiet
 };
 
 struct ModesArguments {

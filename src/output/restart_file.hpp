@@ -38,6 +38,9 @@ struct RestartHead {
 
 /// Checksum of the program that runs.
 std::uint64_t checksum_of_program();
+/// Where this code is in a library that another program has loaded (Python): that file counts as the program. To be
+/// said before the checksum is asked for.
+void take_for_program(std::filesystem::path library);
 
 /// Writes a restart file into a folder. Throws WriteError; what was there before stays then.
 class RestartWriter final : public Archive {

@@ -159,4 +159,7 @@ void write_summary(const std::filesystem::path& directory, const Summary& summar
 void write_findings(const std::filesystem::path& directory, const std::vector<Finding>& findings);  ///< findings.json
 void write_welds(const std::filesystem::path& directory, const std::vector<WeldReport>& welds);     ///< welds.csv
 
+/// The text of welds.csv.
+std::string weld_table(const std::vector<WeldReport>& welds);
+
 }  // namespace nugget::output

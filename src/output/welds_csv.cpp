@@ -162,14 +162,18 @@ void row(std::string& out, const WeldReport& weld, std::size_t projections) {
 
 }  // namespace
 
-void write_welds(const std::filesystem::path& directory, const std::vector<WeldReport>& welds) {
+std::string weld_table(const std::vector<WeldReport>& welds) {
   // Beams have two ends; brick welds and patches of them have more nodes, and none is left out.
   std::size_t projections = 2;
   for (const WeldReport& weld : welds) projections = std::max(projections, weld.projections.size());
   std::string out;
   head(out, projections, welds);
   for (const WeldReport& weld : welds) row(out, weld, projections);
-  write_whole_file(directory / "welds.csv", out);
+  return out;
+}
+
+void write_welds(const std::filesystem::path& directory, const std::vector<WeldReport>& welds) {
+  write_whole_file(directory / "welds.csv", weld_table(welds));
 }
 
 }  // namespace nugget::output

@@ -7,5 +7,7 @@ PYBIND11_MODULE(_nugget, module) {
   module.doc() = "The compiled half of nugget: what it holds is shown by the package.";
   module.attr("version") = NUGGET_VERSION;
   nugget::python::add_findings(module);
+  nugget::python::add_deck(module);
+  nugget::python::add_run(module);
   nugget::python::add_results(module);
 }

@@ -2,18 +2,24 @@
 """Nugget, the solver for spot-welded sheet metal, from Python.
 
     import nugget
+    deck = nugget.read("model.k")              # checked, tied, audited; DeckError where it is refused
+    r = nugget.run(deck, directory="out")      # the same bytes as the command nugget run
     r = nugget.results("out")                  # what a run left there
     r.welds["peak_failure"]                    # numpy arrays
     r.history("swforc")[50002, "axial"]
 
 Lengths, masses and times are in the deck's own units.
 """
+from ._deck import Deck, Part, read
 from ._elements import Elements
+from ._errors import DeckError, RunError
 from ._nugget import Finding
 from ._nugget import version as __version__
 from ._results import (BeamState, Channel, History, Modes, Response, Results, ShellState, SolidState, State, States,
                        results, sae_filter)
+from ._running import frf, modes, resume, run
 from ._table import WeldTable
 
-__all__ = ["BeamState", "Channel", "Elements", "Finding", "History", "Modes", "Response", "Results", "ShellState",
-           "SolidState", "State", "States", "WeldTable", "results", "sae_filter"]
+__all__ = ["BeamState", "Channel", "Deck", "DeckError", "Elements", "Finding", "History", "Modes", "Part", "Response",
+           "Results", "RunError", "ShellState", "SolidState", "State", "States", "WeldTable", "frf", "modes", "read",
+           "results", "resume", "run", "sae_filter"]
