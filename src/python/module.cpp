@@ -8,6 +8,7 @@ PYBIND11_MODULE(_nugget, module) {
   module.attr("version") = NUGGET_VERSION;
   nugget::python::add_findings(module);
   nugget::python::add_deck(module);
+  nugget::python::add_pictures(module);
   nugget::python::add_run(module);
   nugget::python::add_results(module);
 }

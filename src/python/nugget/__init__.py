@@ -7,6 +7,7 @@
     r = nugget.results("out")                  # what a run left there
     r.welds["peak_failure"]                    # numpy arrays
     r.history("swforc")[50002, "axial"]
+    r.plot("swforc/50002/axial")               # a notebook shows it
 
 Lengths, masses and times are in the deck's own units.
 """
@@ -15,11 +16,12 @@ from ._elements import Elements
 from ._errors import DeckError, RunError
 from ._nugget import Finding
 from ._nugget import version as __version__
+from ._pictures import Picture
 from ._results import (BeamState, Channel, History, Modes, Response, Results, ShellState, SolidState, State, States,
                        results, sae_filter)
 from ._running import frf, modes, resume, run
 from ._table import WeldTable
 
-__all__ = ["BeamState", "Channel", "Deck", "DeckError", "Elements", "Finding", "History", "Modes", "Part", "Response",
+__all__ = ["BeamState", "Channel", "Deck", "DeckError", "Elements", "Finding", "History", "Modes", "Part", "Picture", "Response",
            "Results", "RunError", "ShellState", "SolidState", "State", "States", "WeldTable", "frf", "modes", "read",
            "results", "resume", "run", "sae_filter"]

@@ -14,6 +14,7 @@ import numpy as np
 
 from . import _nugget
 from ._elements import Elements
+from ._pictures import Picture, picture, plot
 from ._table import WeldTable
 
 
@@ -352,6 +353,46 @@ class Results:
         self._expect("erp.csv", "*FREQUENCY_DOMAIN_SSD_ERP asks for it")
         return _powers(self.directory / "erp.csv")
 
+    @property
+    def channels(self) -> str:
+        """What plot() can show: a list, file by file, of entities, quantities with units, times or frequencies."""
+        return _nugget.channels(str(self.directory))
+
+    def plot(self, *channels: str, over: str = "", cfc: int = 0,
+             other: str | os.PathLike[str] | Results = "") -> Picture:
+        """Curves of histories and responses as a plot: `swforc/50002/axial`, `glstat/*energy`, `frf`; FILE,
+        FILE/QUANTITY, FILE/ENTITY or FILE/ENTITY/QUANTITY with the wildcards * and ?. Those of one unit share their
+        axes. `over`: a channel that takes the place of time. `cfc`: filtered to that class of SAE J211. `other`: another
+        run, whose curves are drawn too. LookupError, with what there is, for a name that finds nothing."""
+        if not channels:
+            raise ValueError(f"plot() needs a channel; there are:\n{self.channels}")
+        _expect_class(cfc, or_none=True)
+        directory = other.directory if isinstance(other, Results) else other
+        return plot(str(self.directory), channels, over, cfc, os.fspath(directory))
+
+    def picture(self, *, field: str = "", state: int | None = None, time: float | None = None, weld: int = 0,
+                parts: Sequence[int] = (), view: tuple[float, float, float] = (0.6, -0.7, 0.45),
+                up: tuple[float, float, float] = (0.0, 0.0, 1.0), scale: float = 1.0,
+                range: tuple[float, float] | None = None, edges: bool = True, width: int = 1440,
+                height: int = 960) -> Picture:
+        """The model at a state of d3plot, or a natural mode. `state`: from 1, or the mode; `time`: the state nearest to
+        it; neither: the last. `field`: plastic_strain, von_mises_stress, thickness, displacement or part. `weld`: the id
+        of one to look at from near. `view`: from the model to the eye. `scale`: of displacements. `range`: of the
+        colours. LookupError for what is not there."""
+        if field and field not in _nugget.picture_fields():
+            raise ValueError(f"field '{field}', expected {', '.join(_nugget.picture_fields())}")
+        if state is not None and time is not None:
+            raise ValueError("give a state or a time, not both")
+        options = _nugget.PictureOptions()
+        options.field, options.weld, options.parts, options.scale = field, weld, list(parts), scale
+        options.edges, options.width, options.height = edges, width, height
+        options.state = state or 0
+        options.time = np.inf if time is None else time
+        options.range = range or (0.0, 0.0)
+        options.look_towards(view)
+        options.put_up(up)
+        return picture(str(self.directory), options)
+
     def sae_filter(self, times: np.ndarray, values: np.ndarray, cfc: int) -> tuple[np.ndarray, np.ndarray]:
         """sae_filter() of a history of this run."""
         if self.second is None:
@@ -373,12 +414,21 @@ def results(directory: str | os.PathLike[str]) -> Results:
     return Results(directory)
 
 
+def _expect_class(cfc: int, or_none: bool = False) -> None:
+    classes = _nugget.channel_classes
+    if cfc not in classes and not (or_none and cfc == 0):
+        raise ValueError(f"channel frequency class {cfc}, expected {', '.join(map(str, classes))}")
+
+
 def sae_filter(times: np.ndarray, values: np.ndarray, cfc: int, second: float, *,
                before: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
     """Times and values of a history filtered to a channel frequency class of SAE J211-1 (60, 180, 600 or 1000): -3 dB
     at 5/3 of the class in hertz, no shift of phase. `second`: one second in the unit of `times`. `before`: the value
     until the first time. The times that come back are evenly spaced, as many. ValueError where times do not ascend, are
     fewer than three or lie too far apart for the class."""
+    _expect_class(cfc)
+    if len(times) != len(values):
+        raise ValueError(f"{len(times)} times and {len(values)} values")
     try:
         return _nugget.sae_filter(times, values, cfc, second, before)
     except RuntimeError as error:
