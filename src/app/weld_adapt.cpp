@@ -121,7 +121,7 @@ std::string fault_of(const WeldArguments& arguments, const model::Model& model, 
   return {};
 }
 
-bool overwrites(const deck::Deck& deck, const std::vector<deck::MovedNodes::File>& files) {
+bool overwrites(const deck::Deck& deck, const std::vector<deck::EditedText::File>& files) {
   std::error_code error;
   for (const auto& file : files)
     for (const std::string& input : deck.files)
@@ -154,8 +154,9 @@ ExitCode adapt_welds(const WeldArguments& arguments) {
                    "place welds first: nugget weld POINTS MODEL.k -o WELDED.k");
     return refuse_adapting(findings);
   }
-  deck::MovedNodes text(deck);
-  const std::vector<char> can_move = can_be_moved(deck, text, model);
+  deck::EditedText text(deck);
+  deck::MovedNodes nodes_of_text(deck, text);
+  const std::vector<char> can_move = can_be_moved(deck, nodes_of_text, model);
   weld::AdaptLimits limits;
   limits.length = arguments.least_step;
   const weld::Adapted adapted = weld::adapt(
@@ -163,7 +164,7 @@ ExitCode adapt_welds(const WeldArguments& arguments) {
   std::size_t nodes = 0;
   for (std::size_t n = 0; n < adapted.x.size(); ++n)
     if (norm(adapted.x[n] - model.nodes.x[n]) > 0.0) {
-      text.move(model.nodes.id[n], adapted.x[n]);
+      nodes_of_text.move(model.nodes.id[n], adapted.x[n]);
       ++nodes;
     }
   const auto ends = std::ranges::count_if(adapted.ends, [](const weld::AdaptedEnd& end) { return end.left.empty(); });

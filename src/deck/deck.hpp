@@ -79,6 +79,14 @@ class Deck {
   std::vector<Inclusion> inclusions;  ///< in reading order
   std::vector<Case> cases;            ///< *CASE, all of them
 
+  /// A data line and the card by whose table it was read.
+  struct ReadCard {
+    const Block* block = nullptr;
+    std::size_t line = 0;  ///< in Block::lines
+    Card card;
+  };
+  std::vector<ReadCard>* read_cards = nullptr;  ///< where each one is kept as it is read; null: nowhere
+
   /// *DEFINE_TRANSFORMATION by its id (id_offset and unit factors of the result say nothing); null where there is none.
   const Transform* transformation(int id) const;
 

@@ -67,10 +67,11 @@ void Reader::duplication(const Block& block) {
 void Reader::parameter_pairs(const Block& block, const Line& line, int depth) {
   const bool free = line.text.find(',') != std::string_view::npos;
   std::size_t from = 0;
+  std::string_view cell;
   const auto next = [&] {
     const std::size_t comma = free ? columns(line.text, from, line.text.size()).find(',') : std::string_view::npos;
     const std::size_t width = free ? std::min(comma, line.text.size()) : cell_width(block);
-    const std::string_view cell = columns(line.text, from, width);
+    cell = columns(line.text, from, width);
     from = std::min(from + width + (free ? 1 : 0), line.text.size() + 1);
     return trimmed(cell);
   };
@@ -79,7 +80,8 @@ void Reader::parameter_pairs(const Block& block, const Line& line, int depth) {
     const std::string_view head = next();
     const int column = head.empty() ? start : column_of(line, head);
     const std::string_view value = next();
-    if (!head.empty() || !value.empty()) define(block, line, head, column, value, depth);
+    if (!head.empty() || !value.empty())
+      define(block, line, head, column, value, {cell, free ? 0 : cell_width(block), depth});
   }
 }
 
@@ -97,13 +99,14 @@ void Reader::parameter_expressions(const Block& block, int depth) {
            !trimmed(block.lines[i].text).empty()) {
       expression += columns(block.lines[i++].text, width, line.text.size() + 160);
     }
-    define(block, line, head, head.empty() ? 1 : column_of(line, head), trimmed(expression), depth);
+    define(block, line, head, head.empty() ? 1 : column_of(line, head), trimmed(expression),
+           {{}, 0, depth});
   }
 }
 
 /// One parameter: `head` is its type and name, `value` a number, a text or an expression.
 void Reader::define(const Block& block, const Line& line, std::string_view head, int column, std::string_view value,
-                    int depth) {
+                    const ParameterCell& at) {
   const Place place{block.place.file, line.number, column};
   const auto refuse = [&](std::string text, std::string remedy) {
     findings_.add(
@@ -112,7 +115,9 @@ void Reader::define(const Block& block, const Line& line, std::string_view head,
   Parameter parameter;
   parameter.type = head.empty() ? ' ' : upper(head.substr(0, 1)).front();
   parameter.place = place;
-  parameter.depth = depth;
+  parameter.depth = at.depth;
+  parameter.cell = at.cell;
+  parameter.width = at.width;
   parameter.changeable = has_option(block.keyword, "MUTABLE");
   const std::string_view name = trimmed(head.substr(head.empty() ? 0 : 1));
   if (parameter.type != 'R' && parameter.type != 'I' && parameter.type != 'C') {

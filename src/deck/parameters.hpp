@@ -19,6 +19,8 @@ struct Parameter {
   double number = 0.0;  ///< R and I
   std::string text;     ///< C: as written
   Place place;
+  std::string_view cell{};  ///< with its value, in the text of its file; empty: an expression
+  std::size_t width = 0;    ///< columns of that cell; 0: it ends with a comma
   bool changeable = false;  ///< may be defined again (_MUTABLE)
   int depth = 0;            ///< of _LOCAL: how deep its file lies in the includes (the master file: 1); else 0
   int hidden = -1;          ///< index in the history of what it hides until its file ends; -1: nothing
@@ -38,6 +40,8 @@ class Parameters {
   void define(std::string_view name, Parameter parameter);
   /// Ends the _LOCAL parameters of the file at `depth`; what they hid is visible again.
   void leave_file(int depth);
+  /// All of them by lower-case name, each with its definitions in their order.
+  const std::map<std::string, std::vector<Parameter>, std::less<>>& histories() const { return histories_; }
 
  private:
   std::map<std::string, std::vector<Parameter>, std::less<>> histories_;  // by lower-case name, in the order of `from`

@@ -62,8 +62,14 @@ class Reader {
   void parameters(const Block& block, const Visit& visit);
   void parameter_pairs(const Block& block, const Line& line, int depth);
   void parameter_expressions(const Block& block, int depth);
+  /// Where the value of a parameter stands, see Parameter.
+  struct ParameterCell {
+    std::string_view cell;
+    std::size_t width = 0;
+    int depth = 0;
+  };
   void define(const Block& block, const Line& line, std::string_view head, int column, std::string_view value,
-              int depth);
+              const ParameterCell& at);
   bool may_define(const Block& block, std::string_view name, const Parameter& parameter);
   void duplication(const Block& block);
 

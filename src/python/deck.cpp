@@ -11,9 +11,9 @@
 #include "app/command.hpp"
 #include "app/finding_list.hpp"
 #include "app/outcome.hpp"
-#include "app/prepared_deck.hpp"
 #include "deck/deck.hpp"
 #include "python/arrays.hpp"
+#include "python/checked_deck.hpp"
 #include "python/topics.hpp"
 
 // A deck, read, tied and audited, as arrays.
@@ -23,18 +23,11 @@ namespace {
 using model::Index;
 using model::Model;
 
-struct CheckedDeck {
-  Findings findings;
-  app::PreparedDeck prepared;
-
-  const Model& model() const { return prepared.model; }
-};
-
 std::unique_ptr<CheckedDeck> check_deck(const std::string& path, int load_case, const std::string& weld_tie,
                                         const std::string& weld_law, bool skip_unsupported) {
   const py::gil_scoped_release others_may_go_on;
   auto deck = std::make_unique<CheckedDeck>();
-  app::RunArguments arguments;
+  app::RunArguments& arguments = deck->arguments;
   arguments.deck = path;
   arguments.load_case = load_case;
   arguments.weld_tie = weld_tie;

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_nugget, module) {
   nugget::python::add_findings(module);
   nugget::python::add_deck(module);
   nugget::python::add_pictures(module);
+  nugget::python::add_changes(module);
   nugget::python::add_run(module);
   nugget::python::add_results(module);
 }

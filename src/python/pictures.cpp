@@ -4,6 +4,8 @@
 
 #include <array>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "app/plotted_curves.hpp"
 #include "python/topics.hpp"
@@ -28,6 +30,16 @@ std::string plot(const std::string& directory, const std::vector<std::string>& c
   arguments.channel_class = channel_class;
   arguments.other = other;
   return report::to_svg_file(report::plots_of(app::plotted_curves(arguments)));
+}
+
+using Trace = std::tuple<std::string, std::vector<double>, std::vector<double>, bool>;
+
+/// Curves, or points, that no file holds.
+std::string plot_curves(const std::vector<Trace>& traces, const std::string& abscissa, const std::string& ordinate,
+                        bool log_x, bool log_y) {
+  report::Plot plot{.abscissa = abscissa, .ordinate = ordinate, .x = {}, .curves = {}, .log_x = log_x, .log_y = log_y};
+  for (const auto& [name, x, y, points] : traces) plot.traces.push_back({name, x, y, points});
+  return report::to_svg_file({&plot, 1});
 }
 
 std::string picture(const std::string& directory, const report::PictureOptions& options) {
@@ -55,6 +67,7 @@ void add_pictures(py::module_& module) {
       .def_readwrite("parts", &Options::parts)
       .def_readwrite("weld", &Options::weld)
       .def_readwrite("edges", &Options::edges)
+      .def_readwrite("shapes", &Options::shapes)
       .def_readwrite("width", &Options::width)
       .def_readwrite("height", &Options::height)
       .def("look_towards", &put_direction<&Options::towards>)
@@ -64,6 +77,7 @@ void add_pictures(py::module_& module) {
     return report::listed(report::read_channel_curves(directory));
   });
   module.def("plot", &plot);
+  module.def("plot_curves", &plot_curves);
   module.def("picture", &picture);
   module.def("is_picture_name", [](const std::string& name) { return report::is_picture_name(name); });
   module.def("write_picture", [](const std::string& name, const std::string& svg, int width) {

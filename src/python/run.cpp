@@ -8,8 +8,10 @@
 #include <csignal>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "impact/simulation/simulation.hpp"
@@ -103,6 +105,31 @@ std::pair<int, std::string> frf(app::RunArguments arguments, bool direct) {
   return in_process([&] { return app::frf(arguments, direct); });
 }
 
+const std::map<std::string, weld::WeldForm>& weld_forms() {
+  static const std::map<std::string, weld::WeldForm> forms{{"beam", weld::WeldForm::beam},
+                                                           {"solid", weld::WeldForm::solid},
+                                                           {"solid4", weld::WeldForm::solid4},
+                                                           {"solid8", weld::WeldForm::solid8}};
+  return forms;
+}
+
+std::pair<int, std::string> place_welds(const std::string& points, const std::string& deck, const std::string& output,
+                                        const std::string& form, double reach, double diameter,
+                                        const std::vector<std::string>& material, double strength_diameter,
+                                        bool skip_unsupported) {
+  app::WeldArguments arguments;
+  arguments.points = points;
+  arguments.deck = deck;
+  arguments.output = output;
+  arguments.form = weld_forms().at(form);
+  arguments.search_distance = reach;
+  arguments.diameter = diameter;
+  arguments.material = material;
+  arguments.strength_diameter = strength_diameter;
+  arguments.skip_unsupported = skip_unsupported;
+  return in_process([&] { return app::weld(arguments); });
+}
+
 /// Restart files are those of the program that was linked from the same objects: a copy of it stands beside the module.
 void take_program_beside() {
   Dl_info here{};
@@ -142,6 +169,12 @@ void add_run(py::module_& module) {
   module.def("run", &run);
   module.def("modes", &modes);
   module.def("frf", &frf);
+  module.def("weld", &place_welds);
+  module.def("weld_forms", [] {
+    std::vector<std::string> names;
+    for (const auto& [name, form] : weld_forms()) names.push_back(name);
+    return names;
+  });
 }
 
 }  // namespace nugget::python

@@ -10,6 +10,7 @@ namespace nugget::python {
 void add_findings(pybind11::module_& module);
 void add_deck(pybind11::module_& module);
 void add_pictures(pybind11::module_& module);
+void add_changes(pybind11::module_& module);
 void add_run(pybind11::module_& module);
 void add_results(pybind11::module_& module);
 

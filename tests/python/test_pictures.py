@@ -51,9 +51,11 @@ class Pictures(CommandTest):
     def test_picture_is_that_of_the_command(self):
         r = self.run_deck()
         self.nugget("picture", "out", "-o", "command.svg", "--field", "von_mises_stress", "--weld", 31, "--state", 3)
-        picture = r.picture(field="von_mises_stress", weld=31, state=3)
-        self.assertEqual(picture._repr_svg_(), self.read("command.svg"))
-        self.assertNotEqual(r.picture(field="von_mises_stress", weld=31, state=4).svg, picture.svg)
+        options = {"field": "von_mises_stress", "weld": 31, "shapes": True}
+        picture = r.picture(state=3, **options)
+        self.assertTrue(picture._repr_svg_() == self.read("command.svg"))
+        self.assertFalse(r.picture(state=4, **options).svg == picture.svg)
+        self.assertIn("data:image/png", r.picture().svg)
 
     def test_refusals(self):
         r = self.run_deck()

@@ -311,12 +311,13 @@ std::string adapted(const std::string& text) {
   const deck::Deck deck = deck::read_text(text, findings);
   const model::Model model = reading::build(deck, findings);
   const weld::Ties ties = weld::tie(model, findings);
-  deck::MovedNodes moved(deck);
+  deck::EditedText edited(deck);
+  deck::MovedNodes moved(deck, edited);
   const weld::Adapted now = weld::adapt(model, ties, [&](int n) { return moved.can_move(model.nodes.id[n]); });
   for (const weld::AdaptedEnd& end : now.ends) EXPECT_LT(end.off_after, 0.1) << end.left;
   for (std::size_t n = 0; n < now.x.size(); ++n)
     if (norm(now.x[n] - model.nodes.x[n]) > 0.0) moved.move(model.nodes.id[n], now.x[n]);
-  return moved.files("adapted.k", "$ adapted\n").at(0).text;
+  return edited.files("adapted.k", "$ adapted\n").at(0).text;
 }
 
 // Twenty-five places of the weld in elements of 40/7 mm, tied by the element under it; as meshed the coupon has 0.72 of

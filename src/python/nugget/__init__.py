@@ -11,17 +11,19 @@
 
 Lengths, masses and times are in the deck's own units.
 """
+from ._changes import Cards, Parameters
 from ._deck import Deck, Part, read
 from ._elements import Elements
 from ._errors import DeckError, RunError
 from ._nugget import Finding
 from ._nugget import version as __version__
-from ._pictures import Picture
+from ._pictures import Picture, plot
 from ._results import (BeamState, Channel, History, Modes, Response, Results, ShellState, SolidState, State, States,
                        results, sae_filter)
-from ._running import frf, modes, resume, run
+from ._running import frf, modes, place_welds, resume, run
 from ._table import WeldTable
 
-__all__ = ["BeamState", "Channel", "Deck", "DeckError", "Elements", "Finding", "History", "Modes", "Part", "Picture", "Response",
-           "Results", "RunError", "ShellState", "SolidState", "State", "States", "WeldTable", "frf", "modes", "read",
-           "results", "resume", "run", "sae_filter"]
+__all__ = ["BeamState", "Cards", "Channel", "Deck", "DeckError", "Elements", "Finding", "History", "Modes",
+           "Parameters", "Part", "Picture", "Response", "Results", "RunError", "ShellState", "SolidState", "State",
+           "States", "WeldTable", "frf", "modes", "place_welds", "plot", "read", "results", "resume", "run",
+           "sae_filter"]

@@ -6,10 +6,12 @@ import dataclasses
 import functools
 import os
 import pathlib
+from typing import Any, Sequence
 
 import numpy as np
 
 from . import _nugget
+from ._changes import Cards, Parameters
 from ._elements import Elements
 from ._errors import DeckError
 from ._table import WeldTable
@@ -47,11 +49,14 @@ class Deck:
         deck.parts[2].thickness        # by id
         deck.shells.nodes              # numpy arrays
         deck.welds["diameter"]
+        deck.card("MAT_SPOTWELD", 3)["nrr"] = 9000.0
+        stronger = deck.write("stronger.k")
     """
 
-    def __init__(self, path: pathlib.Path, checked: _nugget.CheckedDeck) -> None:
+    def __init__(self, path: pathlib.Path, checked: _nugget.CheckedDeck, options: dict[str, Any]) -> None:
         self.path = path
         self._checked = checked
+        self._options = options  # of read()
 
     @property
     def title(self) -> str:
@@ -127,6 +132,60 @@ class Deck:
         """What `nugget check` writes to welds.csv: where each weld was tied, and its audit."""
         return WeldTable(self._checked.welds)
 
+    # ---- changes of the text
+
+    @functools.cached_property
+    def _changes(self) -> _nugget.DeckChanges:
+        return _nugget.DeckChanges(self._checked)
+
+    @property
+    def is_changed(self) -> bool:
+        """Values of its text were changed. What else this object shows is the deck as it was read."""
+        return "_changes" in self.__dict__ and not self._changes.empty
+
+    @property
+    def parameters(self) -> Parameters:
+        """Its *PARAMETER by name, to be read and changed."""
+        return Parameters(self._changes)
+
+    def cards(self, keyword: str) -> list[Cards]:
+        """All cards of a keyword, under any of its names and options: `MAT_024` finds
+        *MAT_PIECEWISE_LINEAR_PLASTICITY_TITLE. The mesh (*NODE, *ELEMENT_...) is not in cards but in arrays."""
+        return [Cards(self._changes, number) for number in self._changes.cards_of(keyword)]
+
+    def card(self, keyword: str, id: int | None = None) -> Cards:
+        """The one of a keyword with this id, which is its first field; without an id the only one. LookupError where
+        there is none, or more than one."""
+        found = [cards for cards in self.cards(keyword) if id is None or cards.id == id]
+        if len(found) == 1:
+            return found[0]
+        what = keyword if id is None else f"{keyword} {id}"
+        if found:
+            raise LookupError(f"{len(found)} cards are {what}: {', '.join(map(repr, found))}")
+        ids = ", ".join(str(cards.id) for cards in self.cards(keyword))
+        raise LookupError(f"there is no {what}" + (f"; there are those of {ids}" if ids else ""))
+
+    def remove_weld(self, weld_id: int) -> None:
+        """Takes the elements of a weld out of the text. ValueError for welds that are no elements."""
+        self._changes.remove_weld(weld_id)
+
+    def move_weld(self, weld_id: int, to: Sequence[float]) -> None:
+        """Moves the nodes of a weld so that their middle stands at `to`; the sheets that it is tied to are those that
+        are found there. ValueError where other elements share its nodes."""
+        self._changes.move_weld(weld_id, tuple(to))
+
+    def move_node(self, node_id: int, to: Sequence[float]) -> None:
+        """Gives a node another place in the text."""
+        self._changes.move_node(node_id, tuple(to))
+
+    def write(self, path: str | os.PathLike[str]) -> Deck:
+        """Writes the changed deck as another one and reads that: DeckError where what was changed is refused (the files
+        stay for a look). All that was not changed is there byte for byte. Included files that changed, or include one
+        that did, stand beside it as <its name>_<their name>; others are included where they are. ValueError where a file
+        of this deck would be overwritten."""
+        self._changes.write(os.fspath(path))
+        return read(path, **self._options)
+
     def __repr__(self) -> str:
         return f"<{self.path}: {len(self.parts)} parts, {len(self.node_ids)} nodes, {len(self.shells)} shells, " \
                f"{len(self.solids)} solids, {len(self.beams)} beams, {self.welds.count} welds>"
@@ -137,7 +196,8 @@ def read(deck: str | os.PathLike[str], *, case: int = 0, weld_tie: str = "", wel
     """Reads and checks a deck, ties its welds and audits them; runs nothing. DeckError, with all findings, where it is
     refused. `case`: its *CASE. `weld_tie`, `weld_law`, `skip_unsupported`: as of `nugget check`."""
     expect_weld_tie(weld_tie)
+    options = {"case": case, "weld_tie": weld_tie, "weld_law": weld_law, "skip_unsupported": skip_unsupported}
     checked = _nugget.CheckedDeck(os.fspath(deck), case, weld_tie, os.fspath(weld_law), skip_unsupported)
     if checked.errors:
         raise DeckError(f"{checked.listing}\nthe deck is refused", checked.findings)
-    return Deck(pathlib.Path(deck), checked)
+    return Deck(pathlib.Path(deck), checked, options)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
-from typing import Sequence
+from typing import Mapping, Sequence
+
+import numpy as np
 
 from . import _nugget
 
@@ -31,15 +33,27 @@ class Picture:
         return f"<picture, {len(self.svg)} characters of SVG>"
 
 
-def plot(directory: str, channels: Sequence[str], over: str, cfc: int, other: str) -> Picture:
+def plot_channels(directory: str, channels: Sequence[str], over: str, cfc: int, other: str) -> Picture:
     try:
         return Picture(_nugget.plot(directory, list(channels), over, cfc, other))
     except RuntimeError as error:
         raise LookupError(str(error)) from None
 
 
-def picture(directory: str, options: _nugget.PictureOptions) -> Picture:
+def picture_of(directory: str, options: _nugget.PictureOptions) -> Picture:
     try:
         return Picture(_nugget.picture(directory, options))
     except RuntimeError as error:
         raise LookupError(f"{directory}: {error}") from None
+
+
+def plot(curves: Mapping[str, tuple[Sequence[float] | np.ndarray, Sequence[float] | np.ndarray]], *, abscissa: str = "",
+         ordinate: str = "", log_x: bool = False, log_y: bool = False, points: Sequence[str] = ()) -> Picture:
+    """Curves of one's own in one plot: (x, y) by name. `abscissa`, `ordinate`: names of the axes. `points`: names of
+    those that are drawn as points."""
+    traces = []
+    for name, (x, y) in curves.items():
+        if len(x) != len(y):
+            raise ValueError(f"'{name}' has {len(x)} abscissas and {len(y)} ordinates")
+        traces.append((name, np.asarray(x, dtype=float), np.asarray(y, dtype=float), name in points))
+    return Picture(_nugget.plot_curves(traces, abscissa, ordinate, log_x, log_y))

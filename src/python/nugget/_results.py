@@ -14,7 +14,7 @@ import numpy as np
 
 from . import _nugget
 from ._elements import Elements
-from ._pictures import Picture, picture, plot
+from ._pictures import Picture, picture_of, plot_channels
 from ._table import WeldTable
 
 
@@ -368,30 +368,31 @@ class Results:
             raise ValueError(f"plot() needs a channel; there are:\n{self.channels}")
         _expect_class(cfc, or_none=True)
         directory = other.directory if isinstance(other, Results) else other
-        return plot(str(self.directory), channels, over, cfc, os.fspath(directory))
+        return plot_channels(str(self.directory), channels, over, cfc, os.fspath(directory))
 
     def picture(self, *, field: str = "", state: int | None = None, time: float | None = None, weld: int = 0,
                 parts: Sequence[int] = (), view: tuple[float, float, float] = (0.6, -0.7, 0.45),
                 up: tuple[float, float, float] = (0.0, 0.0, 1.0), scale: float = 1.0,
-                range: tuple[float, float] | None = None, edges: bool = True, width: int = 1440,
-                height: int = 960) -> Picture:
+                range: tuple[float, float] | None = None, edges: bool = True, shapes: bool = False,
+                width: int = 1440, height: int = 960) -> Picture:
         """The model at a state of d3plot, or a natural mode. `state`: from 1, or the mode; `time`: the state nearest to
         it; neither: the last. `field`: plastic_strain, von_mises_stress, thickness, displacement or part. `weld`: the id
         of one to look at from near. `view`: from the model to the eye. `scale`: of displacements. `range`: of the
-        colours. LookupError for what is not there."""
+        colours. `shapes`: facets as shapes that can be scaled, as `nugget picture` writes to an .svg, instead of pixels.
+        LookupError for what is not there."""
         if field and field not in _nugget.picture_fields():
             raise ValueError(f"field '{field}', expected {', '.join(_nugget.picture_fields())}")
         if state is not None and time is not None:
             raise ValueError("give a state or a time, not both")
         options = _nugget.PictureOptions()
         options.field, options.weld, options.parts, options.scale = field, weld, list(parts), scale
-        options.edges, options.width, options.height = edges, width, height
+        options.edges, options.shapes, options.width, options.height = edges, shapes, width, height
         options.state = state or 0
         options.time = np.inf if time is None else time
         options.range = range or (0.0, 0.0)
         options.look_towards(view)
         options.put_up(up)
-        return picture(str(self.directory), options)
+        return picture_of(str(self.directory), options)
 
     def sae_filter(self, times: np.ndarray, values: np.ndarray, cfc: int) -> tuple[np.ndarray, np.ndarray]:
         """sae_filter() of a history of this run."""

@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 import pathlib
-from typing import Callable
+import tempfile
+from typing import Any, Callable, Iterable, Mapping, Sequence
 
 from . import _nugget
 from ._deck import Deck, expect_weld_tie, read
@@ -19,7 +20,11 @@ NORMAL, REFUSED, WRONG_COMMAND, ERROR_TERMINATION, CANNOT_WRITE, INTERRUPTED = 0
 
 
 def _path_of(deck: str | os.PathLike[str] | Deck) -> str:
-    return os.fspath(deck.path if isinstance(deck, Deck) else deck)
+    if not isinstance(deck, Deck):
+        return os.fspath(deck)
+    if deck.is_changed:
+        raise ValueError(f"{deck.path} has changes that are not written: new = deck.write(\"new.k\")")
+    return os.fspath(deck.path)
 
 
 def _expect_one_case(deck: str, case: int) -> None:
@@ -148,3 +153,47 @@ def frf(deck: str | os.PathLike[str] | Deck, *, directory: str | os.PathLike[str
     _expect_one_case(path, case)
     arguments = _arguments(path, directory, threads, case, weld_tie, skip_unsupported)
     return _Command(path, directory, case, skip_unsupported).end(*_nugget.frf(arguments, direct))
+
+
+_COLUMNS = ("x", "y", "z", "diameter", "parts", "class")
+
+
+def _points_text(points: Iterable[Sequence[float] | Mapping[str, Any]]) -> str:
+    lines = [",".join(_COLUMNS)]
+    for number, point in enumerate(points):
+        named = dict(point) if isinstance(point, Mapping) else dict(zip("xyz", point))
+        if unknown := set(named) - set(_COLUMNS):
+            raise ValueError(f"point {number}: '{sorted(unknown)[0]}' is none of {', '.join(_COLUMNS)}")
+        parts = named.get("parts", "")
+        if not isinstance(parts, str):
+            named["parts"] = "+".join(str(part) for part in parts)
+        lines.append(",".join(str(named.get(column, "")) for column in _COLUMNS))
+    return "\n".join(lines) + "\n"
+
+
+def place_welds(points: str | os.PathLike[str] | Iterable[Sequence[float] | Mapping[str, Any]],
+                deck: str | os.PathLike[str] | Deck, output: str | os.PathLike[str], *, form: str = "beam",
+                diameter: float = 0.0, reach: float = 0.0, material: Mapping[str, float] | None = None,
+                strength_diameter: float = 0.0, skip_unsupported: bool = False) -> Deck:
+    """Places welds as `nugget weld` does, writes the deck `output`, which includes `deck`, and reads it. `points`: a list
+    of spots (a csv or xMCF file), or rows x, y, z, or dictionaries with the columns of such a list: x, y, z, diameter,
+    parts, class. `form`: beam, solid, solid4 or solid8. `material`: fields of *MAT_SPOTWELD for all welds.
+    ValueError, with what the command prints, where none could be placed."""
+    forms = _nugget.weld_forms()
+    if form not in forms:
+        raise ValueError(f"form '{form}', expected {', '.join(forms)}")
+    path = _path_of(deck)
+    with tempfile.TemporaryDirectory() as folder:
+        if isinstance(points, (str, os.PathLike)):
+            spots = os.fspath(points)
+        else:
+            spots = os.path.join(folder, "points.csv")
+            pathlib.Path(spots).write_text(_points_text(points), encoding="utf-8")
+        fields = [",".join(f"{name}={value}" for name, value in material.items())] if material else []
+        code, text = _nugget.weld(spots, path, os.fspath(output), form, reach, diameter, fields, strength_diameter,
+                                  skip_unsupported)
+    if code == CANNOT_WRITE:
+        raise OSError(text.strip())
+    if code != NORMAL:
+        raise ValueError(text.strip())
+    return read(output, skip_unsupported=skip_unsupported)

@@ -12,10 +12,11 @@ using testing::HasSubstr;
 /// The text after moving node 7, the only change.
 std::string with_node_7(const std::string& text, const Vec3d& x, std::string_view remark = "") {
   Reading r(text);
-  MovedNodes moved(r.deck);
+  EditedText edited(r.deck);
+  MovedNodes moved(r.deck, edited);
   EXPECT_TRUE(moved.can_move(7)) << text;
   moved.move(7, x);
-  const auto files = moved.files("new.k", remark);
+  const auto files = edited.files("new.k", remark);
   EXPECT_EQ(files.size(), 1u);
   return files.at(0).text;
 }
@@ -62,7 +63,8 @@ TEST(MovedNodes, ShortLinesOtherFormatsAndCommas) {
 
 TEST(MovedNodes, WhatStandsElsewhereOrTwiceCannotMove) {
   Reading r("*KEYWORD\n*PARAMETER\nRx,1.0\n*NODE\n7,&x,0,0\n8,0,0,0\n9,0,0,0\n9,1,0,0\n");
-  const MovedNodes moved(r.deck);
+  EditedText edited(r.deck);
+  const MovedNodes moved(r.deck, edited);
   EXPECT_FALSE(moved.can_move(7));
   EXPECT_TRUE(moved.can_move(8));
   EXPECT_FALSE(moved.can_move(9));
@@ -77,9 +79,10 @@ TEST(MovedNodes, FilesThatChangeStandBesideTheNewMaster) {
   f.write("other/welds.k", "*NODE\n9,0,0,0\n");
   Reading r("*KEYWORD\n*INCLUDE\ncar/more.k\n$ and\nother/welds.k\n*END\n", f.path);
   EXPECT_CLEAN(r.findings);
-  MovedNodes moved(r.deck);
+  EditedText edited(r.deck);
+  MovedNodes moved(r.deck, edited);
   moved.move(7, {4, 5, 6});
-  const auto files = moved.files(f.path / "new/car.k", "");
+  const auto files = edited.files(f.path / "new/car.k", "");
   std::vector<std::string> names;
   for (const auto& file : files) {
     names.push_back(std::filesystem::proximate(file.path, f.path).generic_string());
@@ -106,16 +109,18 @@ TEST(MovedNodes, UnderATransformTheTextGetsTheInverse) {
   f.write("sheets.k", "*NODE\n7,0.001,0.002,0.003\n");
   Reading r("*KEYWORD\n" + transform + "*END\n", f.path);
   EXPECT_CLEAN(r.findings);
-  MovedNodes moved(r.deck);
+  EditedText edited(r.deck);
+  MovedNodes moved(r.deck, edited);
   ASSERT_TRUE(moved.can_move(107));
   moved.move(107, {3, -4, 5});
-  for (const auto& file : moved.files(f.path / "new.k", "")) f.write(file.path.filename().string(), file.text);
+  for (const auto& file : edited.files(f.path / "new.k", "")) f.write(file.path.filename().string(), file.text);
   Findings findings;
   expect_at(place(read(f.path / "new.k", findings), 107), 3, -4, 5);
   EXPECT_CLEAN(findings);
 
   Reading twice("*KEYWORD\n" + transform + transform.substr(transform.find("*INCLUDE")) + "*END\n", f.path);
-  EXPECT_FALSE(MovedNodes(twice.deck).can_move(107)) << "its line is that of two nodes";
+  EditedText of_twice(twice.deck);
+  EXPECT_FALSE(MovedNodes(twice.deck, of_twice).can_move(107)) << "its line is that of two nodes";
 }
 
 }  // namespace
