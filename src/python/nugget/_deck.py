@@ -11,6 +11,7 @@ from typing import Any, Sequence
 import numpy as np
 
 from . import _nugget
+from ._arrays import Array
 from ._changes import Cards, Parameters
 from ._elements import Elements
 from ._errors import DeckError
@@ -93,12 +94,12 @@ class Deck:
         return {row["id"]: Part(**row) for row in self._checked.parts}
 
     @functools.cached_property
-    def node_ids(self) -> np.ndarray:
+    def node_ids(self) -> Array:
         """Ascending."""
         return self._checked.node_ids
 
     @functools.cached_property
-    def coordinates(self) -> np.ndarray:
+    def coordinates(self) -> Array:
         """A row x y z for each of `node_ids`."""
         return self._checked.coordinates
 
@@ -114,7 +115,7 @@ class Deck:
         return Elements(*self._checked.shells, node_ids=self.node_ids)
 
     @functools.cached_property
-    def shell_thickness(self) -> np.ndarray:
+    def shell_thickness(self) -> Array:
         """Of each of `shells`, at the start."""
         return self._checked.shell_thickness
 

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
+from ._arrays import Array
+
 
 class Elements:
     """Shells, solids or beams: a row each, in ascending order of `ids`."""
 
-    def __init__(self, ids: np.ndarray, node_index: np.ndarray, parts: np.ndarray, *, node_ids: np.ndarray) -> None:
+    def __init__(self, ids: Array, node_index: Array, parts: Array, *, node_ids: Array) -> None:
         self.ids = ids
         self.node_index = node_index  #: where the nodes stand in arrays of nodes
         self.parts = parts  #: ids of parts
         self._node_ids = node_ids
 
     @property
-    def nodes(self) -> np.ndarray:
+    def nodes(self) -> Array:
         """Ids of the nodes: 4 of a shell (a triangle repeats its third), 8 of a solid, 2 of a beam."""
         return self._node_ids[self.node_index] if len(self.ids) else self.node_index
 

@@ -2,9 +2,9 @@
 """The compiled half of nugget (src/python/*.cpp); what users see is the package."""
 from typing import Any, Callable, Sequence
 
-import numpy as np
+from numpy.typing import NDArray
 
-Array = np.ndarray
+Array = NDArray[Any]
 _Elements = tuple[Array, Array, Array]  # ids, positions of nodes, ids of parts
 _End = tuple[int, str]  # exit code, what the command prints
 

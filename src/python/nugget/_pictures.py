@@ -8,6 +8,7 @@ from typing import Mapping, Sequence
 import numpy as np
 
 from . import _nugget
+from ._arrays import Array
 
 
 class Picture:
@@ -47,7 +48,7 @@ def picture_of(directory: str, options: _nugget.PictureOptions) -> Picture:
         raise LookupError(f"{directory}: {error}") from None
 
 
-def plot(curves: Mapping[str, tuple[Sequence[float] | np.ndarray, Sequence[float] | np.ndarray]], *, abscissa: str = "",
+def plot(curves: Mapping[str, tuple[Sequence[float] | Array, Sequence[float] | Array]], *, abscissa: str = "",
          ordinate: str = "", log_x: bool = False, log_y: bool = False, points: Sequence[str] = ()) -> Picture:
     """Curves of one's own in one plot: (x, y) by name. `abscissa`, `ordinate`: names of the axes. `points`: names of
     those that are drawn as points."""

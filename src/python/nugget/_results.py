@@ -13,6 +13,7 @@ from typing import Any, Iterator, Sequence, overload
 import numpy as np
 
 from . import _nugget
+from ._arrays import Array
 from ._elements import Elements
 from ._pictures import Picture, picture_of, plot_channels
 from ._table import WeldTable
@@ -26,7 +27,7 @@ class Channel:
     title: str  #: of the entity, where the file has a legend
     quantity: str  #: `axial`, `x_force`, `internal_energy`
     unit: str  #: `N`; empty where the units are not known
-    values: np.ndarray  #: one for each time
+    values: Array  #: one for each time
 
     def _is_of(self, entity: int | str) -> bool:
         return str(entity) in (self.entity, self.entity.rpartition(" ")[2], self.title)
@@ -42,7 +43,7 @@ class History:
         swforc.of_all("axial")          # a column for each of swforc.entities
     """
 
-    def __init__(self, name: str, times: np.ndarray, channels: Sequence[Channel]) -> None:
+    def __init__(self, name: str, times: Array, channels: Sequence[Channel]) -> None:
         self.name = name
         self.times = times
         self.channels = list(channels)
@@ -60,7 +61,7 @@ class History:
         """Of a quantity, `N`; empty for a number, and where the units of the deck are not known."""
         return self._found(self.channels, quantity)[0].unit
 
-    def __getitem__(self, key: str | tuple[int | str, str]) -> np.ndarray:
+    def __getitem__(self, key: str | tuple[int | str, str]) -> Array:
         if isinstance(key, str):
             found = self._found(self.channels, key)
             if len(found) > 1:
@@ -73,7 +74,7 @@ class History:
             raise LookupError(f"{self.name} has no entity '{entity}'; there are: {', '.join(self.entities) or 'none'}")
         return self._found(of_entity, quantity)[0].values
 
-    def of_all(self, quantity: str) -> np.ndarray:
+    def of_all(self, quantity: str) -> Array:
         """A row for each time and a column for each of `entities`; NaN where an entity lacks the quantity."""
         found = {c.entity: c.values for c in self._found(self.channels, quantity)}
         missing = np.full(len(self.times), np.nan)
@@ -94,41 +95,41 @@ class History:
 class ShellState:
     """Shells at one time, in the order of States.shells. Stresses xx yy zz xy yz zx in global axes."""
 
-    stress: np.ndarray  #: shell, layer, component; layers as d3plot has them: middle, bottom, top where there are 3
-    plastic_strain: np.ndarray  #: shell, layer
-    thickness: np.ndarray
-    deleted: np.ndarray  #: bools
-    internal_energy: np.ndarray  #: per volume
-    mx: np.ndarray  #: bending moments per length, in the shell's axes
-    my: np.ndarray
-    mxy: np.ndarray
-    qx: np.ndarray  #: transverse shear per length
-    qy: np.ndarray
-    nx: np.ndarray  #: membrane forces per length
-    ny: np.ndarray
-    nxy: np.ndarray
+    stress: Array  #: shell, layer, component; layers as d3plot has them: middle, bottom, top where there are 3
+    plastic_strain: Array  #: shell, layer
+    thickness: Array
+    deleted: Array  #: bools
+    internal_energy: Array  #: per volume
+    mx: Array  #: bending moments per length, in the shell's axes
+    my: Array
+    mxy: Array
+    qx: Array  #: transverse shear per length
+    qy: Array
+    nx: Array  #: membrane forces per length
+    ny: Array
+    nxy: Array
 
 
 @dataclasses.dataclass(frozen=True)
 class SolidState:
     """Bricks at one time, in the order of States.solids. Stresses xx yy zz xy yz zx in global axes."""
 
-    stress: np.ndarray  #: solid, component
-    plastic_strain: np.ndarray
-    deleted: np.ndarray  #: bools
+    stress: Array  #: solid, component
+    plastic_strain: Array
+    deleted: Array  #: bools
 
 
 @dataclasses.dataclass(frozen=True)
 class BeamState:
     """Beams, weld beams among them, at one time, in the order of States.beams."""
 
-    axial: np.ndarray  #: forces, in the beam's axes
-    shear_s: np.ndarray
-    shear_t: np.ndarray
-    moment_s: np.ndarray
-    moment_t: np.ndarray
-    torsion: np.ndarray
-    deleted: np.ndarray  #: bools
+    axial: Array  #: forces, in the beam's axes
+    shear_s: Array
+    shear_t: Array
+    moment_s: Array
+    moment_t: Array
+    torsion: Array
+    deleted: Array  #: bools
 
 
 @dataclasses.dataclass(frozen=True)
@@ -136,10 +137,10 @@ class State:
     """The model at one time. Arrays of nodes are in the order of States.node_ids, in single precision as d3plot is."""
 
     time: float
-    coordinates: np.ndarray
-    displacement: np.ndarray
-    velocity: np.ndarray
-    acceleration: np.ndarray
+    coordinates: Array
+    displacement: Array
+    velocity: Array
+    acceleration: Array
     shells: ShellState
     solids: SolidState
     beams: BeamState
@@ -151,10 +152,10 @@ class _Family:
     def __init__(self, directory: pathlib.Path, modes: bool) -> None:
         self._file = _nugget.D3plot(str(directory), modes)
         geometry = self._file.geometry()
-        self._times: np.ndarray = geometry["times"]
+        self._times: Array = geometry["times"]
         self.title: str = geometry["title"]
-        self.node_ids: np.ndarray = geometry["node_ids"]  #: ascending
-        self.coordinates: np.ndarray = geometry["coordinates"]  #: at the start; a row for each node
+        self.node_ids: Array = geometry["node_ids"]  #: ascending
+        self.coordinates: Array = geometry["coordinates"]  #: at the start; a row for each node
         self.parts: dict[int, str] = geometry["parts"]  #: title by id
         self.shells = Elements(*geometry["shells"], node_ids=self.node_ids)
         self.solids = Elements(*geometry["solids"], node_ids=self.node_ids)
@@ -176,7 +177,7 @@ class States(_Family, Sequence[State]):
         super().__init__(directory, modes=False)
 
     @property
-    def times(self) -> np.ndarray:
+    def times(self) -> Array:
         return self._times
 
     def __len__(self) -> int:
@@ -222,7 +223,7 @@ class Modes(_Family):
         return len(self.frequencies)
 
     @functools.cached_property
-    def shapes(self) -> np.ndarray:
+    def shapes(self) -> Array:
         """mode, node, x y z: displacements as d3eigv has them. It holds coordinates in single precision, so that they
         are exact to some 1e-7 of the model's size."""
         return np.stack([self._file.state(i)["coordinates"] - self.coordinates for i in range(len(self._times))])
@@ -234,10 +235,10 @@ class Response:
 
     name: str  #: `node 17 z`, or the panel of radiated power
     quantity: str  #: `acceleration`, `power`
-    frequencies: np.ndarray
-    amplitude: np.ndarray
-    phase: np.ndarray  #: degrees; NaN of radiated power
-    values: np.ndarray  #: complex; of radiated power the amplitude
+    frequencies: Array
+    amplitude: Array
+    phase: Array  #: degrees; NaN of radiated power
+    values: Array  #: complex; of radiated power the amplitude
     case: int = 0  #: of several load cases, from 1
 
 
@@ -246,7 +247,7 @@ def _rows(path: pathlib.Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
-def _numbers(rows: list[dict[str, str]], column: str) -> np.ndarray:
+def _numbers(rows: list[dict[str, str]], column: str) -> Array:
     return np.array([float(row[column]) if row[column] else np.nan for row in rows])
 
 
@@ -288,12 +289,12 @@ class Results:
     @property
     def termination(self) -> str:
         """`normal`, `error` or `interrupted`."""
-        return self.summary["termination"]
+        return str(self.summary["termination"])
 
     @property
     def units(self) -> str:
         """`mm, t, s`; empty where they are not known."""
-        return self.summary["units"]
+        return str(self.summary["units"])
 
     @property
     def second(self) -> float | None:
@@ -394,7 +395,7 @@ class Results:
         options.put_up(up)
         return picture_of(str(self.directory), options)
 
-    def sae_filter(self, times: np.ndarray, values: np.ndarray, cfc: int) -> tuple[np.ndarray, np.ndarray]:
+    def sae_filter(self, times: Array, values: Array, cfc: int) -> tuple[Array, Array]:
         """sae_filter() of a history of this run."""
         if self.second is None:
             raise ValueError(f"the units of {self.directory} are not known, so that nothing says how long a second is: "
@@ -421,8 +422,8 @@ def _expect_class(cfc: int, or_none: bool = False) -> None:
         raise ValueError(f"channel frequency class {cfc}, expected {', '.join(map(str, classes))}")
 
 
-def sae_filter(times: np.ndarray, values: np.ndarray, cfc: int, second: float, *,
-               before: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+def sae_filter(times: Array, values: Array, cfc: int, second: float, *,
+               before: float = 0.0) -> tuple[Array, Array]:
     """Times and values of a history filtered to a channel frequency class of SAE J211-1 (60, 180, 600 or 1000): -3 dB
     at 5/3 of the class in hertz, no shift of phase. `second`: one second in the unit of `times`. `before`: the value
     until the first time. The times that come back are evenly spaced, as many. ValueError where times do not ascend, are

@@ -8,12 +8,14 @@ from typing import Any, Iterable, Iterator, Mapping
 
 import numpy as np
 
+from ._arrays import Array
+
 _TEXTS = re.compile(r"kind|failure_mode|last_terms|remarks|reason\d*|segment\d*")
 _IDS = re.compile(r"id|part|sheet1|node\d+|case\d+")
 _FLAGS = ("tied", "failed")
 
 
-def _column(name: str, cells: list[str]) -> np.ndarray:
+def _column(name: str, cells: list[str]) -> Array:
     if name in _FLAGS:
         return np.array([cell == "yes" for cell in cells], dtype=bool)
     if _IDS.fullmatch(name):
@@ -27,14 +29,14 @@ def _column(name: str, cells: list[str]) -> np.ndarray:
     return np.array([float(cell) if cell else np.nan for cell in cells], dtype=float)
 
 
-def _parts(cells: Iterable[tuple[str, str]]) -> np.ndarray:
+def _parts(cells: Iterable[tuple[str, str]]) -> Array:
     rows = [tuple(int(word) for word in " ".join(pair).split()) for pair in cells]
     out = np.empty(len(rows), dtype=object)
     out[:] = rows
     return out
 
 
-class WeldTable(Mapping[str, np.ndarray]):
+class WeldTable(Mapping[str, Array]):
     """The welds of a deck or of a run, a row each: the columns of welds.csv by their names.
 
         welds["peak_failure"]          # an array, an entry for each weld
@@ -58,7 +60,7 @@ class WeldTable(Mapping[str, np.ndarray]):
             if key not in self._columns:
                 raise LookupError(f"the welds have no column '{key}'; there are: {', '.join(self._columns)}")
             return self._columns[key]
-        found = np.flatnonzero(self._columns["id"] == key) if self._columns else ()
+        found = np.flatnonzero(self._columns["id"] == key) if self._columns else np.empty(0, dtype=int)
         if len(found) == 0:
             raise LookupError(f"there is no weld {key}")
         return {name: column[found[0]] for name, column in self._columns.items()}
