@@ -5,10 +5,13 @@
 
 Works in a folder beside SITE, so that nothing generated stands in the source tree: docs/ is copied, a page for each
 family of keywords is written from `NUGGET keywords` and `NUGGET keywords NAME`, folders in the navigation of
-docs/mkdocs.yml are replaced by their pages, MkDocs builds the site (--strict), and KaTeX is copied into it, so that
+docs/mkdocs.yml are replaced by their pages, a link to a script that is alone in its line becomes the script, one to the
+Python package what its docstrings say, MkDocs builds the site (--strict), and KaTeX is copied into it, so that
 formulas need no network. Then every link with a #place is looked up. Exits with 1 where a link leads nowhere.
 """
+import ast
 import html.parser
+import inspect
 import os
 import pathlib
 import re
@@ -109,6 +112,71 @@ def write_keyword_pages(nugget, folder):
     (folder / "index.md").write_text("\n\n".join(index), encoding="utf-8")
 
 
+def script_text(path):
+    """A script as a block of code, without its licence line."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    return "\n".join(["```python", *(line for line in lines if "SPDX-License-Identifier" not in line), "```"])
+
+
+def prose(text):
+    """A docstring as Markdown: signs that it would take for markup are escaped, but for code."""
+    def escaped(piece):
+        return re.sub(r"([*_])", r"\\\1", piece.replace("<", "&lt;"))
+    out = []
+    for line in inspect.cleandoc(text).splitlines():
+        pieces = re.split(r"(`[^`]*`)", line)
+        out.append(line if line.startswith("    ") else
+                   "".join(piece if piece.startswith("`") else escaped(piece) for piece in pieces))
+    return "\n".join(out)
+
+
+def signature(function, name):
+    arguments = ast.unparse(function.args)
+    arguments = re.sub(r"^self(, )?", "", arguments)
+    returned = f" -> {ast.unparse(function.returns)}" if function.returns else ""
+    return f"{name}({arguments}){returned}"
+
+
+def class_section(node, lines):
+    """A class of the package: what it is, its attributes and methods."""
+    out = [f"### nugget.{node.name} {{: #{node.name.lower()} }}", prose(ast.get_docstring(node) or "")]
+    for each in node.body:
+        if isinstance(each, ast.AnnAssign):
+            comment = lines[each.lineno - 1].partition("#:")[2].strip()
+            out.append(f"- `{each.target.id}`" + (f": {prose(comment)}" if comment else ""))
+        elif isinstance(each, ast.FunctionDef) and ast.get_docstring(each) and \
+                (not each.name.startswith("_") or each.name in ("__getitem__", "__setitem__")):
+            is_value = any("property" in ast.unparse(decorator) for decorator in each.decorator_list)
+            name = f"`{each.name}`" if is_value else f"`{signature(each, each.name)}`"
+            out.append(f"- {name}: " + prose(ast.get_docstring(each)).replace("\n", "\n    "))
+    return "\n\n".join(out)
+
+
+def package_reference(package):
+    """What a Python package shows: each name of __all__ with what its docstring says."""
+    exported = re.search(r"__all__ = (\[.*?\])", (package / "__init__.py").read_text(encoding="utf-8"), re.S)
+    sections = {}
+    for path in sorted(package.glob("_*.py")):
+        text = path.read_text(encoding="utf-8")
+        for node in ast.parse(text).body:
+            if isinstance(node, ast.ClassDef):
+                sections[node.name] = class_section(node, text.splitlines())
+            elif isinstance(node, ast.FunctionDef):
+                sections[node.name] = "\n\n".join([f"### nugget.{node.name} {{: #{node.name.lower()} }}",
+                                                   f"    {signature(node, node.name)}",
+                                                   prose(ast.get_docstring(node) or "")])
+    names = ast.literal_eval(exported[1])
+    return "\n\n".join(sections[name] for name in sorted(names, key=lambda n: (n[0].isupper(), n)) if name in sections)
+
+
+def with_scripts(text, root):
+    """A page in which a link to a script, alone in its line, is that script, and one to a Python package what it shows."""
+    def shown(match):
+        path = root / match[1]
+        return package_reference(path) if (path / "__init__.py").exists() else script_text(path)
+    return re.sub(r"(?m)^\[[^\]]*\]\((?:\.\./)+((?:examples|src)/[^)]*)\)$", shown, text)
+
+
 def title(page):
     return next(line[2:].strip() for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("# "))
 
@@ -169,6 +237,9 @@ def main(arguments):
     config = yaml.safe_load((work / "docs" / "mkdocs.yml").read_text(encoding="utf-8"))
     (work / "docs" / "mkdocs.yml").unlink()
     write_keyword_pages(nugget.resolve(), work / "docs" / KEYWORDS)
+    for page in (work / "docs").rglob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        page.write_text(with_scripts(text, ROOT), encoding="utf-8")
     config["nav"] = with_folders(config["nav"], work / "docs")
     (work / "mkdocs.yml").write_text(yaml.safe_dump(config, allow_unicode=True, sort_keys=False), encoding="utf-8")
     command = ["/usr/bin/mkdocs", "build", "--strict", "--config-file", work / "mkdocs.yml", "--site-dir"]

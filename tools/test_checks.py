@@ -458,6 +458,22 @@ class Site(CheckCase):
         self.assertIn("deforc in binout0000\n\n| branch | column | dimension | meaning |\n|---|---|---|---|\n"
                       "| deforc | **x\\_force, y\\_force** | M L T^-2 | of a spring |", history)
 
+    def test_a_script_stands_where_its_link_is(self):
+        self.write("examples/a.py", '# SPDX-License-Identifier: Apache-2.0\n"""Says hello."""\nprint("hello")\n')
+        text = "See [a.py](../../examples/a.py) and\n\n[examples/a.py](../../examples/a.py)\n\nend\n"
+        self.assertEqual(self.tool().with_scripts(text, self.root),
+                         "See [a.py](../../examples/a.py) and\n\n```python\n\"\"\"Says hello.\"\"\"\nprint(\"hello\")\n```\n\nend\n")
+
+    def test_a_package_is_shown_by_its_docstrings(self):
+        self.write("src/p/__init__.py", '__all__ = ["A", "f"]\n')
+        self.write("src/p/_p.py", 'class A:\n    """A *thing*, `*PART`."""\n\n    size: int  #: how <large>\n\n'
+                   '    @property\n    def name(self) -> str:\n        """Its name."""\n\n'
+                   '    def hidden(self): ...\n\n\ndef f(a: int, *, b: str = "") -> None:\n    """Does it."""\n\n\n'
+                   'def g():\n    """Not shown."""\n')
+        self.assertEqual(self.tool().with_scripts("[p](../src/p)\n", self.root),
+                         "### nugget.f {: #f }\n\n    f(a: int, *, b: str='') -> None\n\nDoes it.\n\n"
+                         "### nugget.A {: #a }\n\nA \\*thing\\*, `*PART`.\n\n- `size`: how &lt;large>\n\n- `name`: Its name.\n")
+
     def test_a_folder_in_the_navigation_stands_for_its_pages(self):
         for name, text in [("b/z.md", "# Z\n"), ("b/a.md", "# A\n"), ("b/index.md", "# First\n")]:
             self.write(name, text)

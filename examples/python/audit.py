@@ -14,6 +14,7 @@ for finding in deck.findings:
     print(finding)
 welds = deck.welds
 for weld in welds.rows():
-    print(f"weld {weld['id']}: d = {weld['diameter']}, parts {weld['parts']}, edge distance {weld['edge_distance']:.1f}")
+    print(f"weld {weld['id']}: d = {weld['diameter']}, parts {weld['parts']}, "
+          f"edge distance {weld['edge_distance']:.1f}")
 nugget.plot({"edge distance": (welds["z"], welds["edge_distance"]), "diameter": (welds["z"], welds["diameter"])},
             points=("edge distance",), abscissa="z [mm]", ordinate="[mm]").save(f"{folder}/audit.svg")

@@ -15,7 +15,7 @@ print(states)
 largest = [state.shells.plastic_strain.max() for state in states]
 last = states[-1]
 worst = np.unravel_index(last.shells.plastic_strain.argmax(), last.shells.plastic_strain.shape)[0]
-print(f"most plastic strain {largest[-1]:.3f} in shell {states.shells.ids[worst]} of part {states.shells.parts[worst]}; "
-      f"{last.shells.deleted.sum()} shells and {last.beams.deleted.sum()} beams are deleted")
+print(f"most plastic strain {largest[-1]:.3f} in shell {states.shells.ids[worst]} "
+      f"of part {states.shells.parts[worst]}; {last.shells.deleted.sum()} shells and {last.beams.deleted.sum()} beams are deleted")
 nugget.plot({"largest plastic strain": (states.times, largest)}, abscissa="time [s]").save(f"{folder}/strain.svg")
 r.picture(scale=5.0, shapes=True).save(f"{folder}/states.svg")

@@ -42,7 +42,8 @@ std::string with_columns(const std::string& text, std::size_t width) {
 /// The number as text, or a refusal.
 std::string number_for(double number, Kind kind, std::size_t width, const std::string& what) {
   if (std::string text = deck::fitted(number, kind, width); !text.empty()) return text;
-  if (kind == Kind::integer) refuse_change(fmt::format("{} = {}: expected a whole number", with_columns(what, width), number));
+  if (kind == Kind::integer)
+    refuse_change(fmt::format("{} = {}: expected a whole number", with_columns(what, width), number));
   refuse_change(fmt::format("{} = {}: it does not fit with five digits; give the text that is to stand there",
                             with_columns(what, width), number));
 }
@@ -60,7 +61,8 @@ struct DeckChanges::Cell {
 };
 
 DeckChanges::DeckChanges(const RunArguments& arguments, const PreparedDeck& prepared)
-    : prepared_(prepared), deck_([&] {
+    : prepared_(prepared),
+      deck_([&] {
         Findings told;
         return deck::read(arguments.deck, told, arguments.load_case);
       }()),
@@ -116,8 +118,8 @@ DeckChanges::Cell DeckChanges::find(std::size_t cards, const std::string& field)
   if (found.size() == 1) return found[0];
   const std::string where = fmt::format("{}:{}: {}", all.place.file, all.place.line, all.keyword);
   if (found.empty())
-    refuse_change(fmt::format("{} has no field '{}' in its lines; there are: {}", where, name,
-                              fmt::join(fields(cards), ", ")));
+    refuse_change(
+        fmt::format("{} has no field '{}' in its lines; there are: {}", where, name, fmt::join(fields(cards), ", ")));
   refuse_change(fmt::format("{} has {} fields '{}', which are not told apart by name", where, found.size(), name));
 }
 
@@ -148,9 +150,8 @@ void DeckChanges::put(const Cell& cell, std::string text) {
     refuse_change(fmt::format("{} stands in {}, which *INCLUDE_TRANSFORM gives other ids or units: change it there",
                               cell.name, cell.read->block->place.file));
   const std::string* now = text_.current(cell.line());
-  text_.replace(cell.line(),
-                deck::with_cell(cell.read->card, cell.read->block->format,
-                                now == nullptr ? cell.line() : std::string_view(*now), cell.field, text));
+  text_.replace(cell.line(), deck::with_cell(cell.read->card, cell.read->block->format,
+                                             now == nullptr ? cell.line() : std::string_view(*now), cell.field, text));
 }
 
 void DeckChanges::set_number(std::size_t cards, const std::string& field, double number) {
@@ -171,7 +172,9 @@ std::map<std::string, DeckChanges::Value> DeckChanges::parameters() const {
   std::map<std::string, Value> out;
   for (const auto& [name, definitions] : deck_.impl->parameters.histories()) {
     const deck::Parameter& last = definitions.back();
-    Value value{last.type == 'C' ? Kind::text : last.type == 'I' ? Kind::integer : Kind::real,
+    Value value{last.type == 'C'   ? Kind::text
+                : last.type == 'I' ? Kind::integer
+                                   : Kind::real,
                 last.type == 'C' ? last.text : fmt::format("{}", last.number), last.number, true};
     if (const std::string* now = last.cell.empty() ? nullptr : text_.current(last.cell)) {
       value.text = deck::trimmed(*now);
@@ -300,8 +303,8 @@ void DeckChanges::move_node(int id, const Vec3d& x) {
   if (n == model::none) refuse_change(fmt::format("there is no node {}", id));
   if (!nodes_) find_nodes();
   if (as_written_[at(n)] == 0)
-    refuse_change(fmt::format("node {} is moved by a keyword, or defined by one: its line does not say where it stands",
-                              id));
+    refuse_change(
+        fmt::format("node {} is moved by a keyword, or defined by one: its line does not say where it stands", id));
   deck::NodeTable table;
   if (!nodes_->can_move(id))
     refuse_change(fmt::format(

@@ -63,11 +63,13 @@ std::string filled_cell(std::string_view text, std::size_t width, Kind kind) {
     throw std::invalid_argument(fmt::format("'{}' has a comma, which separates the fields of this line", text));
   if (width == 0) return std::string(text);
   if (text.size() > width)
-    throw std::invalid_argument(fmt::format("'{}' has {} characters, and the field {} columns", text, text.size(), width));
+    throw std::invalid_argument(
+        fmt::format("'{}' has {} characters, and the field {} columns", text, text.size(), width));
   return kind == Kind::text ? fmt::format("{:<{}}", text, width) : fmt::format("{:>{}}", text, width);
 }
 
-std::string with_cell(const Card& card, Format format, std::string_view line, std::size_t field, std::string_view text) {
+std::string with_cell(const Card& card, Format format, std::string_view line, std::size_t field,
+                      std::string_view text) {
   const Kind kind = card.fields[field].kind;
   if (is_free(card, format, line)) {
     const auto [from, size] = separated_cell(line, field);

@@ -29,8 +29,8 @@ class EditedText {
 
   /// What stands in place of a piece of the text now. Nothing where the piece is in one that was replaced.
   const std::string* current(std::string_view piece) const;
-  /// Puts `text` in place of a piece; what was replaced inside of it is gone. False where the piece lies in one that was
-  /// replaced, or across the end of one.
+  /// Puts `text` in place of a piece; what was replaced inside of it is gone. False where the piece lies in one that
+  /// was replaced, or across the end of one.
   bool replace(std::string_view piece, std::string text);
   bool empty() const { return edits_.empty(); }
 

@@ -99,8 +99,7 @@ void Reader::parameter_expressions(const Block& block, int depth) {
            !trimmed(block.lines[i].text).empty()) {
       expression += columns(block.lines[i++].text, width, line.text.size() + 160);
     }
-    define(block, line, head, head.empty() ? 1 : column_of(line, head), trimmed(expression),
-           {{}, 0, depth});
+    define(block, line, head, head.empty() ? 1 : column_of(line, head), trimmed(expression), {{}, 0, depth});
   }
 }
 

@@ -48,12 +48,10 @@ void add_changes(py::module_& module) {
              return py::make_tuple(place.file, place.line);
            })
       .def("fields", &DeckChanges::fields)
-      .def("value", [](const DeckChanges& c, std::size_t cards, const std::string& field) {
-        return object_of(c.value(cards, field));
-      })
-      .def("text", [](const DeckChanges& c, std::size_t cards, const std::string& field) {
-        return c.value(cards, field).text;
-      })
+      .def("value", [](const DeckChanges& c, std::size_t cards,
+                       const std::string& field) { return object_of(c.value(cards, field)); })
+      .def("text",
+           [](const DeckChanges& c, std::size_t cards, const std::string& field) { return c.value(cards, field).text; })
       .def("set_number", &DeckChanges::set_number)
       .def("set_text", &DeckChanges::set_text)
       .def("parameters", &parameters)
@@ -61,9 +59,13 @@ void add_changes(py::module_& module) {
       .def("set_parameter_text", &DeckChanges::set_parameter_text)
       .def("remove_weld", &DeckChanges::remove_weld)
       .def("move_weld",
-           [](DeckChanges& c, int id, const std::array<double, 3>& x) { c.move_weld(id, {x[0], x[1], x[2]}); })
+           [](DeckChanges& c, int id, const std::array<double, 3>& x) {
+             c.move_weld(id, {x[0], x[1], x[2]});
+           })
       .def("move_node",
-           [](DeckChanges& c, int id, const std::array<double, 3>& x) { c.move_node(id, {x[0], x[1], x[2]}); })
+           [](DeckChanges& c, int id, const std::array<double, 3>& x) {
+             c.move_node(id, {x[0], x[1], x[2]});
+           })
       .def_property_readonly("empty", &DeckChanges::empty)
       .def("write", [](const DeckChanges& c, const std::string& master) { return c.write(master); });
 }

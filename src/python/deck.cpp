@@ -101,7 +101,7 @@ py::list parts(const CheckedDeck& deck) {
 
 /// (ids, positions of nodes from 0, ids of parts)
 template <std::size_t n, class Table>
-py::tuple elements(const Model& m, const Table& all) {
+py::tuple mesh_elements(const Model& m, const Table& all) {
   return py::make_tuple(
       column<int>(all.size(), [&](std::size_t e) { return all.id[e]; }),
       matrix<int>(all.size(), n, [&](std::size_t e, std::size_t i) { return all.node[e][i]; }),
@@ -122,7 +122,6 @@ void add_deck(py::module_& module) {
     for (const deck::Case& each : deck::cases(path)) numbers.push_back(each.id);
     return numbers;
   });
-  module.def("unit_systems", &app::unit_names);
   py::class_<CheckedDeck>(module, "CheckedDeck")
       .def(py::init(&check_deck))
       .def_property_readonly("errors", [](const CheckedDeck& d) { return d.findings.errors(); })
@@ -141,11 +140,14 @@ void add_deck(py::module_& module) {
                                return column<int>(ids.size(), [&](std::size_t i) { return ids[i]; });
                              })
       .def_property_readonly("coordinates", [](const CheckedDeck& d) { return vectors(d.model().nodes.x); })
-      .def_property_readonly("shells", [](const CheckedDeck& d) { return elements<4>(d.model(), d.model().shells); })
+      .def_property_readonly("shells",
+                             [](const CheckedDeck& d) { return mesh_elements<4>(d.model(), d.model().shells); })
       .def_property_readonly("shell_thickness",
                              [](const CheckedDeck& d) { return numbers(d.model().shells.thickness); })
-      .def_property_readonly("solids", [](const CheckedDeck& d) { return elements<8>(d.model(), d.model().solids); })
-      .def_property_readonly("beams", [](const CheckedDeck& d) { return elements<2>(d.model(), d.model().beams); });
+      .def_property_readonly("solids",
+                             [](const CheckedDeck& d) { return mesh_elements<8>(d.model(), d.model().solids); })
+      .def_property_readonly("beams",
+                             [](const CheckedDeck& d) { return mesh_elements<2>(d.model(), d.model().beams); });
 }
 
 }  // namespace nugget::python

@@ -73,9 +73,8 @@ void add_pictures(py::module_& module) {
       .def("look_towards", &put_direction<&Options::towards>)
       .def("put_up", &put_direction<&Options::up>);
   module.def("picture_fields", &report::picture_fields);
-  module.def("channels", [](const std::string& directory) {
-    return report::listed(report::read_channel_curves(directory));
-  });
+  module.def("channels",
+             [](const std::string& directory) { return report::listed(report::read_channel_curves(directory)); });
   module.def("plot", &plot);
   module.def("plot_curves", &plot_curves);
   module.def("picture", &picture);

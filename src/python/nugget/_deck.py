@@ -182,8 +182,8 @@ class Deck:
     def write(self, path: str | os.PathLike[str]) -> Deck:
         """Writes the changed deck as another one and reads that: DeckError where what was changed is refused (the files
         stay for a look). All that was not changed is there byte for byte. Included files that changed, or include one
-        that did, stand beside it as <its name>_<their name>; others are included where they are. ValueError where a file
-        of this deck would be overwritten."""
+        that did, stand beside it as <its name>_<their name>; others are included where they are. ValueError where a
+        file of this deck would be overwritten."""
         self._changes.write(os.fspath(path))
         return read(path, **self._options)
 

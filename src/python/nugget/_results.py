@@ -251,7 +251,8 @@ def _numbers(rows: list[dict[str, str]], column: str) -> Array:
     return np.array([float(row[column]) if row[column] else np.nan for row in rows])
 
 
-def _groups(rows: list[dict[str, str]], columns: Sequence[str]) -> Iterator[tuple[tuple[str, ...], list[dict[str, str]]]]:
+def _groups(rows: list[dict[str, str]],
+            columns: Sequence[str]) -> Iterator[tuple[tuple[str, ...], list[dict[str, str]]]]:
     groups: dict[tuple[str, ...], list[dict[str, str]]] = {}
     for row in rows:
         groups.setdefault(tuple(row.get(column, "") for column in columns), []).append(row)
@@ -259,10 +260,11 @@ def _groups(rows: list[dict[str, str]], columns: Sequence[str]) -> Iterator[tupl
 
 
 def _responses(path: pathlib.Path) -> list[Response]:
+    columns = ("node", "direction", "response", "case")
     return [Response(name=f"node {node} {direction}", quantity=quantity, frequencies=_numbers(rows, "frequency"),
                      amplitude=_numbers(rows, "amplitude"), phase=_numbers(rows, "phase"),
                      values=_numbers(rows, "real") + 1j * _numbers(rows, "imaginary"), case=int(case or 0))
-            for (node, direction, quantity, case), rows in _groups(_rows(path), ("node", "direction", "response", "case"))]
+            for (node, direction, quantity, case), rows in _groups(_rows(path), columns)]
 
 
 def _powers(path: pathlib.Path) -> list[Response]:
@@ -363,8 +365,8 @@ class Results:
              other: str | os.PathLike[str] | Results = "") -> Picture:
         """Curves of histories and responses as a plot: `swforc/50002/axial`, `glstat/*energy`, `frf`; FILE,
         FILE/QUANTITY, FILE/ENTITY or FILE/ENTITY/QUANTITY with the wildcards * and ?. Those of one unit share their
-        axes. `over`: a channel that takes the place of time. `cfc`: filtered to that class of SAE J211. `other`: another
-        run, whose curves are drawn too. LookupError, with what there is, for a name that finds nothing."""
+        axes. `over`: a channel that takes the place of time. `cfc`: filtered to that class of SAE J211. `other`:
+        another run, whose curves are drawn too. LookupError, with what there is, for a name that finds nothing."""
         if not channels:
             raise ValueError(f"plot() needs a channel; there are:\n{self.channels}")
         _expect_class(cfc, or_none=True)
@@ -377,10 +379,10 @@ class Results:
                 range: tuple[float, float] | None = None, edges: bool = True, shapes: bool = False,
                 width: int = 1440, height: int = 960) -> Picture:
         """The model at a state of d3plot, or a natural mode. `state`: from 1, or the mode; `time`: the state nearest to
-        it; neither: the last. `field`: plastic_strain, von_mises_stress, thickness, displacement or part. `weld`: the id
-        of one to look at from near. `view`: from the model to the eye. `scale`: of displacements. `range`: of the
-        colours. `shapes`: facets as shapes that can be scaled, as `nugget picture` writes to an .svg, instead of pixels.
-        LookupError for what is not there."""
+        it; neither: the last. `field`: plastic_strain, von_mises_stress, thickness, displacement or part. `weld`: the
+        id of one to look at from near. `view`: from the model to the eye. `scale`: of displacements. `range`: of the
+        colours. `shapes`: facets as shapes that can be scaled, as `nugget picture` writes to an .svg, instead of
+        pixels. LookupError for what is not there."""
         if field and field not in _nugget.picture_fields():
             raise ValueError(f"field '{field}', expected {', '.join(_nugget.picture_fields())}")
         if state is not None and time is not None:

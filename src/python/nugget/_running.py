@@ -102,16 +102,16 @@ def run(deck: str | os.PathLike[str] | Deck, *, directory: str | os.PathLike[str
         until: float | None = None, max_cycles: int | None = None, progress: Progress | None = None, case: int = 0,
         weld_tie: str = "", weld_law: str = "", checkpoint: str = "", stop_after: float | None = None,
         skip_unsupported: bool = False) -> Results:
-    """Runs a deck as `nugget run` does, in this process, and gives its results. Other threads of Python go on meanwhile;
-    a second run waits until the first has ended.
+    """Runs a deck as `nugget run` does, in this process, and gives its results. Other threads of Python go on
+    meanwhile; a second run waits until the first has ended.
 
     `progress(time, end_time, cycle, energy_ratio, failed_welds)` is called at the start, five times a second and at the
     end of an explicit run. Where it gives False the run stops after that cycle, with a restart file: the results say
-    `interrupted`, and nugget.resume() goes on. So it does where `progress` raises; that exception is raised again. Ctrl-C
-    stops the run likewise and raises KeyboardInterrupt. `stop_after`: seconds of the clock.
+    `interrupted`, and nugget.resume() goes on. So it does where `progress` raises; that exception is raised again.
+    Ctrl-C stops the run likewise and raises KeyboardInterrupt. `stop_after`: seconds of the clock.
 
-    DeckError where the deck is refused; RunError where it ends in an error termination, with the folder; OSError where a
-    result cannot be written.
+    DeckError where the deck is refused; RunError where it ends in an error termination, with the folder; OSError
+    where a result cannot be written.
     """
     path = _path_of(deck)
     _expect_one_case(path, case)
@@ -125,7 +125,7 @@ def resume(directory: str | os.PathLike[str], *, threads: int = 0, until: float 
            max_cycles: int | None = None, progress: Progress | None = None, checkpoint: str = "",
            stop_after: float | None = None) -> Results:
     """Goes on with a run from the newest sound restart file in its folder, as run() does. RunError where there is none
-    that this module has written, or the deck has changed."""
+    that this build of nugget, command or module, has written, or the deck has changed."""
     arguments = _arguments("", directory, threads, 0, "", False)
     _put_ends(arguments, until, max_cycles, checkpoint, stop_after)
     arguments.resume = os.fspath(directory)
@@ -175,8 +175,8 @@ def place_welds(points: str | os.PathLike[str] | Iterable[Sequence[float] | Mapp
                 deck: str | os.PathLike[str] | Deck, output: str | os.PathLike[str], *, form: str = "beam",
                 diameter: float = 0.0, reach: float = 0.0, material: Mapping[str, float] | None = None,
                 strength_diameter: float = 0.0, skip_unsupported: bool = False) -> Deck:
-    """Places welds as `nugget weld` does, writes the deck `output`, which includes `deck`, and reads it. `points`: a list
-    of spots (a csv or xMCF file), or rows x, y, z, or dictionaries with the columns of such a list: x, y, z, diameter,
+    """Places welds as `nugget weld` does, writes the deck `output`, which includes `deck`, and reads it. `points`: a
+    list of spots (a csv or xMCF file), or rows x, y, z, or dictionaries with the columns of such a list: x, y, z, diameter,
     parts, class. `form`: beam, solid, solid4 or solid8. `material`: fields of *MAT_SPOTWELD for all welds.
     ValueError, with what the command prints, where none could be placed."""
     forms = _nugget.weld_forms()

@@ -40,9 +40,8 @@ TEST(EditedText, WhatLiesInsideGoesAndWhatCrossesIsRefused) {
 }
 
 TEST(CardText, ACellChangesAndNothingElse) {
-  const auto with = [](std::string_view line, std::size_t field, std::string_view text, Format format = Format::standard) {
-    return with_cell(plain_card, format, line, field, text);
-  };
+  const auto with = [](std::string_view line, std::size_t field, std::string_view text,
+                       Format format = Format::standard) { return with_cell(plain_card, format, line, field, text); };
   EXPECT_EQ(with("         1  7.85e-09  210000.0", 2, "70000."), "         1  7.85e-09    70000.");
   EXPECT_EQ(with("         1  7.85e-09  210000.0   steel  and more", 1, "2.7e-9"),
             "         1    2.7e-9  210000.0   steel  and more");
