@@ -12,7 +12,7 @@ FOREVER = ("--max-cycles", 10**9)
 class RepeatedRuns(CommandTest):
     def bits(self, folder):
         """{name: bytes} of the results; the only thing that two runs may differ by is the day, if midnight was between."""
-        names = [n for n in self.files(folder) if n not in ("run.log", "summary.json", "report.html", "status.out")]
+        names = [n for n in self.files(folder) if n not in ("run.log", "summary.json", "report.html")]
         return {name: DATE.sub(b"date", (self.folder / folder / name).read_bytes()) for name in names}
 
     def compare(self, model, *options):
@@ -31,7 +31,7 @@ class RepeatedRuns(CommandTest):
         """{name: bytes} of all results, without the day and what the clock has measured."""
         found = {}
         for name in self.files(folder):
-            if name in ("run.log", "report.html", "status.out") or name.startswith("restart"):
+            if name in ("run.log", "report.html") or name.startswith("restart"):
                 continue
             found[name] = DATE.sub(b"date", (self.folder / folder / name).read_bytes())
         summary = json.loads(found["summary.json"])
