@@ -70,6 +70,18 @@ class InstallTest(unittest.TestCase):
         self.assertEqual(self.bare(usr / "bin/nugget", "--completion", "bash").stdout,
                          (usr / "share/bash-completion/completions/nugget").read_text())
 
+    def module_runs(self, usr):
+        """The module of Python from a prefix: a run, and its resumption by the program."""
+        if not (BUILD / "python" / "nugget").is_dir():
+            self.skipTest("the module of Python is not built")
+        (self.folder / "work" / "sheet.k").write_text(SHELLS)
+        script = ("import sys; sys.dont_write_bytecode = True; import nugget; "
+                  "r = nugget.run('sheet.k', directory='out', checkpoint='1cycles', max_cycles=3); print(r.summary['cycles'])")
+        run = call("env", "-i", f"PYTHONPATH={usr / 'lib/python3/dist-packages'}", "/usr/bin/python3", "-c", script, cwd=self.folder / "work")
+        self.assertEqual(run.stdout.split(), ["3"])
+        self.bare(usr / "bin/nugget", "run", "--resume", "out", "--max-cycles", "5")
+        self.assertIn('"cycles": 5', (self.folder / "work" / "out" / "summary.json").read_text())
+
     def demo_runs(self, usr, folder):
         """`nugget demo` from a prefix, with its deck made to end after some 30 cycles."""
         deck = usr / "share/nugget/examples/double_hat/double_hat.k"

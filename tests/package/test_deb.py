@@ -45,6 +45,7 @@ class Deb(InstallTest):
         self.assertNotIn("-dev", depends)
         self.assertNotIn("python", depends)
         self.assertIn("openmpi-bin", self.field("Suggests"))
+        self.assertIn("python3-numpy", self.field("Recommends"))
         for line in self.field("Description").splitlines():
             self.assertLess(len(line), 81)
 
@@ -52,6 +53,9 @@ class Deb(InstallTest):
         self.looks_installed(self.usr)
         self.assertTrue((self.usr / "share/zsh/vendor-completions/_nugget").is_file())
         self.demo_runs(self.usr, "results")
+
+    def test_import_nugget(self):
+        self.module_runs(self.usr)
 
     def test_manual_page_is_found(self):
         man = shutil.which("man")
