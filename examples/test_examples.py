@@ -203,5 +203,30 @@ class Runs(unittest.TestCase):
         self.assertAlmostEqual(ours["peak"]["shear"] / theirs["peak"]["shear"], 1.0, 6)
 
 
+
+class FirstJoint(unittest.TestCase):
+    def check(self, text, folder):
+        (pathlib.Path(folder) / "joint.k").write_text(text, encoding="ascii")
+        run = subprocess.run([os.environ["NUGGET"], "check", "joint.k"], cwd=folder, capture_output=True, text=True)
+        return run.returncode, run.stderr
+
+    def test_three_mistakes_and_no_other(self):
+        text = generate("first_joint")["joint"]
+        with tempfile.TemporaryDirectory() as folder:
+            code, said = self.check(text, folder)
+            self.assertEqual(code, 1)
+            self.assertIn("material 4 is not defined", said)
+            self.assertIn("no end time is given", said)
+            self.assertIn("node 9004 at (57.5, 27.5, 12)", said)
+            self.assertIn("2 errors", said)
+            lines = text.splitlines()
+            lines[32] = lines[32][:29] + "1"
+            lines[6] = "     0.002"
+            lines = [line.replace("12.000000", " 1.200000") if line.startswith("    9004") else line for line in lines]
+            code, said = self.check("\n".join(lines) + "\n", folder)
+            self.assertEqual(code, 0, said)
+            self.assertNotIn("warning", said)
+
+
 if __name__ == "__main__":
     unittest.main()
