@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives report.html in a headless Chromium, offline: node drive.mjs KIND FOLDER [PICTURE.png]
-// KIND: impact, modes, responses. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
+// KIND: impact, modes, responses; compare or compare_modes, of compare.html. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
 // 77 where there is no Chromium.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
@@ -21,10 +21,14 @@ const complaints = [];
 page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
 page.on("pageerror", (error) => complaints.push(error.stack));
 
-const address = pathToFileURL(resolve(folder, "report.html")).href;
+const comparison = kind.startsWith("compare");
+const address = pathToFileURL(resolve(folder, comparison ? "compare.html" : "report.html")).href;
 const began = Date.now();
 await page.goto(address);
-await page.waitForFunction(() => document.body.classList.contains("alive") && window.nugget.panel?.view.frames > 0, null, { timeout: 60000 })
+await page.waitForFunction(() => {
+  const { panel, panels } = window.nugget ?? {};
+  return document.body.classList.contains("alive") && (panels?.[1] ?? panel)?.view.frames > 0;
+}, null, { timeout: 60000 })
   .catch((error) => complaints.push(error.message));
 const measured = { milliseconds_to_first_picture: Date.now() - began };
 assert.deepEqual(complaints, []);
@@ -129,8 +133,50 @@ async function responses() {
   assert.match(await text("#responses p"), /Peaks of/);
 }
 
+const cameras = () => page.evaluate(() => window.nugget.panels.map((panel) => panel.view.camera.position.toArray()));
+
+/** Turns the left view; the right one turns with it. */
+async function turnBoth() {
+  const canvas = page.locator(".side-A .canvas");
+  await canvas.scrollIntoViewIfNeeded();
+  const [before] = await cameras(), box = await canvas.boundingBox();
+  await page.mouse.move(box.x + 100, box.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 180, box.y + 130, { steps: 4 });
+  await page.mouse.up();
+  const [a, b] = await cameras();
+  assert.notDeepEqual(a, before, "the view turns with the mouse");
+  a.forEach((x, k) => assert.ok(Math.abs(x - b[k]) < 1e-6 * Math.hypot(...a), "and the other one with it"));
+}
+
+async function compare() {
+  await turnBoth();
+  const times = await page.evaluate(() => {
+    const { panels } = window.nugget;
+    panels[0].showPlace(0);
+    return panels.map((panel) => panel.time);
+  });
+  assert.deepEqual(times, [0, 0], "both show one time");
+  await page.locator(".side-A #colour-by").selectOption("displacement");
+  const [left, right] = await page.evaluate(() => window.nugget.panels.map((panel) => panel.view.colouring));
+  assert.equal(left.kind, "displacement");
+  assert.deepEqual(right, left, "one range of colours");
+  assert.ok((await page.locator("#histories .uplot").count()) === 1, "histories over each other");
+  measured.welds = await page.locator("#welds tr").count();
+}
+
+/** Modes of B come in another order or with other shapes: each pair that is clicked is shown. */
+async function compareModes() {
+  const rows = page.locator("#pairs tr.pair");
+  measured.pairs = await rows.evaluateAll((all) => all.map((row) => [Number(row.dataset.a), Number(row.dataset.b), Number(row.lastChild.innerText)]));
+  await rows.last().click();
+  const shown = await page.evaluate(() => window.nugget.panels.map((panel) => panel.mode));
+  assert.deepEqual(shown, measured.pairs.at(-1).slice(0, 2), "a click shows both modes");
+  await turnBoth();
+}
+
 try {
-  await { impact, modes, responses }[kind]();
+  await { impact, modes, responses, compare, compare_modes: compareModes }[kind]();
   if (picture) await page.screenshot({ path: picture });
   await page.setViewportSize({ width: 390, height: 800 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

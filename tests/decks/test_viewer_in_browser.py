@@ -17,7 +17,8 @@ class InBrowser(CommandTest):
         node = shutil.which("node")
         if not node or not (SOURCE / "web" / "node_modules" / "playwright-core").exists():
             self.skipTest("no Node, or no packages in web/ (./dev setup)")
-        if 'id="run-data"' not in self.read(f"{folder}/report.html"):
+        page = "compare.html" if kind.startswith("compare") else "report.html"
+        if 'id="run-data"' not in self.read(f"{folder}/{page}"):
             self.skipTest("this program was built without the viewer")
         run = subprocess.run([node, SOURCE / "web" / "drive.mjs", kind, self.folder / folder], capture_output=True, text=True, timeout=240)
         if run.returncode == 77:
@@ -40,6 +41,27 @@ class InBrowser(CommandTest):
                          frf((tip, 0, 3, 3), (0.02,), (tip, 0, 3, 2), (0.0, 300.0, 100)), 20, 2))
         self.nugget("frf", "model.k", "--quiet")
         self.drive("responses")
+
+    def test_two_runs(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "-o", "a", "--quiet")
+        self.write(deck().replace("    8000.0    6000.0    6000.0", "      80.0      60.0      60.0"))
+        self.nugget("run", "model.k", "-o", "b", "--quiet")
+        self.nugget("report", "a", "b")
+        self.assertGreater(self.drive("compare", "a")["welds"], 1)
+
+    def test_modes_of_two_runs_are_paired(self):
+        """The same strips, stiffer: each mode is most like itself."""
+        self.write(strips())
+        self.nugget("modes", "model.k", "-n", 10, "-o", "a", "--quiet")
+        self.write(strips().replace("210000.0", "240000.0"))
+        self.nugget("modes", "model.k", "-n", 10, "-o", "b", "--quiet")
+        self.nugget("report", "a", "b")
+        elastic = [(a, b, mac) for a, b, mac in self.drive("compare_modes", "a")["pairs"] if a >= 6]
+        self.assertEqual(len(elastic), 4)
+        for a, b, mac in elastic:
+            self.assertEqual(a, b)
+            self.assertGreater(mac, 0.99)
 
 
 if __name__ == "__main__":

@@ -105,11 +105,12 @@ export class ViewPanel {
     this.colourList.value = what;
     const field = this.shape.fields[what];
     if (field) this.view.colouring = { kind: "field", field, low: field.low, high: this.#usualHigh(field), ...range };
-    else if (what === "displacement") this.view.colouring = { kind: what, low: 0, high: this.#largestDisplacement() };
+    else if (what === "displacement") this.view.colouring = { kind: what, low: 0, high: this.#largestDisplacement(), ...range };
     else this.view.colouring = { kind: "part" };
     this.#drawLegend(field ? field.name : what, field ? this.units[field.dimension] : this.units.length);
     this.view.show();
-    for (const follow of this.colourFollowers) follow(what, field ? { low: this.view.colouring.low, high: this.view.colouring.high } : null);
+    const { low, high } = this.view.colouring;
+    for (const follow of this.colourFollowers) follow(what, low === undefined ? null : { low, high });
   }
 
   /** What all but a few facets stay below in the last state: one torn element does not take the colours from the others. */
