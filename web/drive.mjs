@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives report.html in a headless Chromium, offline: node drive.mjs KIND FOLDER [PICTURE.png]
-// KIND: impact, modes, responses; compare or compare_modes, of compare.html. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
+// KIND: impact, modes, responses; without_webgl, of an impact; compare or compare_modes, of compare.html. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
 // 77 where there is no Chromium.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
@@ -14,7 +14,8 @@ if (!executablePath) {
   console.error("no Chromium here (apt-get install chromium, or set CHROMIUM)");
   process.exit(77);
 }
-const browser = await chromium.launch({ executablePath, args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"] });
+const drawing = kind === "without_webgl" ? ["--disable-3d-apis"] : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const browser = await chromium.launch({ executablePath, args: [...drawing, "--no-sandbox"] });
 const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, offline: true, acceptDownloads: true });
 const page = await context.newPage();
 const complaints = [];
@@ -27,7 +28,8 @@ const began = Date.now();
 await page.goto(address);
 await page.waitForFunction(() => {
   const { panel, panels } = window.nugget ?? {};
-  return document.body.classList.contains("alive") && (panels?.[1] ?? panel)?.view.frames > 0;
+  const drawn = (panels?.[1] ?? panel)?.view.frames > 0 || document.getElementById("pictures");
+  return document.body.classList.contains("alive") && drawn;
 }, null, { timeout: 60000 })
   .catch((error) => complaints.push(error.message));
 const measured = { milliseconds_to_first_picture: Date.now() - began };
@@ -133,6 +135,15 @@ async function responses() {
   assert.match(await text("#responses p"), /Peaks of/);
 }
 
+/** Pictures in place of the view; all else as ever. */
+async function withoutWebgl() {
+  assert.match(await text("#view"), /draws no WebGL/);
+  const widths = await page.locator("#pictures img").evaluateAll((all) => Promise.all(all.map((image) => image.decode().then(() => image.naturalWidth))));
+  assert.deepEqual(widths, [1080, 1080], "two pictures of the model");
+  await page.locator("#welds tr.weld").first().click();
+  assert.ok((await page.locator("#weld-panel .uplot").count()) > 0, "the weld's histories are drawn");
+}
+
 const cameras = () => page.evaluate(() => window.nugget.panels.map((panel) => panel.view.camera.position.toArray()));
 
 /** Turns the left view; the right one turns with it. */
@@ -176,7 +187,7 @@ async function compareModes() {
 }
 
 try {
-  await { impact, modes, responses, compare, compare_modes: compareModes }[kind]();
+  await { impact, modes, responses, without_webgl: withoutWebgl, compare, compare_modes: compareModes }[kind]();
   if (picture) await page.screenshot({ path: picture });
   await page.setViewportSize({ width: 390, height: 800 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

@@ -260,20 +260,25 @@ std::string conclusions(const RunData& run) {
   return s + "</ul>\n";
 }
 
-/// The picture of the model, in a page with a viewer only where its script does not run: mail programs block it.
-std::string still(const std::string& picture, bool alive) {
-  if (picture.empty()) return {};
-  const std::string shown = fmt::format(
-      "<img alt=\"the model\" style=\"width: 100%\" src=\"data:image/svg+xml;base64,{}\">", base64(picture));
+/// Pictures of the model; in a page with a viewer they are seen only where its script does not run (mail programs block
+/// it) or finds no WebGL.
+std::string stills(const std::vector<std::string>& pictures, bool alive) {
+  if (pictures.empty()) return {};
+  std::string shown;
+  for (const std::string& picture : pictures)
+    shown += fmt::format("<img alt=\"the model\" style=\"width: 100%\" src=\"data:image/svg+xml;base64,{}\">\n",
+                         base64(picture));
   return alive ? "<noscript>" + shown + "</noscript>\n" : shown + "\n";
 }
 
-/// Nothing where the run left no states.
-std::string picture_of(const std::filesystem::path& directory) {
+/// From two sides; nothing where the run left no states.
+std::vector<std::string> pictures_of(const std::filesystem::path& directory) {
+  PictureOptions options;
+  options.width = 1080, options.height = 720;
+  PictureOptions from_behind = options;
+  from_behind.towards = {-options.towards.x, -options.towards.y, options.towards.z};
   try {
-    PictureOptions options;
-    options.width = 1080, options.height = 720;
-    return model_picture(directory, options);
+    return {model_picture(directory, options), model_picture(directory, from_behind)};
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -289,9 +294,9 @@ std::string html_page(const std::string& title, const std::string& body) {
       escaped(title), style, body);
 }
 
-std::string page(const RunData& run, const std::string& packed, const std::string& picture) {
+std::string page(const RunData& run, const std::string& packed, const std::vector<std::string>& pictures) {
   const bool linear = of_linear_analysis(run.summary), alive = !packed.empty() && !viewer_script().empty();
-  std::string s = head(run.summary) + conclusions(run) + still(picture, alive);
+  std::string s = head(run.summary) + conclusions(run) + stills(pictures, alive);
   if (alive) s += "<section id=\"view\"></section>\n<section id=\"weld-panel\" hidden></section>\n";
   if (linear) {
     if (alive && run.summary.contains("responses")) s += "<h2>Responses</h2>\n<section id=\"responses\"></section>\n";
@@ -312,7 +317,7 @@ std::string page(const RunData& run, const std::string& packed, const std::strin
 void write_report(const std::filesystem::path& directory) {
   const RunData run = read_run(directory);
   const std::string packed = viewer_script().empty() ? std::string() : page_data(directory, run).text();
-  output::write_whole_file(directory / "report.html", page(run, packed, picture_of(directory)));
+  output::write_whole_file(directory / "report.html", page(run, packed, pictures_of(directory)));
 }
 
 }  // namespace nugget::report

@@ -31,6 +31,11 @@ class InBrowser(CommandTest):
         self.nugget("run", "model.k", "--quiet")
         self.assertGreater(self.drive("impact")["colours"], 20)
 
+    def test_a_run_without_webgl(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        self.drive("without_webgl")
+
     def test_modes_of_welded_strips(self):
         self.write(strips())
         self.nugget("modes", "model.k", "-n", 12, "--quiet")

@@ -2,6 +2,7 @@
 // Two runs side by side: one camera, one time, one range of colours; histories over each other; modes paired by shape.
 import { element, number } from "./format.js";
 import { Histories, historyBrowser } from "./histories.js";
+import { drawsModels } from "./model_view.js";
 import { unpack } from "./packed_arrays.js";
 import { Shape } from "./shape.js";
 import { enhance } from "./tables.js";
@@ -69,7 +70,7 @@ export async function compareRuns() {
   const [a, b] = [await readRun("run-data"), await readRun("run-data-b")];
   const place = document.getElementById("views"), units = a.about.units ?? {};
   let panels = null;
-  if (a.shape && b.shape) {
+  if (a.shape && b.shape && drawsModels()) {
     const sides = ["A", "B"].map((name) => element("div", { class: `side side-${name}` }, element("b", {}, name)));
     place.append(element("div", { class: "sides" }, ...sides));
     panels = [a, b].map((run, i) => new ViewPanel(sides[i], run.shape, run.welds, { units, modes: run.about.view.modes, onweld: () => {}, onplace: () => {} }));
@@ -84,7 +85,11 @@ export async function compareRuns() {
     link(...panels);
     panels[0].colourBy(panels[0].colourList.value);
     panels[1].view.cameraAs(panels[0].view);
-  } else place.append(element("p", { class: "quiet" }, [a, b].map((run) => run.about.view?.note).filter(Boolean).join(" ")));
+  } else {
+    const notes = [a, b].map((run) => run.about.view?.note).filter(Boolean);
+    if (!drawsModels()) notes.push("This browser draws no WebGL: the models are not shown.");
+    place.append(element("p", { class: "quiet" }, notes.join(" ")));
+  }
   if (panels?.[0].modes && panels[1].modes) {
     const table = modeTable(a, b);
     document.getElementById("mode-pairs").append(table);

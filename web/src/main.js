@@ -5,6 +5,7 @@ import { uPlotStyle } from "./charts.js";
 import { compareRuns } from "./compare.js";
 import { element } from "./format.js";
 import { Histories, historyBrowser } from "./histories.js";
+import { drawsModels } from "./model_view.js";
 import { unpack } from "./packed_arrays.js";
 import { responseBrowser } from "./responses.js";
 import { Shape } from "./shape.js";
@@ -39,6 +40,13 @@ function linkRows(select) {
     row.addEventListener("click", () => select(id, true));
     row.addEventListener("keydown", (event) => event.key === "Enter" && select(id, true));
   }
+}
+
+/** Without WebGL the pictures that stand in the page for browsers without scripts. */
+function showPictures(place) {
+  const pictures = element("div", { id: "pictures" });
+  pictures.innerHTML = document.querySelector("noscript")?.textContent ?? "";
+  place.append(pictures, element("p", { class: "quiet" }, "This browser draws no WebGL: these are pictures of the end; nugget picture draws others."));
 }
 
 async function start() {
@@ -78,7 +86,8 @@ async function start() {
   };
 
   if (about.view?.note) section("view").append(element("p", { class: "quiet", id: "view-note" }, about.view.note));
-  if (shape) {
+  if (shape && !drawsModels()) showPictures(section("view"));
+  if (shape && drawsModels()) {
     panel = new ViewPanel(section("view"), shape, welds, {
       units, modes: about.view.modes,
       onweld: (weld) => select(weld.id, false),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { SVGRenderer } from "three/addons/renderers/SVGRenderer.js";
 import { ofFailure, ofPart, ramp } from "./colours.js";
 
 const NO_VALUE = 255; // of a field in 8 bits
@@ -15,19 +14,14 @@ export const VIEWS = {
 };
 
 /** Whether the browser can draw in three dimensions. */
+export const drawsModels = () => Boolean(document.createElement("canvas").getContext("webgl2"));
+
 function rendererFor(canvasParent) {
-  try {
-    const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
-    renderer.localClippingEnabled = true;
-    renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    canvasParent.append(renderer.domElement);
-    return { renderer, picturesOnly: false };
-  } catch {
-    const renderer = new SVGRenderer();
-    renderer.setQuality("low");
-    canvasParent.append(renderer.domElement);
-    return { renderer, picturesOnly: true };
-  }
+  const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
+  renderer.localClippingEnabled = true;
+  renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  canvasParent.append(renderer.domElement);
+  return renderer;
 }
 
 /**
@@ -49,7 +43,7 @@ export class ModelView {
     this.welds = welds;
     this.onpick = onpick;
     this.parent = parent;
-    Object.assign(this, rendererFor(parent));
+    this.renderer = rendererFor(parent);
     this.scene = new THREE.Scene();
     this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -1, 1);
     this.camera.up.set(0, 0, 1);

@@ -22,8 +22,6 @@ export class ViewPanel {
     parent.append(canvas);
     this.view = new ModelView(canvas, shape, welds, (hit) => this.#picked(hit));
     parent.append(this.#stateBar(), this.#toolBar());
-    if (this.view.picturesOnly)
-      parent.append(element("p", { class: "quiet" }, "This browser draws no WebGL: the view is a drawn picture, and slow to turn."));
     canvas.addEventListener("keydown", (event) => this.#key(event));
     if (modes) this.mode = this.#firstElasticMode();
     this.colourBy(modes ? "displacement" : this.shape.fields.length ? "0" : "part");
