@@ -24,7 +24,7 @@ namespace {
 using nugget::app::ExitCode;
 
 /// LS-DYNA's spelling: `i=MODEL.k ncpu=2 jobid=...` becomes `MODEL.k -j 2`. What has no meaning here (memory=) is left
-/// out.
+/// out, with a word.
 std::vector<std::string> translated(int argc, char** argv) {
   std::vector<std::string> out;
   for (int a = 1; a < argc; ++a) {
@@ -45,7 +45,7 @@ std::vector<std::string> translated(int argc, char** argv) {
     } else if (word == "-fmin" || word == "-fmax") {
       out.push_back('-' + word);
     } else if (value("memory=") || value("memory2=")) {
-      continue;
+      fmt::print(stderr, "{}: not needed, memory is taken as the model asks for it\n", word);
     } else {
       out.push_back(word);
     }

@@ -164,7 +164,8 @@ class RunFiles(CommandTest):
 
     def test_ls_dyna_spelling(self):
         self.write(deck())
-        self.nugget("run", "i=model.k", "ncpu=2", "memory=20m")
+        said = self.nugget("run", "i=model.k", "ncpu=2", "memory=20m").stderr
+        self.assertIn("memory=20m: not needed", said)
         self.assertEqual(self.json("summary.json")["threads"], 2)
         self.nugget("run", "i=model.k", "ncpu=-1")
         self.assertEqual(self.json("summary.json")["threads"], 1)
