@@ -27,8 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 using deck::Block;
 
-[[noreturn]] void refuse_change(std::string text) {
-  throw std::invalid_argument(std::move(text));
+[[noreturn]] void refuse_change(const std::string& text) {
+  throw std::invalid_argument(text);
 }
 
 bool same_table(const Card& a, const Card& b) {
@@ -143,7 +143,7 @@ void DeckChanges::expect_changeable(std::string_view piece, const std::string& w
                               what, deck_.files[file]));
 }
 
-void DeckChanges::put(const Cell& cell, std::string text) {
+void DeckChanges::put(const Cell& cell, const std::string& text) {
   expect_changeable(cell.line(), cell.name);
   if (const deck::Transform* t = cell.read->block->transform;
       t != nullptr && (cell.of().id != IdSpace::none || t->factor(cell.of().dimension) != 1.0))
@@ -190,6 +190,7 @@ const deck::Parameter& DeckChanges::changeable_parameter(const std::string& name
   const auto found = all.find(deck::lower(name));
   if (found == all.end()) {
     std::vector<std::string> names;
+    names.reserve(all.size());
     for (const auto& [known, definitions] : all) names.push_back(known);
     refuse_change(fmt::format("there is no parameter '{}'; there are: {}", name,
                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));

@@ -65,7 +65,7 @@ class DeckChanges {
  private:
   struct Cell;
   Cell find(std::size_t cards, const std::string& field) const;
-  void put(const Cell& cell, std::string text);
+  void put(const Cell& cell, const std::string& text);
   const deck::Parameter& changeable_parameter(const std::string& name) const;
   void expect_changeable(std::string_view piece, const std::string& what) const;
   const weld::Weld& find_weld(int id) const;
