@@ -18,6 +18,7 @@
 #include "base/checksum.hpp"
 #include "deck/checksum.hpp"
 #include "impact/contact/initial_penetrations.hpp"
+#include "model/units.hpp"
 #include "reading/build.hpp"
 #include "weld/failure/missing_data.hpp"
 #include "weld/failure/user_library.hpp"

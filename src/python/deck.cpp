@@ -129,7 +129,7 @@ void add_deck(py::module_& module) {
       .def_property_readonly("listing", &listing)
       .def_property_readonly("title", [](const CheckedDeck& d) { return d.model().title; })
       .def_property_readonly("files", [](const CheckedDeck& d) { return d.prepared.files; })
-      .def_property_readonly("units", [](const CheckedDeck& d) { return app::recognised_units(d.model()); })
+      .def_property_readonly("units", [](const CheckedDeck& d) { return app::unit_name(d.model()); })
       .def_property_readonly("end_time", [](const CheckedDeck& d) { return d.model().control.end_time; })
       .def_property_readonly("keywords", &keywords)
       .def_property_readonly("parts", &parts)
