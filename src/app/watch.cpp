@@ -25,24 +25,28 @@ using output::HistoryRecord;
 
 constexpr std::size_t columns = 60;  // of a small plot
 
-/// The course of values over their times, in blocks of eight heights: the largest in each column.
+/// The course of values over their times, in blocks of eight heights: the largest in each column; where a column has no
+/// time of its own, the last before it.
 std::string small_plot(const std::vector<double>& times, const std::vector<double>& values, double end_time) {
-  constexpr std::array<const char*, 9> blocks{" ", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
-  std::vector<double> highest(columns, 0.0);
-  std::vector<char> seen(columns, 0);
+  constexpr std::array<const char*, 8> blocks{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
   const double low = std::min(0.0, *std::min_element(values.begin(), values.end())),
                high = *std::max_element(values.begin(), values.end());
+  std::string text;
+  std::size_t drawn = 0;
+  double height = 0.0;
+  const auto draw_up_to = [&](std::size_t column) {
+    for (; drawn < column; ++drawn) text += blocks[static_cast<std::size_t>(std::lround(7.0 * height))];
+  };
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double share = end_time > 0.0 ? times[i] / end_time : 1.0;
     const auto column = std::min(static_cast<std::size_t>(std::max(share, 0.0) * columns), columns - 1);
-    const double height = high > low ? (values[i] - low) / (high - low) : 0.0;
-    highest[column] = seen[column] != 0 ? std::max(highest[column], height) : height;
-    seen[column] = 1;
+    const double now = high > low ? (values[i] - low) / (high - low) : 0.0;
+    const bool same_column = i > 0 && column == drawn;
+    draw_up_to(column);
+    height = same_column ? std::max(height, now) : now;
   }
-  std::string text;
-  for (std::size_t i = 0; i < columns; ++i)
-    text += seen[i] == 0 ? " " : blocks[1 + static_cast<std::size_t>(std::lround(7.0 * highest[i]))];
-  return text;
+  draw_up_to(drawn + 1);
+  return text + std::string(columns - drawn, ' ');
 }
 
 /// The largest of some channels at each time, which is the crush force of the hardest wall, or the weld nearest to

@@ -481,8 +481,10 @@ std::string weld_legend(const Scene& s) {
   if (s.welds.empty() || s.modes) return {};
   const auto broken =
       std::count_if(s.welds.begin(), s.welds.end(), [&](const ShownWeld& w) { return w.has_failed_by(s.state.time); });
-  constexpr double words = 250.0;
-  const double x = s.options.width - words - 110.0, y = s.options.height - 16.0;
+  constexpr double words = 250.0, colour_bar_ends = margin + 340.0;
+  const bool beside = s.options.width - words - 110.0 > colour_bar_ends;  // of the colour bar, or else above it
+  const double x = beside ? s.options.width - words - 110.0 : margin + 4.0,
+               y = s.options.height - (beside ? 16.0 : 60.0);
   std::string text =
       fmt::format("<circle cx=\"{:.0f}\" cy=\"{:.0f}\" r=\"4\" fill=\"{}\"/>", x, y - 4.0, css(colour_of_failure(1.0)));
   return text +

@@ -11,7 +11,7 @@
 namespace nugget::report {
 namespace {
 
-constexpr double width = 720.0, height = 320.0, left = 78.0, right = 12.0, top = 12.0, bottom = 44.0;
+constexpr double width = 720.0, height = 320.0, left = 78.0, right = 24.0, top = 12.0, bottom = 44.0;
 constexpr std::size_t most_points = 400;
 constexpr std::array<const char*, 8> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                              "#e69f00", "#56b4e9", "#8c564b", "#7f7f7f"};

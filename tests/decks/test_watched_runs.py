@@ -126,6 +126,8 @@ class WatchedRuns(CommandTest):
         self.assertIn("model.k  normal  100.0 %", seen)
         energies = [s["internal energy"] for s in self.glstat("run/glstat")]
         self.assertIn(f"now {energies[-1]:.4g}", seen)
+        self.assertLess(len(energies), 60)  # fewer than columns: none of them is left blank
+        self.assertRegex(seen, r"internal energy +\|[▁▂▃▄▅▆▇█]{60}\|")
 
     def test_watch_of_no_run(self):
         self.assertIn("no status.out", self.nugget("watch", ".", expect=2).stderr)
