@@ -74,6 +74,11 @@ class Tutorial(unittest.TestCase):
         self.assertIn("exit code 1 of `nugget fail`:\nthe deck is refused", text)
         self.assertFalse((self.folder / "work" / "weld.svg").exists())
 
+    def test_a_command_that_is_meant_to_fail_says_its_exit_code(self):
+        self.assertEqual(self.faults("# A\n\n    nugget fail  # exit code 1\n    the deck is refused\n"), [])
+        self.assertIn("exit code 1 of", self.fault("# A\n\n    nugget fail  # exit code 3\n")[1])
+        self.assertIn("exit code 0 of", self.fault("# A\n\n    nugget run  # exit code 1\n")[1])
+
     def test_output_needs_a_command(self):
         self.assertEqual(self.fault("# A\n\n    echo hello\n"), (3, "output without a command before it: echo hello"))
 

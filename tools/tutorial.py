@@ -6,7 +6,8 @@
 PAGE is a page of docs/tutorials; FOLDER, which is emptied first, is where its commands run, one after the other, with the program
 NUGGET on PATH and its Python module on PYTHONPATH. A line of a code block is a command where it begins with one of the words below,
 else output: it has to stand in what the command before it printed, whole and in order. `…` stands for what differs between
-machines, such as seconds, or for what is too long; lines may be left out. A command must end with exit code 0. A picture
+machines, such as seconds, or for what is too long; lines may be left out. A command must end with exit code 0, or with that of a remark
+`# exit code 1` at its end. A picture
 `img/PAGE/x/y.png` is the file x/y.png in FOLDER, and must be there in the end. Under a picture of another page, `img/OTHER/x/y.png`,
 as the gallery has them, commands are not run: OTHER.md must have both, picture and commands.
 
@@ -26,6 +27,7 @@ WORDS = ("nugget ", "cp ", "python3 ", "sed ", "cat ")  # with which commands be
 SOURCES = pathlib.Path(__file__).resolve().parent.parent / "examples"
 INSTALLED = re.compile(r"/usr/share/nugget/examples/([\w./-]+)")
 PICTURE = re.compile(r"!\[[^\]]*\]\(img/([\w-]+)/([^)\s]+)\)")
+EXIT_CODE = re.compile(r"# exit code (\d+)$")
 NEEDS_MODULE = re.compile(r"^\s*import nugget\b", re.M)
 
 
@@ -107,7 +109,8 @@ def run(page, nugget, folder):
         text = INSTALLED.sub(where_example_is(nugget), command.text)
         done = subprocess.run(["bash", "-e", "-o", "pipefail", "-c", text], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8", errors="replace")
-        if done.returncode:
+        expected = EXIT_CODE.search(command.text)
+        if done.returncode != (int(expected[1]) if expected else 0):
             return faults + [(command.line, f"exit code {done.returncode} of `{command.text}`:\n{done.stdout}")]
         missing = stands_in(command.printed, done.stdout)
         if missing:

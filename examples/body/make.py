@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes body.k, a small body in white without doors and glass, and points.csv, where its spot welds are to be.
 
-    python3 examples/body/make.py FOLDER [SIZE]
+    python3 examples/body/make.py FOLDER [PITCH [SIZE]]
 
 for
 
@@ -9,8 +9,8 @@ for
 
 A cabin of 2.0 x 1.2 x 1.0 m of six walls. Each is a flat sheet; a second one is formed to a frame around its openings and
 along its members, flanged to the first all round, so that pillars, sills, rails and bows are closed sections as in a car. Floor,
-roof, front and rear have flanges along their edges which are welded to the neighbours. SIZE of the elements: 20 mm, as is usual
-for noise and vibration; a flange is one element. Units: mm, t, s, N, MPa. No dependencies; the same bytes at every call.
+roof, front and rear have flanges along their edges which are welded to the neighbours. PITCH between welds: 60 mm; SIZE of the
+elements: 20 mm, as is usual for noise and vibration; a flange is one element. Units: mm, t, s, N, MPa. No dependencies; the same bytes at every call.
 """
 import pathlib
 import sys
@@ -22,15 +22,14 @@ LENGTH, WIDTH, HEIGHT = 2000.0, 1200.0, 1000.0
 MEMBER = 120.0       # width of a member with its flanges
 DEPTH = 50.0         # of a closed section
 INSET = 40.0         # of floor, roof, front and rear from the ends of the sides
-PITCH = 60.0         # between welds
 DIAMETER = 6.0
 THICKNESS = {"side inner": 1.2, "side outer": 1.0, "floor": 1.0, "floor frame": 1.5, "roof": 0.9, "roof frame": 1.2,
              "front": 1.0, "front frame": 1.2, "rear": 1.0, "rear frame": 1.2}
 
 
 class Body:
-    def __init__(self, size):
-        self.size = size
+    def __init__(self, pitch, size):
+        self.size, self.every = size, max(1, round(pitch / size))
         self.nodes, self.shells, self.parts, self.points = {}, {}, {}, []
 
     def count(self, length):
@@ -60,10 +59,9 @@ class Body:
             self.shells[len(self.shells) + 1] = (part, (b, c, d, d))
 
     def welds(self, first, second, cells, place):
-        """Points in the middle of every third cell or so; place(i, j) is that of its corner."""
-        every = max(1, self.count(PITCH))
+        """Points in the middle of cells, a pitch apart; place(i, j) is that of its corner."""
         for i, j in sorted(cells):
-            if (i + j) % every == 0:
+            if (i + j) % self.every == 0:
                 x, y, z = (0.5 * (a + b) for a, b in zip(place(i, j), place(i + 1, j + 1)))
                 self.points.append((x, y, z, first, second))
 
@@ -107,8 +105,8 @@ def grid(columns, rows, openings=()):
             if not any(a <= i < b and c <= j < d for a, b, c, d in openings)}
 
 
-def make(size):
-    body = Body(size)
+def make(pitch, size):
+    body = Body(pitch, size)
     nx, ny, nz = body.count(LENGTH), body.count(WIDTH), body.count(HEIGHT)
     m, inset = body.count(MEMBER), body.count(INSET)
     middle = (nx - m) // 2
@@ -199,8 +197,8 @@ def write(body, folder):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) not in (2, 3, 4):
         sys.exit(__doc__)
-    made = make(float(sys.argv[2]) if len(sys.argv) == 3 else 20.0)
+    made = make(*map(float, sys.argv[2:]), *(60.0, 20.0)[len(sys.argv) - 2:])
     write(made, pathlib.Path(sys.argv[1]))
     print(f"{len(made.shells)} shells, {len(made.points)} spots")
