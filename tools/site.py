@@ -6,10 +6,13 @@
 Works in a folder beside SITE, so that nothing generated stands in the source tree: docs/ is copied, a page for each
 family of keywords is written from `NUGGET keywords` and `NUGGET keywords NAME`, folders in the navigation of
 docs/mkdocs.yml are replaced by their pages, a link to a script that is alone in its line becomes the script, one to the
-Python package what its docstrings say, MkDocs builds the site (--strict), and KaTeX is copied into it, so that
-formulas need no network. Then every link with a #place is looked up. Exits with 1 where a link leads nowhere.
+Python package what its docstrings say, tools/tutorial.py runs the tutorials and makes their pictures, web/screens.mjs takes
+those of report.html where there is Chromium, MkDocs builds the site (--strict), and KaTeX is copied into it, so that
+formulas need no network. Then every link with a #place is looked up. Exits with 1 where a link leads nowhere, or a
+tutorial says what does not happen.
 """
 import ast
+import concurrent.futures
 import html.parser
 import inspect
 import os
@@ -19,6 +22,8 @@ import shutil
 import subprocess
 import sys
 import urllib.parse
+
+import tutorial
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KATEX = pathlib.Path("/usr/share/javascript/katex")
@@ -177,6 +182,44 @@ def with_scripts(text, root):
     return re.sub(r"(?m)^\[[^\]]*\]\((?:\.\./)+((?:examples|src)/[^)]*)\)$", shown, text)
 
 
+def run_tutorials(nugget, docs, folder):
+    """Runs each page of docs/tutorials in folder/NAME, two at a time, and copies its pictures to where the page has them; what is
+    wrong, as text."""
+    def run(page):
+        command = [sys.executable, ROOT / "tools" / "tutorial.py", page, nugget, folder / page.stem]
+        return page, subprocess.run(command, capture_output=True, text=True)
+
+    wrong = []
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        for page, done in pool.map(run, sorted((docs / "tutorials").glob("*.md"))):
+            if done.returncode not in (0, tutorial.LEFT_OUT):
+                wrong.append(done.stdout + done.stderr)
+            elif done.stdout:
+                print(done.stdout.strip())
+            for _, of, path in tutorial.read(page)[1]:
+                made, shown = folder / of / path, docs / "tutorials" / "img" / of / path
+                if of == page.stem and made.is_file():
+                    shown.parent.mkdir(parents=True, exist_ok=True)
+                    shutil.copy(made, shown)
+    return wrong
+
+
+def take_screens(folder, pictures):
+    """Pictures of the pages that the tutorials left in folder; why there are none, or nothing."""
+    node = shutil.which("node")
+    if not node or not (ROOT / "web" / "node_modules" / "playwright-core").exists():
+        return "no Node, or no packages in web/ (./dev setup)"
+    done = subprocess.run([node, ROOT / "web" / "screens.mjs", folder, pictures], capture_output=True, text=True)
+    return done.stderr.strip() if done.returncode else ""
+
+
+def without_missing_pictures(text, page):
+    """A page in which a picture that could not be made, alone in its line, is a word about it."""
+    def shown(match):
+        return match[0] if (page.parent / match[2]).exists() else f"*(Not here: a picture of {match[1]}.)*"
+    return re.sub(r"(?m)^!\[([^\]]*)\]\(((?:\.\./tutorials/)?img/[^)]*)\)$", shown, text)
+
+
 def title(page):
     return next(line[2:].strip() for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("# "))
 
@@ -237,9 +280,16 @@ def main(arguments):
     config = yaml.safe_load((work / "docs" / "mkdocs.yml").read_text(encoding="utf-8"))
     (work / "docs" / "mkdocs.yml").unlink()
     write_keyword_pages(nugget.resolve(), work / "docs" / KEYWORDS)
+    wrong = run_tutorials(nugget.resolve(), work / "docs", work / "tutorials")
+    if wrong:
+        print("\n".join(wrong), file=sys.stderr)
+        return 1
+    lacking = take_screens(work / "tutorials", work / "docs" / "manual" / "img" / "screens")
+    if lacking:
+        print(f"without pictures of report.html: {lacking}")
     for page in (work / "docs").rglob("*.md"):
-        text = page.read_text(encoding="utf-8")
-        page.write_text(with_scripts(text, ROOT), encoding="utf-8")
+        text = with_scripts(page.read_text(encoding="utf-8"), ROOT)
+        page.write_text(without_missing_pictures(text, page), encoding="utf-8")
     config["nav"] = with_folders(config["nav"], work / "docs")
     (work / "mkdocs.yml").write_text(yaml.safe_dump(config, allow_unicode=True, sort_keys=False), encoding="utf-8")
     command = ["/usr/bin/mkdocs", "build", "--strict", "--config-file", work / "mkdocs.yml", "--site-dir"]

@@ -7,9 +7,8 @@ PAGE is a page of docs/tutorials; FOLDER, which is emptied first, is where its c
 NUGGET on PATH and its Python module on PYTHONPATH. A line of a code block is a command where it begins with one of the words below,
 else output: it has to stand in what the command before it printed, whole and in order. `…` stands for what differs between
 machines, such as seconds, or for what is too long; lines may be left out. A command must end with exit code 0, or with that of a remark
-`# exit code 1` at its end. A picture
-`img/PAGE/x/y.png` is the file x/y.png in FOLDER, and must be there in the end. Under a picture of another page, `img/OTHER/x/y.png`,
-as the gallery has them, commands are not run: OTHER.md must have both, picture and commands.
+`# exit code 1` at its end. A picture `img/PAGE/x/y.png` is the file x/y.png in FOLDER, and must be there in the end. Under a picture
+of another page, `img/OTHER/x/y.png`, as the gallery has them, commands are not run: OTHER.md must have both, picture and commands.
 
 Prints `PAGE:line: what is wrong` for each fault and exits with 1, or with 77 where the page needs the Python module and it was not
 built.
@@ -29,6 +28,9 @@ INSTALLED = re.compile(r"/usr/share/nugget/examples/([\w./-]+)")
 PICTURE = re.compile(r"!\[[^\]]*\]\(img/([\w-]+)/([^)\s]+)\)")
 EXIT_CODE = re.compile(r"# exit code (\d+)$")
 NEEDS_MODULE = re.compile(r"^\s*import nugget\b", re.M)
+
+
+LEFT_OUT = 77  # exit code
 
 
 @dataclasses.dataclass
@@ -150,7 +152,7 @@ def main(arguments):
     page, nugget, folder = (pathlib.Path(word).resolve() for word in arguments)
     if lacks_module(page, nugget):
         print(f"{page.name}: left out, the Python module was not built (./dev build python)")
-        return 77
+        return LEFT_OUT
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     faults = run(page, nugget, folder)

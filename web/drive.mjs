@@ -3,34 +3,13 @@
 // KIND: impact, modes, responses; without_webgl, of an impact; compare or compare_modes, of compare.html. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
 // 77 where there is no Chromium.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
-import { resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { readFileSync } from "node:fs";
+import { closeBrowser, openPage, openWindow } from "./browser.mjs";
 
 const [, , kind, folder, picture] = process.argv;
-const executablePath = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/google-chrome"].find((path) => path && existsSync(path));
-if (!executablePath) {
-  console.error("no Chromium here (apt-get install chromium, or set CHROMIUM)");
-  process.exit(77);
-}
-const drawing = kind === "without_webgl" ? ["--disable-3d-apis"] : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const browser = await chromium.launch({ executablePath, args: [...drawing, "--no-sandbox"] });
-const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, offline: true, acceptDownloads: true });
-const page = await context.newPage();
-const complaints = [];
-page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
-page.on("pageerror", (error) => complaints.push(error.stack));
-
-const comparison = kind.startsWith("compare");
-const address = pathToFileURL(resolve(folder, comparison ? "compare.html" : "report.html")).href;
+const { page, complaints } = await openWindow({ webgl: kind !== "without_webgl", width: 1280, height: 900 });
 const began = Date.now();
-await page.goto(address);
-await page.waitForFunction(() => {
-  const { panel, panels } = window.nugget ?? {};
-  const drawn = (panels?.[1] ?? panel)?.view.frames > 0 || document.getElementById("pictures");
-  return document.body.classList.contains("alive") && drawn;
-}, null, { timeout: 60000 })
+const address = await openPage(page, folder, kind.startsWith("compare") ? "compare.html" : "report.html")
   .catch((error) => complaints.push(error.message));
 const measured = { milliseconds_to_first_picture: Date.now() - began };
 assert.deepEqual(complaints, []);
@@ -198,5 +177,5 @@ try {
   console.error(error.message, complaints.join("\n"));
   process.exitCode = 1;
 } finally {
-  await browser.close();
+  await closeBrowser();
 }
