@@ -76,7 +76,7 @@ class InstallTest(unittest.TestCase):
             self.skipTest("the module of Python is not built")
         (self.folder / "work" / "sheet.k").write_text(SHELLS)
         script = ("import sys; sys.dont_write_bytecode = True; import nugget; "
-                  "r = nugget.run('sheet.k', directory='out', checkpoint='1cycles', max_cycles=3); print(r.summary['cycles'])")
+                  "r = nugget.run('sheet.k', directory='out', checkpoint='1cycles', until=1e-4, max_cycles=3); print(r.summary['cycles'])")
         run = call("env", "-i", f"PYTHONPATH={usr / 'lib/python3/dist-packages'}", "/usr/bin/python3", "-c", script, cwd=self.folder / "work")
         self.assertEqual(run.stdout.split(), ["3"])
         self.bare(usr / "bin/nugget", "run", "--resume", "out", "--max-cycles", "5")

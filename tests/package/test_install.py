@@ -29,7 +29,7 @@ class Install(InstallTest):
         self.looks_installed(prefix)
         for name in ("share/zsh/site-functions/_nugget", "share/doc/nugget/LICENSE"):
             self.assertTrue((prefix / name).is_file(), name)
-        self.assertFalse((prefix / "lib").exists())
+        self.assertLessEqual({path.name for path in (prefix / "lib").glob("*")}, {"python3"})  # the module of Python, no library
         moved = prefix.rename(self.folder / "moved")  # nothing in it knows where it was put
         self.demo_runs(moved, "results")
 
