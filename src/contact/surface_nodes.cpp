@@ -3,14 +3,23 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
+
 namespace nugget::contact {
 
 std::vector<int> surface_nodes(const SurfaceContactSetup& setup) {
+  std::vector<char> is_one;
+  const auto mark = [&is_one](int n) {
+    if (at(n) >= is_one.size()) is_one.resize(std::max(at(n) + 1, 2 * is_one.size()), 0);
+    is_one[at(n)] = 1;
+  };
+  for (const Segment& s : setup.segments)
+    for (const int n : s.node) mark(n);
+  for (const TrackedNode& t : setup.nodes) mark(t.node);
   std::vector<int> nodes;
-  for (const Segment& s : setup.segments) nodes.insert(nodes.end(), s.node.begin(), s.node.end());
-  for (const TrackedNode& t : setup.nodes) nodes.push_back(t.node);
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  nodes.reserve(static_cast<std::size_t>(std::count(is_one.begin(), is_one.end(), 1)));
+  for (std::size_t n = 0; n < is_one.size(); ++n)
+    if (is_one[n] != 0) nodes.push_back(static_cast<int>(n));
   return nodes;
 }
 

@@ -2,8 +2,11 @@
 #include "impact/contact/contact_setup.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "base/bvh.hpp"
 #include "base/index.hpp"
@@ -57,6 +60,45 @@ Key key_of(Key nodes) {
   return nodes;
 }
 
+/// Numbers keys as they come: each once.
+class Keys {
+ public:
+  /// The number of a key, and whether it is a new one.
+  std::pair<std::size_t, bool> add(const Key& key) {
+    if (2 * (keys_.size() + 1) > table_.size()) grow(4 * (keys_.size() + 1));
+    std::size_t at = hash(key) & (table_.size() - 1);
+    for (; table_[at] != 0; at = (at + 1) & (table_.size() - 1))
+      if (keys_[table_[at] - 1] == key) return {table_[at] - 1, false};
+    keys_.push_back(key);
+    table_[at] = static_cast<std::uint32_t>(keys_.size());
+    return {keys_.size() - 1, true};
+  }
+  /// Makes room for so many.
+  void reserve(std::size_t count) {
+    keys_.reserve(count);
+    if (2 * count > table_.size()) grow(2 * count);
+  }
+
+ private:
+  static std::size_t hash(const Key& key) {
+    std::uint64_t h = 0;
+    for (const model::Index n : key)
+      h = (h ^ static_cast<std::uint64_t>(static_cast<std::uint32_t>(n))) * 0x9e3779b97f4a7c15u;
+    return h ^ (h >> 32);
+  }
+  void grow(std::size_t size) {
+    table_.assign(std::bit_ceil(size), 0);
+    for (std::size_t k = 0; k < keys_.size(); ++k) {
+      std::size_t at = hash(keys_[k]) & (table_.size() - 1);
+      while (table_[at] != 0) at = (at + 1) & (table_.size() - 1);
+      table_[at] = static_cast<std::uint32_t>(k + 1);
+    }
+  }
+
+  std::vector<Key> keys_;
+  std::vector<std::uint32_t> table_;  // by hash, or the next free place after it: a number, from 1 on; 0: free
+};
+
 /// The shells whose contact thickness SPOTHIN scales: those that a weld is tied to, and with SWRADF those of its sheets
 /// whose centre is within so many radii of an end of the weld.
 std::vector<char> shells_near_welds(const ContactMesh& mesh) {
@@ -99,6 +141,7 @@ class Surfaces {
       if (weld::of_weld_material(model_, static_cast<model::Index>(p))) in[p] = false;
     std::map<Key, bool> wanted;
     for (const model::Segment& s : surface.segments) wanted.emplace(key_of(s), false);
+    keys_.reserve(model_.shells.size());
     for (std::size_t e = 0; e < model_.shells.size(); ++e) {
       const auto found = wanted.find(key_of(model_.shells.node[e]));
       if ((in[model_.shells.part[e]] || found != wanted.end()) && in_box(model_.shells.node[e])) add_shell(e, side);
@@ -130,9 +173,13 @@ class Surfaces {
   }
 
   void add_segment(const Key& key, const contact::Segment& segment, unsigned side) {
-    const auto [place, is_new] = place_.emplace(key, segments_.size());
-    if (is_new) segments_.push_back(segment);
-    segments_[place->second].side = is_new ? side : segments_[place->second].side | side;
+    const auto [number, is_new] = keys_.add(key);
+    if (is_new) {
+      place_.push_back(segments_.size());
+      segments_.push_back(segment);
+    }
+    contact::Segment& known = segments_[place_[number]];
+    known.side = is_new ? side : known.side | side;
   }
 
   void add_shell(std::size_t e, unsigned side) {
@@ -213,7 +260,8 @@ class Surfaces {
   const model::Surface* surface_ = nullptr;  // being added
   std::vector<char> thinned_;                // shells near welds
   std::vector<contact::Segment> segments_;
-  std::map<Key, std::size_t> place_;
+  Keys keys_;
+  std::vector<std::size_t> place_;  // of the segment, by key
 };
 
 /// The kind of friction of each node of the contact: of most of the shells at it; where there are none, of the bricks,
