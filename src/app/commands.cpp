@@ -411,11 +411,16 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   output::write_welds(directory, p.welds);
   output::write_summary(directory, summary);
   remove_status(directory);
-  report::write_report(directory);
   report_end(arguments, directory, *simulation, outcome, summary, log);
+  const bool goes_on = outcome.termination == impact::Termination::normal && p.model.implicit.after_run;
+  if (!goes_on) {  // the report of a large run needs the room
+    simulation.reset();
+    system.reset();
+  }
+  report::write_report(directory);
   switch (outcome.termination) {
     case impact::Termination::normal:
-      return p.model.implicit.after_run ? modes_after(directory, arguments, p, *simulation) : ExitCode::normal;
+      return goes_on ? modes_after(directory, arguments, p, *simulation) : ExitCode::normal;
     case impact::Termination::error: return ExitCode::error_termination;
     case impact::Termination::interrupted: return ExitCode::interrupted;
   }

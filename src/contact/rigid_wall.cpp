@@ -41,6 +41,7 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
       death_(wall.death),
       bodies_(std::move(bodies)) {
   if (motion != nullptr) motion_ = *motion;
+  tracked_.reserve(nodes.size());
   for (int n : nodes) tracked_.push_back({n, kernel::WallAttachment::none, {}});
   sums_.resize((tracked_.size() + nodes_per_sum - 1) / nodes_per_sum);
 }
