@@ -151,9 +151,7 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
 }
 
 EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
-    : setup_(std::move(setup)),
-      forces_(all_nodes(setup_.edges)),
-      frictions_(setup_.law.friction.any() ? forces_.nodes() : std::vector<int>{}) {
+    : setup_(std::move(setup)), forces_(all_nodes(setup_.edges)) {
   const std::vector<Edge>& edges = setup_.edges;
   first_at_.assign(forces_.nodes().empty() ? 1 : forces_.nodes().back() + 2, 0);
   double length = 0.0;
@@ -178,7 +176,6 @@ EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
 
 void EdgeContact::apply(const Step& step, std::span<Row> force) {
   forces_.next_cycle();
-  frictions_.next_cycle();
   std::swap(touches_, touched_before_);
   touches_.clear();
   resultant_ = {};
@@ -201,9 +198,9 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
     book_drops(step);
     forces_.add_to(force);
   }
-  const std::array<double, 2> work = forces_.work(step.dt, step.v);
-  for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
-  if (setup_.law.friction.any()) energies_.friction -= frictions_.work(step.dt, step.v)[0];
+  const NodalForces::Work work = forces_.work(step.dt, step.v);
+  for (std::size_t side = 0; side < 2; ++side) energy_[side] -= work.of_side[side];
+  if (setup_.law.friction.any()) energies_.friction -= work.friction;
 }
 
 // ---- search
@@ -645,8 +642,7 @@ void EdgeContact::balance(const Pair& pair, const Step& step) {
 }
 
 void EdgeContact::add(int node, const Vec3d& force, const Vec3d& friction) {
-  forces_.add(node, force);
-  if (setup_.law.friction.any()) frictions_.add(node, friction);
+  forces_.add(node, force, friction);
 }
 
 Vec3d EdgeContact::force_between(const TwoBodies& bodies) const {
@@ -664,7 +660,7 @@ void EdgeContact::Block::archive(Archive& a) {
 void EdgeContact::archive(Archive& a) {
   a.section("contact of edges");
   a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, energy_, resultant_,
-    deepest_, frictions_, energies_);
+    deepest_, energies_);
   a.built(setup_, first_at_, edge_at_, margin_, close_);
 }
 

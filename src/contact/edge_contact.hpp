@@ -180,7 +180,7 @@ class EdgeContact {
   std::vector<Block> blocks_;
   std::vector<const Candidate*> close_;         // of all blocks, by a, then b
   std::vector<Pair> touches_, touched_before_;  // pairs that touch, in this order
-  NodalForces forces_, frictions_;              // frictions_ as in SurfaceContact
+  NodalForces forces_;
   std::array<double, 2> energy_{};
   ContactEnergies energies_;
   Vec3d resultant_;

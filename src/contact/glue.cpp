@@ -49,8 +49,7 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
       around_listed_(setup_.faces_at_nodes),
       bonded_(setup.nodes.size(), card_.alone ? 1 : 0),
       was_bonded_(setup.nodes.size(), 0),
-      forces_(surface_nodes(setup)),
-      frictions_(setup.law.friction.any() ? forces_.nodes() : std::vector<int>{}) {
+      forces_(surface_nodes(setup)) {
   assign_sides(forces_, around_, setup_.segments);
   for (const Segment& s : setup_.segments)
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
@@ -245,7 +244,6 @@ void Glue::release(Bond& bond, double time) {
 
 void Glue::apply(const Step& step, std::span<Row> force) {
   forces_.next_cycle();
-  frictions_.next_cycle();
   resultant_ = {};
   if (waits_ && step.time >= setup_.birth) {
     glue_together(step.x, step.element_alive);
@@ -262,26 +260,29 @@ void Glue::apply(const Step& step, std::span<Row> force) {
       continue;
     }
     bond.force = -f;
-    spread(bond, bond.force, step.x, forces_);
-    if (setup_.law.friction.any()) spread(bond, bond.friction, step.x, frictions_);
+    spread(bond, step.x);
     resultant_ += setup_.segments[bond.segment].side == 1 ? f : -f;
   }
   forces_.add_to(force);
-  const std::array<double, 2> work = forces_.work(step.dt, step.v);
-  for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
-  if (setup_.law.friction.any()) friction_energy_ -= frictions_.work(step.dt, step.v)[0];
+  const NodalForces::Work work = forces_.work(step.dt, step.v);
+  for (std::size_t side = 0; side < 2; ++side) energy_[side] -= work.of_side[side];
+  if (setup_.law.friction.any()) friction_energy_ -= work.friction;
 }
 
-/// A force on the bond's node, and back on its segment.
-void Glue::spread(const Bond& bond, const Vec3d& force, std::span<const Row> x, NodalForces& forces) const {
+/// The force on the bond's node, and back on its segment.
+void Glue::spread(const Bond& bond, std::span<const Row> x) {
   const Segment& s = setup_.segments[bond.segment];
   const int node = setup_.nodes[bond.tracked].node;
-  forces.add(node, force);
-  for (int c = 0; c < s.corners(); ++c) forces.add(s.node[c], -bond.weight[c] * force);
+  forces_.add(node, bond.force, bond.friction);
+  for (int c = 0; c < s.corners(); ++c)
+    forces_.add(s.node[c], -bond.weight[c] * bond.force, -bond.weight[c] * bond.friction);
   if (!card_.moments) return;
   const Vec3d lever = vec(x[node]) - interpolate(s, bond.weight, x);
-  const std::array<Vec3d, 4> back = couple({s.node.data(), at(s.corners())}, -cross(lever, force), x);
-  for (int c = 0; c < s.corners(); ++c) forces.add(s.node[c], back[c]);
+  const auto back = [&](const Vec3d& force) {
+    return couple({s.node.data(), at(s.corners())}, -cross(lever, force), x);
+  };
+  const std::array<Vec3d, 4> force = back(bond.force), friction = back(bond.friction);
+  for (int c = 0; c < s.corners(); ++c) forces_.add(s.node[c], force[c], friction[c]);
 }
 
 void Glue::bond_touching(const SurfaceContact& surface, const Step& step) {
@@ -313,7 +314,7 @@ Vec3d Glue::force_between(const TwoBodies& bodies) const {
 void Glue::archive(Archive& a) {
   a.section("glue");
   a(bonds_, bonded_, was_bonded_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_,
-    frictions_, friction_energy_, waits_);
+    friction_energy_, waits_);
   a.built(setup_, card_, around_, around_listed_, segment_stiffness_, at_start_);
 }
 

@@ -86,7 +86,7 @@ class Glue {
   Vec3d pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const;
   Vec3d sliding_pull(Bond& bond, const kernel::CohesiveStiffness& k, const Step& step) const;
   void release(Bond& bond, double time);
-  void spread(const Bond& bond, const Vec3d& force, std::span<const Row> x, NodalForces& forces) const;
+  void spread(const Bond& bond, std::span<const Row> x);
 
   SurfaceContactSetup setup_;
   model::Glue card_;
@@ -96,7 +96,7 @@ class Glue {
   std::vector<Bond> bonds_;
   std::vector<unsigned char> bonded_;
   std::vector<unsigned char> was_bonded_;  // by tracked node: it has been glued
-  NodalForces forces_, frictions_;         // frictions_ as in SurfaceContact
+  NodalForces forces_;
   std::array<double, 2> energy_{};
   double friction_energy_ = 0.0;
   Vec3d resultant_;

@@ -64,7 +64,7 @@ void InteriorContact::apply(const Step& step, std::span<Row> force) {
     }
   }
   forces_.add_to(force);
-  energy_ -= forces_.work(step.dt, step.v)[0];
+  energy_ -= forces_.work(step.dt, step.v).of_side[0];
 }
 
 void InteriorContact::archive(Archive& a) {

@@ -31,9 +31,13 @@ struct TwoBodies {
 };
 
 /// The forces of a contact on its nodes, in this cycle and in the one before, and the work that they do. Only nodes
-/// that are touched cost anything.
+/// that are touched cost anything. The nodes stand in parts of a fixed size, so that several threads can add forces,
+/// each to parts of its own; a node's sum has the same bits for any number of threads if the forces on a part are
+/// always added in the same order.
 class NodalForces {
  public:
+  static constexpr int part_size = 1024;  ///< nodes in a part
+
   NodalForces() = default;
   /// `nodes`: all that may be touched, ascending, each once.
   explicit NodalForces(std::vector<int> nodes);
@@ -41,47 +45,74 @@ class NodalForces {
   void set_side(int node, unsigned char side) { side_[index_[node]] = side; }
 
   const std::vector<int>& nodes() const { return nodes_; }
+  /// Where a node stands in nodes().
+  int place(int node) const { return index_[node]; }
+  std::size_t parts() const { return parts_.size(); }
 
+  /// Adds a force, and what of it is friction.
+  void add(int node, const Vec3d& force, const Vec3d& friction = {}) { add_at(index_[node], force, friction); }
+  void add_at(int place, const Vec3d& force, const Vec3d& friction) {
+    Sum& sum = parts_[place / part_size].now.at(place);
+    nugget::add(sum.force, force);
+    nugget::add(sum.friction, friction);
+  }
   /// What was now becomes what was before; now there are no forces.
   void next_cycle();
-  void add(int node, const Vec3d& force);
-  /// Some of the nodes, ascending, and what adds forces to them.
-  class Part {
-   public:
-    /// Whether nodes from `lowest` to `highest` can be among them.
-    bool meets(int lowest, int highest) const { return lowest <= last_ && highest >= first_; }
-    /// Nodes of other parts are passed over.
-    void add(int node, const Vec3d& force) {
-      if (node >= first_ && node <= last_) forces_.add(node, force);
-    }
-
-   private:
-    friend class NodalForces;
-    Part(NodalForces& forces, std::size_t part);
-    NodalForces& forces_;
-    int first_, last_;
-  };
-  /// Adds forces side by side: `put` is called for each part of the nodes and adds all forces to it, every time in the
-  /// same order, of which the part takes its own. So a node's sum has the same bits for any number of threads.
-  void add_by_parts(const std::function<void(Part&)>& put);
   void add_to(std::span<Row> force) const;
+  struct Work {
+    std::array<double, 2> of_side{};  ///< of the forces on the nodes of each side [energy]
+    double friction = 0.0;            ///< of the friction on all nodes [energy]
+
+    void add(const Work& more) {
+      for (std::size_t side = 0; side < 2; ++side) of_side[side] += more.of_side[side];
+      friction += more.friction;
+    }
+  };
+  /// Work in the step `dt`: sum of 1/2 (before + now) . v dt, with the velocity `v` in the middle of the step.
+  Work work(double dt, std::span<const Row> v) const;
   /// Sum over the nodes that are marked (by node; those beyond its end are not) [force].
   Vec3d sum(std::span<const unsigned char> marked) const;
-  /// Work on the nodes of each side in the step `dt`: sum of 1/2 (before + now) . v dt, with the velocity `v` in the
-  /// middle of the step [energy].
-  std::array<double, 2> work(double dt, std::span<const Row> v) const;
+
+  // The same for one part, to be called side by side.
+  void next_cycle(std::size_t part);
+  void add_to(std::size_t part, std::span<Row> force) const;
+  Work work(std::size_t part, double dt, std::span<const Row> v) const;
 
   void archive(Archive& a);
 
  private:
+  struct Sum {
+    Row force, friction;
+  };
+  /// Forces on those nodes of a part that are touched, in the order in which they were.
+  struct Touched {
+    std::vector<int> place;
+    std::vector<Sum> sum;
+    std::vector<unsigned short> slot;  // by place in the part: which of these it is, if it is there
+
+    const Sum* find(int at) const {
+      const unsigned short here = slot[at % part_size];
+      return here < place.size() && place[here] == at ? &sum[here] : nullptr;
+    }
+    Sum& at(int at) {
+      unsigned short& here = slot[at % part_size];
+      if (here < place.size() && place[here] == at) return sum[here];
+      here = static_cast<unsigned short>(place.size());
+      place.push_back(at);
+      return sum.emplace_back();
+    }
+    void archive(Archive& a) { a(place, sum, slot); }
+  };
+  struct Part {
+    Touched now, before;
+    void archive(Archive& a) { a(now, before); }
+  };
+  void each_part(const std::function<void(std::size_t)>& call) const;
+
   std::vector<int> nodes_;
   std::vector<int> index_;  // by node: its place in nodes_
   std::vector<unsigned char> side_;
-  // By place, now and a cycle before, and which of them are not zero.
-  std::vector<Row> now_, before_;
-  std::vector<std::vector<int>> touched_now_, touched_before_;  // by part
-  std::vector<long> stamp_;                                     // cycle in which a place was last touched
-  long cycle_ = 0;
+  std::vector<Part> parts_;
 };
 
 }  // namespace nugget::contact

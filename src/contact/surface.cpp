@@ -43,16 +43,16 @@ std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, unsigned
   return tracked;
 }
 
-kernel::Corners corners_of(const Segment& s, std::span<const Row> x) {
+kernel::Corners corners_of(const Facet& s, std::span<const Row> x) {
   return {vec(x[s.node[0]]), vec(x[s.node[1]]), vec(x[s.node[2]]), vec(x[s.node[3]])};
 }
 
-double area(const Segment& segment, std::span<const Row> x) {
-  const kernel::Corners c = corners_of(segment, x);
+double area(const Facet& facet, std::span<const Row> x) {
+  const kernel::Corners c = corners_of(facet, x);
   return 0.5 * norm(cross(c[2] - c[0], c[3] - c[1]));
 }
 
-Vec3d interpolate(const Segment& s, const std::array<double, 4>& weight, std::span<const Row> rows) {
+Vec3d interpolate(const Facet& s, const std::array<double, 4>& weight, std::span<const Row> rows) {
   Vec3d sum;
   for (int c = 0; c < s.corners(); ++c) sum += weight[c] * vec(rows[s.node[c]]);
   return sum;
@@ -83,7 +83,7 @@ double penalty_stiffness(const Segment& segment, std::span<const Row> x) {
   return kernel::shell_penalty(segment.bulk_modulus, a, longest);
 }
 
-int same_side(const Segment& a, const Segment& b) {
+int same_side(const Facet& a, const Facet& b) {
   for (int i = 0; i < a.corners(); ++i) {
     const int from = a.node[i], to = a.node[(i + 1) % a.corners()];
     for (int j = 0; j < b.corners(); ++j) {

@@ -12,9 +12,17 @@
 
 namespace nugget::contact {
 
-/// A facet of a contact surface: a shell, or the face of a brick.
-struct Segment {
+/// The corners of a segment.
+struct Facet {
   std::array<int, 4> node{};  ///< a triangle repeats its third node
+
+  bool triangle() const { return node[3] == node[2]; }
+  int corners() const { return triangle() ? 3 : 4; }
+  bool has(int n) const { return node[0] == n || node[1] == n || node[2] == n || node[3] == n; }
+};
+
+/// A facet of a contact surface: a shell, or the face of a brick.
+struct Segment : Facet {
   double thickness = 0.0;     ///< contact thickness, scale factors applied; 0 for the face of a brick [length]
   double bulk_modulus = 0.0;  ///< K = E/(3(1-2 nu)), times SSF of *PART_CONTACT and SFSA or SFSB [stress]
   double volume = 0.0;        ///< of the brick behind the face; 0: a shell [length^3]
@@ -24,10 +32,6 @@ struct Segment {
   int covered_by = -1;  ///< the brick on the other side of the face: only its deletion exposes the segment
   int kind = 0;         ///< of its part, in the contact's kernel::FrictionTable
   unsigned side = 1;    ///< of the contact: bit 0 the tracked side (SURFA), bit 1 the reference side (SURFB)
-
-  bool triangle() const { return node[3] == node[2]; }
-  int corners() const { return triangle() ? 3 : 4; }
-  bool has(int n) const { return node[0] == n || node[1] == n || node[2] == n || node[3] == n; }
 };
 
 /// How deep into a brick its face presses a node out again, as a share of the brick's depth.
@@ -38,8 +42,10 @@ inline bool finite(const Row& r) {
   return std::isfinite(r.x + r.y + r.z);
 }
 
-/// Whether the segment is there. `element_alive`: by element; empty: all are active.
-inline bool is_exposed(const Segment& s, std::span<const unsigned char> element_alive) {
+/// Whether the segment is there, by its `element` and what it is `covered_by`. `element_alive`: by element; empty: all
+/// are active.
+template <class OfElement>
+bool is_exposed(const OfElement& s, std::span<const unsigned char> element_alive) {
   if (element_alive.empty()) return s.covered_by < 0;
   return (s.element < 0 || element_alive[s.element]) && (s.covered_by < 0 || !element_alive[s.covered_by]);
 }
@@ -57,16 +63,16 @@ struct TrackedNode {
 /// those of the sides `against`.
 std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, unsigned side = 1, unsigned against = 1);
 
-kernel::Corners corners_of(const Segment& segment, std::span<const Row> x);
-double area(const Segment& segment, std::span<const Row> x);
+kernel::Corners corners_of(const Facet& facet, std::span<const Row> x);
+double area(const Facet& facet, std::span<const Row> x);
 /// Sum of the rows of the corners, each with its weight.
-Vec3d interpolate(const Segment& segment, const std::array<double, 4>& weight, std::span<const Row> rows);
+Vec3d interpolate(const Facet& facet, const std::array<double, 4>& weight, std::span<const Row> rows);
 /// Penalty stiffness of the segment before scaling; see kernel/contact/penalty.hpp. 0 for a segment without area.
 double penalty_stiffness(const Segment& segment, std::span<const Row> x);
 
 /// +1 if the right-hand normals of two segments that share an edge lie on the same side of the surface that they form,
 /// -1 if on opposite sides, 0 if they share no edge.
-int same_side(const Segment& a, const Segment& b);
+int same_side(const Facet& a, const Facet& b);
 
 /// The kind that most of these are, the lowest of equally many; 0 of none. Sorts them.
 int commonest(std::span<int> kinds);

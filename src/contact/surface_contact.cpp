@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/index.hpp"
@@ -16,7 +15,7 @@ namespace nugget::contact {
 namespace {
 
 constexpr int nodes_per_block = 64;
-constexpr std::size_t nodes_per_group = 4096;
+constexpr signed char the_node = -1;  // in place of a corner: the force on the tracked node
 
 double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
   double sum = 0.0;
@@ -24,46 +23,81 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
   return segments.empty() ? 0.0 : sum / static_cast<double>(segments.size());
 }
 
+/// Asks the memory for `size` bytes from `data` on.
+void ask_for_lines(const void* data, std::size_t size) {
+  for (std::size_t byte = 0; byte < size; byte += 64) __builtin_prefetch(static_cast<const char*>(data) + byte);
+}
+
 }  // namespace
 
-SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x)
-    : setup_(std::move(setup)),
-      around_(setup_.segments),
-      forces_(surface_nodes(setup_)),
-      frictions_(setup_.law.friction.any() ? forces_.nodes() : std::vector<int>{}) {
-  for (const Segment& s : setup_.segments) {
-    segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
+SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x)
+    : law_(setup.law),
+      stiffness_scale_(setup.stiffness_scale),
+      deepest_allowed_(setup.deepest),
+      birth_(setup.birth),
+      death_(setup.death),
+      edges_meet_(setup.edges_meet),
+      around_(setup.segments),
+      forces_(surface_nodes(setup)),
+      sources_(forces_.parts()),
+      work_(forces_.parts()) {
+  const bool by_segment_masses = law_.stiffness == kernel::PenaltyStiffness::segment_masses;
+  faces_.reserve(setup.segments.size());
+  for (const Segment& s : setup.segments) {
+    Face face{s};
+    face.thickness = s.thickness;
+    face.stiffness = setup.stiffness_scale * penalty_stiffness(s, x);
     const double a = area(s, x);
-    inner_.push_back(s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0);
+    face.inner = s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0;
+    face.element = s.element;
+    face.covered_by = s.covered_by;
+    face.kind = s.kind;
+    face.side = static_cast<unsigned char>(s.side);
+    face.of_brick = s.volume > 0.0;
+    covers_ = covers_ || s.covered_by >= 0;
+    faces_.push_back(face);
+    if (by_segment_masses) {
+      masses_.segment.push_back(s.mass);
+      masses_.scale.push_back(s.scale);
+    }
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
   }
-  set_kinds(setup_.nodes, around_, setup_.segments);
   stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
-  for (const TrackedNode& t : setup_.nodes) {
+  nodes_.reserve(setup.nodes.size());
+  std::vector<int> kinds;
+  for (const TrackedNode& t : setup.nodes) {
     const std::span<const int> around = around_.at(t.node);
     double sum = 0.0, mass = 0.0;
+    kinds.clear();
     for (int s : around) {
-      sum += segment_stiffness_[s];
-      mass += setup_.segments[s].mass;
+      sum += faces_[s].stiffness;
+      mass += setup.segments[s].mass;
+      kinds.push_back(faces_[s].kind);
     }
+    Tracked node;
+    node.node = t.node;
+    node.kind = around.empty() ? t.kind : commonest(kinds);
+    node.thickness = t.thickness;
     // A node without segments of its own (of a beam, say) is as stiff as what it meets.
-    node_stiffness_.push_back(around.empty() ? Box::infinity : sum / static_cast<double>(around.size()));
-    node_mass_.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
+    node.stiffness = around.empty() ? Box::infinity : sum / static_cast<double>(around.size());
+    node.against = t.against;
+    nodes_.push_back(node);
+    if (by_segment_masses) masses_.node.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
     pressing_ |= t.against;
     if (t.stays_active) stays_active_[t.node] = 1;
   }
-  assign_sides(forces_, around_, setup_.segments);
+  assign_sides(forces_, around_, setup.segments);
 
   // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
-  margin_ = 0.25 * mean_edge(setup_.segments, x);
+  margin_ = 0.25 * mean_edge(setup.segments, x);
 
-  const int tracked = static_cast<int>(setup_.nodes.size());
+  const int tracked = static_cast<int>(nodes_.size());
+  blocks_.reserve((nodes_.size() + nodes_per_block - 1) / nodes_per_block);
   for (int begin = 0; begin < tracked; begin += nodes_per_block) {
     Block block;
     block.begin = begin;
     block.end = std::min(tracked, begin + nodes_per_block);
     block.first.assign(block.end - begin + 1, 0);
-    block.old_first = block.first;
     block.next_check_travel.assign(block.end - block.begin, 0.0);
     block.deep = block.next_check_travel;
     blocks_.push_back(std::move(block));
@@ -71,16 +105,13 @@ SurfaceContact::SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x
 }
 
 void SurfaceContact::apply(const Step& step, std::span<Row> force) {
-  next_cycle();
-  const bool active = !setup_.segments.empty() && step.time >= setup_.birth && step.time < setup_.death;
+  const bool active = !faces_.empty() && step.time >= birth_ && step.time < death_;
   if (active) {
     if (moved_too_far(step.x) || !searched_) search(step.x, step.element_alive);
-    parallel_for(active_blocks_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) work(blocks_[active_blocks_[b]], step);
-    });
-    add_forces(step, force);
+    parallel_for(active_blocks_.size(), 4,
+                 [this, &step](std::size_t begin, std::size_t end) { look_at(begin, end, work_of_thread(), step); });
   }
-  update_energy(step.dt, step.v);
+  add_forces(step, force, active);
 }
 
 std::size_t SurfaceContact::listed() const {
@@ -90,207 +121,160 @@ std::size_t SurfaceContact::listed() const {
 }
 
 bool SurfaceContact::node_alive(int node, std::span<const unsigned char> element_alive) const {
+  if (element_alive.empty() && !covers_) return true;
   const std::span<const int> around = around_.at(node);
   if (around.empty() || stays_active_[node]) return true;
   return std::any_of(around.begin(), around.end(), [&](int s) { return alive(s, element_alive); });
 }
 
-// ---- search
-
-/// By how much two of the active points can have approached each other if the i-th was displaced by `displacement(i)`:
-/// no more than the diagonal of the box of all displacements, whatever the surface does as a whole.
-template <class Displacement>
-double SurfaceContact::approach(const Displacement& displacement) {
-  parallel_for(moved_.size(), 1, [this, &displacement](std::size_t begin, std::size_t end) {
-    for (std::size_t g = begin; g < end; ++g) {
-      Box box;
-      for (std::size_t i = g * nodes_per_group; i < std::min(active_nodes_.size(), (g + 1) * nodes_per_group); ++i)
-        box.add(displacement(i));
-      moved_[g] = box;
-    }
-  });
-  if (moved_.empty()) return 0.0;
-  Box all;
-  for (const Box& box : moved_) all.add(box);
-  return norm(all.high - all.low);
-}
-
-bool SurfaceContact::moved_too_far(std::span<const Row> x) {
-  travelled_ += approach([this, &x](std::size_t i) {
-    const Vec3d step = vec(x[active_nodes_[i]]) - vec(seen_at_[i]);
-    seen_at_[i] = x[active_nodes_[i]];
-    return step;
-  });
-  // Steps added up are never less than the whole way: while they are short that need not be measured.
-  if (travelled_ - searched_when_ <= margin_) return false;
-  return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - vec(searched_at_[i]); }) > margin_;
-}
-
-void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive) {
-  active_nodes_.clear();
-  searched_at_.clear();
-  for (int n : forces_.nodes()) {
-    if (!node_alive(n, element_alive) || !finite(x[n])) continue;
-    active_nodes_.push_back(n);
-    searched_at_.push_back(x[n]);
-  }
-  seen_at_ = searched_at_;
-  moved_.resize((active_nodes_.size() + nodes_per_group - 1) / nodes_per_group);
-
-  active_segments_.clear();
-  boxes_.clear();
-  for (std::size_t s = 0; s < setup_.segments.size(); ++s) {
-    const Segment& segment = setup_.segments[s];
-    const bool whole = std::all_of(segment.node.begin(), segment.node.end(), [&](int n) { return finite(x[n]); });
-    if (!whole || !(segment.side & pressing_) || !alive(static_cast<int>(s), element_alive)) continue;
-    Box box;
-    for (const Vec3d& c : corners_of(segment, x)) box.add(c);
-    active_segments_.push_back(static_cast<int>(s));
-    boxes_.push_back(box.grown(0.5 * segment.thickness + inner_[s]));
-  }
-  tree_ = BoxTree(boxes_);
-
-  const auto list = [this, &x, &element_alive](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) list_neighbours(blocks_[b], x, element_alive);
-  };
-  parallel_for(blocks_.size(), 4, list);
-  active_blocks_.clear();
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (!blocks_[b].pairs.empty()) active_blocks_.push_back(static_cast<int>(b));
-  searched_ = true;
-  searched_when_ = travelled_;
-  ++searches_;
-}
-
-void SurfaceContact::list_neighbours(Block& block, std::span<const Row> x,
-                                     std::span<const unsigned char> element_alive) {
-  std::swap(block.first, block.old_first);
-  std::swap(block.pairs, block.old_pairs);
-  block.pairs.clear();
-  std::size_t longest = 0;
-  for (int t = block.begin; t < block.end; ++t) {
-    const std::size_t start = block.pairs.size();
-    block.first[t - block.begin] = static_cast<int>(start);
-    const TrackedNode& tracked = setup_.nodes[t];
-    if (!finite(x[tracked.node]) || !node_alive(tracked.node, element_alive)) {
-      for (int i = block.old_first[t - block.begin]; i < block.old_first[t - block.begin + 1]; ++i)
-        if (block.old_pairs[i].pressed()) block.energies.deleted += block.old_pairs[i].held();
-      continue;
-    }
-    const Vec3d p = vec(x[tracked.node]);
-    Box box;
-    box.add(p);
-    const double around = 0.5 * tracked.thickness + margin_ + block.deep[t - block.begin];
-    tree_.overlapping(box.grown(around), [&](int item) {
-      Pair pair;
-      pair.segment = active_segments_[item];
-      const Segment& segment = setup_.segments[pair.segment];
-      const double far = contact_distance(t, pair.segment) + reach(block, t, pair.segment) + margin_;
-      if (!(segment.side & tracked.against) || segment.has(tracked.node)) return;
-      const kernel::Corners corners = corners_of(segment, x);
-      if (kernel::least_distance(corners, p) > far) return;
-      const kernel::Foot foot = kernel::closest_point(corners, segment.triangle(), p);
-      if (foot.distance > far) return;
-      pair.xi = foot.xi;
-      pair.eta = foot.eta;
-      pair.next_check_travel = travelled_ + (foot.distance - (widest(t) + reach(block, t, pair.segment)));
-      block.pairs.push_back(pair);
-    });
-    const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
-    std::sort(block.pairs.begin() + start, block.pairs.end(), by_segment);
-    // What the pairs remember goes on.
-    const auto old_begin = block.old_pairs.begin() + block.old_first[t - block.begin];
-    const auto old_end = block.old_pairs.begin() + block.old_first[t - block.begin + 1];
-    for (auto pair = block.pairs.begin() + start; pair != block.pairs.end(); ++pair) {
-      const auto old = std::lower_bound(old_begin, old_end, *pair, by_segment);
-      if (old != old_end && old->segment == pair->segment) *pair = *old;
-    }
-    const auto end = static_cast<std::ptrdiff_t>(block.pairs.size());
-    for (auto old = old_begin; old != old_end; ++old) {
-      const auto known = block.pairs.begin() + static_cast<std::ptrdiff_t>(start);
-      if (!old->pressed() || std::binary_search(known, block.pairs.begin() + end, *old, by_segment)) continue;
-      if (alive(old->segment, element_alive))
-        block.pairs.push_back(*old);
-      else
-        block.energies.deleted += old->held();
-    }
-    if (static_cast<std::ptrdiff_t>(block.pairs.size()) > end)
-      std::sort(block.pairs.begin() + static_cast<std::ptrdiff_t>(start), block.pairs.end(), by_segment);
-    longest = std::max(longest, block.pairs.size() - start);
-  }
-  block.first.back() = static_cast<int>(block.pairs.size());
-  std::fill(block.next_check_travel.begin(), block.next_check_travel.end(), 0.0);
-  block.candidates.reserve(longest);
-  block.hits.reserve(block.pairs.size());
-}
-
 // ---- every cycle
 
-void SurfaceContact::work(Block& block, const Step& step) const {
+SurfaceContact::Work& SurfaceContact::work_of_thread() {
+  static thread_local Work work;
+  return work;
+}
+
+/// The pair does not touch any more.
+void SurfaceContact::Block::release(Pair& pair) {
+  if (pair.touch == none) return;
+  free.push_back(pair.touch);
+  pair.touch = none;
+}
+
+/// What the pair will remember from now on.
+SurfaceContact::Touch& SurfaceContact::Block::touch(Pair& pair) {
+  if (free.empty()) {
+    pair.touch = static_cast<int>(touches.size());
+    return touches.emplace_back();
+  }
+  pair.touch = free.back();
+  free.pop_back();
+  return touches[pair.touch] = {};
+}
+
+/// Works on some of the active blocks. A body has more pairs and segments than a cache holds: the pairs of the block
+/// after the next, and the segments of the next, are on their way meanwhile.
+void SurfaceContact::look_at(std::size_t begin, std::size_t end, Work& work, const Step& step) {
+  wake(blocks_[active_blocks_[begin]], work.next);
+  for (std::size_t b = begin; b < end; ++b) {
+    if (b + 4 < end) ask_for_lines(&blocks_[active_blocks_[b + 4]], sizeof(Block));
+    if (b + 2 < end) ask_for(blocks_[active_blocks_[b + 2]]);
+    std::swap(work.awake, work.next);
+    if (b + 1 < end) wake(blocks_[active_blocks_[b + 1]], work.next);
+    look_at(blocks_[active_blocks_[b]], work, step);
+  }
+}
+
+void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
   block.hits.clear();
-  const auto awake = [this, &block](int t) {
-    return t < block.end && block.next_check_travel[t - block.begin] <= travelled_;
-  };
+  block.shares.clear();
+  block.parts.clear();
+  block.resultant = {};
+  block.deepest = 0.0;
+  if (work.awake.nodes.empty()) return;
+  project(block, work, step);
+  std::size_t first = 0;
+  for (const Awake::Node& node : work.awake.nodes) {
+    check_node(block, gather_candidates(block, work, node, first, step), node.tracked, step);
+    first = node.end;
+  }
+  block.asleep_until = *std::min_element(block.next_check_travel.begin(), block.next_check_travel.end());
+  sum_up(block);
+  share_out(block, work.shares);
+}
+
+void SurfaceContact::ask_for(const Block& block) const {
+  if (block.asleep_until > travelled_) return;
+  const auto lines = [](const auto& list) { ask_for_lines(list.data(), list.size() * sizeof list[0]); };
+  lines(block.next_check_travel);
+  lines(block.first);
+  lines(block.pairs);
+  lines(block.touches);
+}
+
+/// Lists the pairs that can touch in this cycle.
+void SurfaceContact::wake(const Block& block, Awake& awake) const {
+  awake.nodes.clear();
+  awake.pairs.clear();
+  awake.of.clear();
+  if (block.asleep_until > travelled_) return;
   for (int t = block.begin; t < block.end; ++t) {
-    if (awake(t + 2)) prefetch_segments(block, t + 2);
-    if (awake(t + 1)) prefetch_corners(block, t + 1, step);
-    if (awake(t)) check_node(block, t, step);
-  }
-  block.sum_up(setup_, pressing_);
-}
-
-void SurfaceContact::Block::sum_up(const SurfaceContactSetup& setup, unsigned pressing) {
-  resultant = {};
-  deepest = 0.0;
-  lowest = std::numeric_limits<int>::max();
-  highest = -1;
-  for (const Hit& hit : hits) {
-    const Segment& segment = setup.segments[hit.segment];
-    resultant += segment.side == 1 && pressing != 1 ? -hit.force : hit.force;
-    deepest = std::max(deepest, hit.depth);
-    const auto [low, high] = std::minmax_element(segment.node.begin(), segment.node.end());
-    lowest = std::min({lowest, *low, setup.nodes[hit.tracked].node});
-    highest = std::max({highest, *high, setup.nodes[hit.tracked].node});
-  }
-}
-
-/// A body has more segments than a cache holds: those near a node, and its own, are on their way while other nodes are
-/// looked at.
-void SurfaceContact::prefetch_segments(const Block& block, int tracked) const {
-  const auto ask_for = [this](int s) {
-    const Segment& segment = setup_.segments[s];
-    __builtin_prefetch(&segment.node);
-    __builtin_prefetch(&segment.element);
-    __builtin_prefetch(&segment.side);
-  };
-  for (const Pair& pair : pairs_of(block, tracked)) ask_for(pair.segment);
-  for (const int own : around_.at(setup_.nodes[tracked].node)) ask_for(own);
-}
-
-/// The same of their corners, once the segments are here.
-void SurfaceContact::prefetch_corners(const Block& block, int tracked, const Step& step) const {
-  for (const Pair& pair : pairs_of(block, tracked)) {
-    if (pair.next_check_travel > travelled_) continue;
-    for (const int n : setup_.segments[pair.segment].node) {
-      __builtin_prefetch(&step.x[n]);
-      __builtin_prefetch(&step.v[n]);
+    if (block.next_check_travel[t - block.begin] > travelled_) continue;
+    if (excluded_ != nullptr && (*excluded_)[t]) continue;
+    double asleep_until = Box::infinity;
+    for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
+      const Pair& pair = block.pairs[i];
+      if (pair.next_check_travel > travelled_) {
+        asleep_until = std::min(asleep_until, pair.next_check_travel);
+        continue;
+      }
+      __builtin_prefetch(&faces_[pair.segment]);
+      awake.pairs.push_back(i);
+      awake.of.push_back(t);
     }
+    awake.nodes.push_back({t, awake.pairs.size(), asleep_until});
   }
 }
 
-void SurfaceContact::check_node(Block& block, int tracked, const Step& step) const {
-  if (excluded_ != nullptr && (*excluded_)[tracked]) return;
-  gather_candidates(block, tracked, step);
-  const int node = setup_.nodes[tracked].node;
+/// Projects the nodes of the pairs that are awake onto their segments, as many pairs at a time as a register has lanes.
+void SurfaceContact::project(const Block& block, Work& work, const Step& step) const {
+  using R = NativeBatch;
+  constexpr std::size_t ahead = 3 * width;
+  Awake& awake = work.awake;
+  const std::size_t count = awake.pairs.size();
+  awake.order.resize(count);
+  awake.turn.resize(count);
+  // Lanes whose feet stay inside need no look at edges: together they save it.
+  std::size_t inside = 0, on_border = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pair& pair = block.pairs[awake.pairs[i]];
+    const bool border = std::max(std::abs(pair.xi), std::abs(pair.eta)) >= 1.0;
+    const std::size_t turn = border ? --on_border : inside++;
+    awake.order[turn] = static_cast<int>(i);
+    awake.turn[i] = static_cast<int>(turn);
+  }
+  const auto ask_for_corners = [&](std::size_t first) {
+    for (std::size_t k = first; k < std::min(count, first + width); ++k)
+      for (const int n : faces_[block.pairs[awake.pairs[awake.order[k]]].segment].node) {
+        __builtin_prefetch(&step.x[n]);
+        __builtin_prefetch(&step.v[n]);
+      }
+  };
+  for (std::size_t first = 0; first < std::min(count, ahead); first += width) ask_for_corners(first);
+  work.feet.resize((count + width - 1) / width);
+  work.clear.resize(work.feet.size());
+  for (std::size_t first = 0; first < count; first += width) {
+    ask_for_corners(first + ahead);
+    std::array<std::array<int, width>, 4> id;
+    std::array<int, width> node;
+    std::array<double, width> xi, eta;
+    for (std::size_t l = 0; l < width; ++l) {
+      const int i = awake.order[std::min(first + l, count - 1)];
+      const Pair& pair = block.pairs[awake.pairs[i]];
+      for (std::size_t c = 0; c < 4; ++c) id[c][l] = faces_[pair.segment].node[c];
+      node[l] = nodes_[awake.of[i]].node;
+      xi[l] = pair.xi;
+      eta[l] = pair.eta;
+    }
+    kernel::CornersOf<R> corners;
+    for (std::size_t c = 0; c < 4; ++c) corners[c] = gather<R>(step.x.data(), id[c].data());
+    const Vec3<R> x = gather<R>(step.x.data(), node.data());
+    work.clear[first / width] = kernel::least_distance(corners, x);
+    work.feet[first / width] = kernel::closest_points(corners, x, real_load<R>(xi.data()), real_load<R>(eta.data()));
+  }
+}
+
+void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked, const Step& step) const {
+  const int node = nodes_[tracked].node;
   if (block.deep[tracked - block.begin] > 0.0) {
-    stay_inside(block, node, step);
-    go_over_edges(block, node, step);
+    stay_inside(candidates, node, step);
+    go_over_edges(candidates, node, step);
     block.deep[tracked - block.begin] = 0.0;
   }
-  if (step.dt > 0.0) drop_stray_candidates(block, node, step);
+  if (step.dt > 0.0) drop_stray_candidates(candidates, node, step);
   double ahead = 0.0;  // a pair that became softer reaches beyond the contact distance
   bool matters = false;
-  for (const Candidate& c : block.candidates) {
+  for (const Candidate& c : candidates) {
     const bool pressed = c.before.pressed();
     if (pressed) ahead = std::max(ahead, -c.before.offset);
     matters = matters || pressed || c.gap < c.contact_distance;
@@ -298,124 +282,127 @@ void SurfaceContact::check_node(Block& block, int tracked, const Step& step) con
   if (!matters) return;
   const auto close = [&](const Candidate& c) {
     if (c.gap < c.contact_distance || ahead == 0.0) return c.gap < c.contact_distance;
-    const Candidate* from = c.before.pressed() ? &c : predecessor(block, c);
+    const Candidate* from = c.before.pressed() ? &c : predecessor(candidates, c);
     return from != nullptr && from->before.pressed() && c.gap < c.contact_distance - from->before.offset;
   };
   if (!node_alive(node, step.element_alive)) {
-    for (const Candidate& c : block.candidates)
+    for (const Candidate& c : candidates)
       if (c.before.pressed()) block.energies.deleted += c.before.held();
     return;
   }
-  for (Candidate& candidate : block.candidates)
-    if (close(candidate) && presses(block, candidate, node, step)) press(block, candidate, tracked, step);
-  for (const Candidate& candidate : block.candidates) {
-    if (!candidate.before.pressed() || candidate.pair->touching) continue;
+  for (const Candidate& candidate : candidates)
+    if (close(candidate) && presses(candidates, candidate, node, step))
+      press(block, candidates, candidate, tracked, step);
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.before.pressed() || candidate.touching()) continue;
     const double given_back =
-        !close(candidate) && has_parted(block, candidate) ? part(block, candidate, tracked, step) : 0.0;
-    book_drop(block, candidate, tracked, given_back, step);
+        !close(candidate) && has_parted(candidates, candidate) ? part(block, candidate, tracked, step) : 0.0;
+    book_drop(block, candidates, candidate, tracked, given_back, step);
   }
 }
 
-void SurfaceContact::gather_candidates(Block& block, int tracked, const Step& step) const {
-  block.candidates.clear();
-  const int begin = block.first[tracked - block.begin], end = block.first[tracked - block.begin + 1];
-  double& first_check_travel = block.next_check_travel[tracked - block.begin];
-  first_check_travel = Box::infinity;
-  // A node between aligned sheets is near four segments, as many as there are lanes.
-  std::array<Pair*, native_width> near{};
+/// Of the pairs of a node that are awake, from the `first` on, those that are close enough; none where no pair can have
+/// a force.
+SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work& work, const Awake::Node& node,
+                                                             std::size_t first, const Step& step) const {
+  const int tracked = node.tracked;
+  const double widest = this->widest(tracked), deep = block.deep[tracked - block.begin];
+  const double thickness = nodes_[tracked].thickness;
+  double first_check_travel = node.asleep_until;
+  if (work.close.size() < node.end - first) work.close.resize(node.end - first);
   std::size_t count = 0;
-  for (int i = begin; i < end; ++i) {
-    Pair& pair = block.pairs[i];
-    if (pair.next_check_travel > travelled_) {
-      first_check_travel = std::min(first_check_travel, pair.next_check_travel);
+  bool matters = deep > 0.0;
+  for (std::size_t i = first; i < node.end; ++i) {
+    Pair& pair = block.pairs[work.awake.pairs[i]];
+    const Face& face = faces_[pair.segment];
+    const bool pressed = block.pressed(pair);
+    if (!is_exposed(face, step.element_alive)) {
+      if (pressed) block.energies.deleted += block.touch_of(pair)->held();
+      block.release(pair);
       continue;
     }
-    if (!alive(pair.segment, step.element_alive)) {
-      if (pair.pressed()) block.energies.deleted += pair.held();
-      pair.release();
-      continue;
-    }
-    near[count++] = &pair;
-    if (count < near.size()) continue;
-    add_candidates(block, near, tracked, step);
-    count = 0;
-  }
-  if (count > 0) add_candidates(block, std::span(near).first(count), tracked, step);
-}
-
-/// Those of `near`, pairs of one node in the order of the block, that are close enough.
-void SurfaceContact::add_candidates(Block& block, std::span<Pair* const> near, int tracked, const Step& step) const {
-  using R = NativeBatch;
-  const Vec3d p = vec(step.x[setup_.nodes[tracked].node]);
-  const Vec3<R> x{R(p.x), R(p.y), R(p.z)};
-  std::array<std::array<int, lanes<R>>, 4> id;
-  R xi, eta;
-  for (int l = 0; l < lanes<R>; ++l) {
-    const Pair& pair = *near[std::min(at(l), near.size() - 1)];
-    for (int c = 0; c < 4; ++c) id[c][l] = setup_.segments[pair.segment].node[c];
-    set_lane(xi, l, pair.xi);
-    set_lane(eta, l, pair.eta);
-  }
-  kernel::CornersOf<R> corners;
-  for (int c = 0; c < 4; ++c) corners[c] = gather<R>(step.x.data(), id[c].data());
-  const R clear = kernel::least_distance(corners, x);
-  const kernel::Feet<R> feet = kernel::closest_points(corners, x, xi, eta);
-
-  double& first_check_travel = block.next_check_travel[tracked - block.begin];
-  for (std::size_t l = 0; l < near.size(); ++l) {
-    Pair& pair = *near[l];
-    const Segment& segment = setup_.segments[pair.segment];
-    const double far = widest(tracked) + reach(block, tracked, pair.segment), least = lane(clear, static_cast<int>(l));
-    if (least >= far && !pair.pressed()) {
-      pair.release();
+    const std::size_t batch = at(work.awake.turn[i]) / width;
+    const int l = static_cast<int>(at(work.awake.turn[i]) % width);
+    kernel::Feet<NativeBatch>& feet = work.feet[batch];
+    const double far = widest + (face.inner + deep), least = kernel::stored_lane(work.clear[batch], l);
+    if (least >= far && !pressed) {
+      block.release(pair);
       pair.next_check_travel = travelled_ + (least - far);
       first_check_travel = std::min(first_check_travel, pair.next_check_travel);
       continue;
     }
-    const kernel::Foot foot =
-        segment.triangle() ? kernel::closest_point(corners_of(segment, step.x), true, p) : feet.at(static_cast<int>(l));
-    const Pair before = pair;
-    pair.release();
-    pair.xi = foot.xi;
-    pair.eta = foot.eta;
-    pair.next_check_travel = travelled_ + (foot.distance - far);
+    if (face.triangle())
+      feet.set(l, kernel::closest_point(corners_of(face, step.x), true, vec(step.x[nodes_[tracked].node])));
+    const double distance = kernel::stored_lane(feet.distance, l);
+    pair.xi = kernel::stored_lane(feet.xi, l);
+    pair.eta = kernel::stored_lane(feet.eta, l);
+    pair.next_check_travel = travelled_ + (distance - far);
     first_check_travel = std::min(first_check_travel, pair.next_check_travel);
-    if (pair.next_check_travel > travelled_ && !before.pressed()) continue;
-    Candidate& c = block.candidates.emplace_back();
-    c.pair = &pair;
-    c.before = before;
-    c.foot = foot;
-    c.contact_distance = contact_distance(tracked, pair.segment);
-    c.gap = c.foot.distance;
-    c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
-    if (before.touching && before.side != 0) {
-      const Vec3d out = static_cast<double>(before.side) * c.foot.normal;
-      if (c.foot.boundary == 0)
-        c.away = out;
-      else if (inner_[pair.segment] == 0.0 && dot(c.away, out) <= -side_change_cosine)
-        c.away = -c.away;
+    if (pair.next_check_travel > travelled_ && !pressed) {
+      block.release(pair);
+      continue;
     }
-    if (inner_[pair.segment] > 0.0) measure_inside_brick(c, inner_[pair.segment], p, step);
+    work.close[count++] = static_cast<int>(i);
+    matters = matters || pressed || face.inner > 0.0 || distance < 0.5 * (thickness + face.thickness);
   }
+  block.next_check_travel[tracked - block.begin] = first_check_travel;
+  if (matters && work.candidates.size() < count) work.candidates.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const int i = work.close[k];
+    Pair& pair = block.pairs[work.awake.pairs[i]];
+    const std::size_t turn = at(work.awake.turn[i]);
+    if (matters)
+      fill(work.candidates[k], block, pair, work.feet[turn / width], static_cast<int>(turn % width), tracked, step);
+    block.release(pair);
+  }
+  return std::span(work.candidates).first(matters ? count : 0);
+}
+
+/// Makes a candidate, in the place of one of an earlier node, of a pair and lane l of the feet.
+void SurfaceContact::fill(Candidate& c, const Block& block, Pair& pair, const kernel::Feet<NativeBatch>& feet, int l,
+                          int tracked, const Step& step) const {
+  const auto segment = static_cast<int>(pair.segment);
+  const Face& face = faces_[segment];
+  const Vec3d p = vec(step.x[nodes_[tracked].node]);
+  c.pair = &pair;
+  c.segment = segment;
+  if (const Touch* before = block.touch_of(pair))
+    c.before = *before;
+  else if (c.before.touching)
+    c.before = {};
+  feet.put(l, c.foot);
+  c.contact_distance = contact_distance(tracked, segment);
+  c.gap = c.foot.distance;
+  c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
+  c.extended = c.to_an_edge = c.over_an_edge = c.came_through = false;
+  c.came_from = 0.0;
+  if (c.before.touching && c.before.side != 0) {
+    const Vec3d out = static_cast<double>(c.before.side) * c.foot.normal;
+    if (c.foot.boundary == 0)
+      c.away = out;
+    else if (face.inner == 0.0 && dot(c.away, out) <= -side_change_cosine)
+      c.away = -c.away;
+  }
+  if (face.inner > 0.0) measure_inside_brick(c, face.inner, p, step);
 }
 
 /// Stiffness of the pair where its foot is.
 SurfaceContact::Spring SurfaceContact::spring(const Candidate& candidate, int tracked, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const Face& segment = faces_[candidate.segment];
   std::array<double, 4> corner_mass{};
   for (int c = 0; c < segment.corners(); ++c) corner_mass[c] = step.mass[segment.node[c]];
   const double inverse_mass =
-      kernel::inverse_pair_mass(step.mass[setup_.nodes[tracked].node], candidate.foot.weight, corner_mass);
-  const double full = penalty(candidate.pair->segment, tracked, step);
-  return {inverse_mass, kernel::pair_stiffness(setup_.law, full, inverse_mass, step.stable_dt)};
+      kernel::inverse_pair_mass(step.mass[nodes_[tracked].node], candidate.foot.weight, corner_mass);
+  const double full = penalty(candidate.segment, tracked, step);
+  return {inverse_mass, kernel::pair_stiffness(law_, full, inverse_mass, step.stable_dt)};
 }
 
 /// Gives back what a pair that came apart still holds, along the normal of a brick's face: the way from an edge that is
 /// level with the node leads anywhere. Returns how much that is [energy].
 double SurfaceContact::part(Block& block, const Candidate& candidate, int tracked, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  const Vec3d direction = segment.volume > 0.0 && !candidate.over_an_edge ? candidate.foot.normal : candidate.away;
-  const Vec3d velocity = vec(step.v[setup_.nodes[tracked].node]) - interpolate(segment, candidate.foot.weight, step.v);
+  const Face& segment = faces_[candidate.segment];
+  const Vec3d direction = segment.of_brick && !candidate.over_an_edge ? candidate.foot.normal : candidate.away;
+  const Vec3d velocity = vec(step.v[nodes_[tracked].node]) - interpolate(segment, candidate.foot.weight, step.v);
   const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
   const double way = dot(velocity, direction) * step.dt;
   const double size =
@@ -423,32 +410,33 @@ double SurfaceContact::part(Block& block, const Candidate& candidate, int tracke
   const double given_back = 0.5 * (candidate.before.memory.force + size) * way;
   if (!(size > 0.0)) return given_back;
   Vec3d along;
-  const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
-  if (rough.any()) along = friction(rough, candidate, &candidate.before, direction, stiffness, size, step);
+  const kernel::Friction& rough = law_.friction.between(segment.kind, nodes_[tracked].kind);
+  if (rough.any()) along = friction(rough, candidate, candidate.before, direction, stiffness, size, step);
   const Vec3d force = size * direction + along;
-  block.hits.push_back({tracked, candidate.pair->segment, candidate.foot.weight, force, along, 0.0});
+  block.hits.push_back({tracked, candidate.segment, candidate.foot.weight, force, along, 0.0});
   return given_back;
 }
 
 /// Books what the spring of a pair still held that came to an end while it was pressed farther than the motion of the
 /// step can have undone.
-void SurfaceContact::book_drop(Block& block, const Candidate& candidate, int tracked, double given_back,
-                               const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  const int node = setup_.nodes[tracked].node;
+void SurfaceContact::book_drop(Block& block, Candidates candidates, const Candidate& candidate, int tracked,
+                               double given_back, const Step& step) const {
+  const Face& segment = faces_[candidate.segment];
+  const int node = nodes_[tracked].node;
   const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
   const double held = candidate.before.held() - given_back;
-  if (!(held > 0.0) || candidate.before.depth <= step.dt * norm(velocity) || is_handed_on(block, candidate)) return;
+  if (!(held > 0.0) || candidate.before.depth <= step.dt * norm(velocity) || is_handed_on(candidates, candidate))
+    return;
   block.energies.drops.add(held, node, segment.node[0], step.time);
 }
 
-void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, const Step& step) const {
-  Pair& pair = *candidate.pair;
-  const Segment& segment = setup_.segments[pair.segment];
-  const int node = setup_.nodes[tracked].node;
+void SurfaceContact::press(Block& block, Candidates candidates, const Candidate& candidate, int tracked,
+                           const Step& step) const {
+  const Face& segment = faces_[candidate.segment];
+  const int node = nodes_[tracked].node;
   const Vec3d r = vec(step.x[node]) - candidate.foot.point;
   const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
-  const Candidate* from = candidate.before.touching ? nullptr : predecessor(block, candidate);
+  const Candidate* from = candidate.before.touching ? nullptr : predecessor(candidates, candidate);
   if (!candidate.before.touching && from == nullptr && handled_by_edge_contact(candidate, node, step)) return;
 
   Vec3d direction = candidate.away;
@@ -459,36 +447,40 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
     side = 1;
   } else if (candidate.foot.boundary == 0) {
     const bool from_behind = dot(r - step.dt * velocity, candidate.foot.normal) < 0.0;
-    if (side == 0) side = from_behind && inner_[pair.segment] == 0.0 ? -1 : 1;  // a brick holds nothing inside
+    if (side == 0) side = from_behind && segment.inner == 0.0 ? -1 : 1;  // a brick holds nothing inside
     direction = static_cast<double>(side) * candidate.foot.normal;
   } else {
     if (side == 0) side = side_over_edge(candidate, r - step.dt * velocity, step);
     const double up = side * dot(direction, candidate.foot.normal);
-    if (inner_[pair.segment] == 0.0 && up <= -side_change_cosine)
+    if (segment.inner == 0.0 && up <= -side_change_cosine)
       direction = -direction;  // it came through
     else if (up < side_change_cosine)
       side = 0;  // beyond an edge lies the other face of a free edge, the next one of a fold
   }
   const double overlap = candidate.contact_distance - (candidate.over_an_edge ? candidate.gap : dot(r, direction));
-  if (too_deep(overlap, pair.segment)) return;
+  if (too_deep(overlap, candidate.segment)) return;
 
   // An offset goes with the node over the edges of the surface. What the motion of this step cannot have made was there
   // before, or comes from a change of the surface, and is an offset too.
-  const Pair* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
+  const Touch* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
   const double approach = -dot(velocity, direction);
   const bool inside =
       candidate.gap < 0.0 || candidate.over_an_edge || (candidate.foot.boundary == 0 && dot(r, direction) < 0.0);
   double offset = 0.0;
   if (before == nullptr)
     offset = std::max(0.0, overlap - step.dt * std::max(0.0, approach));
-  else if (before == &candidate.before && (inside == before->inside || inner_[pair.segment] == 0.0))
+  else if (before == &candidate.before && (inside == before->inside || segment.inner == 0.0))
     offset = before->offset;
   else  // the way out is another one
     offset = std::max(before->offset, overlap - before->depth - step.dt * norm(velocity));
 
   const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
+  Touch& pair = block.touch(*candidate.pair);
   if (before != nullptr) pair.memory = before->memory;
   pair.touching = true;
+  pair.segment = candidate.segment;
+  pair.xi = candidate.foot.xi;
+  pair.eta = candidate.foot.eta;
   pair.inside = inside;
   pair.side = static_cast<signed char>(side);
   pair.offset = std::min(offset, overlap);
@@ -499,9 +491,9 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   }
 
   const double inverse_node_mass = step.mass[node] > 0.0 ? 1.0 / step.mass[node] : 0.0;
-  const double size = kernel::pair_force(setup_.law, pair.memory, stiffness, inverse_mass, inverse_node_mass,
-                                         pair.depth, approach, step.dt);
-  if (setup_.law.damping > 0.0) {
+  const double size =
+      kernel::pair_force(law_, pair.memory, stiffness, inverse_mass, inverse_node_mass, pair.depth, approach, step.dt);
+  if (law_.damping > 0.0) {
     const double was = before != nullptr ? before->memory.damping() : 0.0;
     block.energies.damping += 0.5 * (was + pair.memory.damping()) * approach * step.dt;
   }
@@ -514,168 +506,155 @@ void SurfaceContact::press(Block& block, Candidate& candidate, int tracked, cons
   }
   if (pair.inside || pair.offset < 0.0) {
     // It may be farther apart than those are that can touch.
-    pair.next_check_travel = std::min(pair.next_check_travel, travelled_);
-    first_check_travel = std::min(first_check_travel, pair.next_check_travel);
+    candidate.pair->next_check_travel = std::min(candidate.pair->next_check_travel, travelled_);
+    first_check_travel = std::min(first_check_travel, candidate.pair->next_check_travel);
   }
   Vec3d force = size * direction;
-  const kernel::Friction& rough = setup_.law.friction.between(segment.kind, setup_.nodes[tracked].kind);
+  const kernel::Friction& rough = law_.friction.between(segment.kind, nodes_[tracked].kind);
   if (rough.any()) {
     const kernel::Touch touch{velocity, direction, pair.depth, stiffness, size, area(segment, step.x)};
-    pair.friction = before != nullptr ? friction(rough, candidate, before, direction, stiffness, size, step)
+    pair.friction = before != nullptr ? friction(rough, candidate, *before, direction, stiffness, size, step)
                                       : kernel::touch_friction(rough, touch);
     force += pair.friction;
   }
-  block.hits.push_back({tracked, pair.segment, candidate.foot.weight, force, pair.friction, pair.depth});
+  block.hits.push_back({tracked, candidate.segment, candidate.foot.weight, force, pair.friction, pair.depth});
 }
 
 /// Stiffness of the pair before the step bounds it. What has no mass of its own, as a node without segments or a side
 /// that is held, meets its like.
 double SurfaceContact::penalty(int segment, int tracked, const Step& step) const {
-  if (setup_.law.stiffness != kernel::PenaltyStiffness::segment_masses)
-    return std::min(segment_stiffness_[segment], node_stiffness_[tracked]);
-  const Segment& s = setup_.segments[segment];
-  const double own = node_mass_[tracked] > 0.0 ? node_mass_[tracked] : s.mass;
-  const double other = s.mass > 0.0 ? s.mass : own;
-  return setup_.stiffness_scale * s.scale * kernel::segment_penalty(own, other, setup_.law.step(step.longest));
+  if (law_.stiffness != kernel::PenaltyStiffness::segment_masses)
+    return std::min(faces_[segment].stiffness, nodes_[tracked].stiffness);
+  const double mass = masses_.segment[segment];
+  const double own = masses_.node[tracked] > 0.0 ? masses_.node[tracked] : mass;
+  const double other = mass > 0.0 ? mass : own;
+  return stiffness_scale_ * masses_.scale[segment] * kernel::segment_penalty(own, other, law_.step(step.longest));
 }
 
 /// Beyond PENMAX thicknesses of the shell, or depths of the brick.
 bool SurfaceContact::too_deep(double overlap, int segment) const {
-  const Segment& s = setup_.segments[segment];
-  return setup_.deepest > 0.0 &&
-         overlap > setup_.deepest * (s.volume > 0.0 ? inner_[segment] / pressing_depth : s.thickness);
+  const Face& face = faces_[segment];
+  return deepest_allowed_ > 0.0 &&
+         overlap > deepest_allowed_ * (face.of_brick ? face.inner / pressing_depth : face.thickness);
 }
 
 /// Friction on the node; `before`: the pair that it touched a cycle ago, this one or the one from which it came.
-Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before,
+Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& candidate, const Touch& before,
                                const Vec3d& direction, double stiffness, double normal_force, const Step& step) const {
-  const Segment& from = setup_.segments[before->segment];
-  const Vec3d was = interpolate(from, kernel::shape_functions(from.triangle(), before->xi, before->eta), step.x);
+  const Face& from = faces_[before.segment];
+  const Vec3d was = interpolate(from, kernel::shape_functions(from.triangle(), before.xi, before.eta), step.x);
   const auto along = [&direction](const Vec3d& a) { return a - dot(a, direction) * direction; };
   const Vec3d slip = along(candidate.foot.point - was);
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
-  const double bound = law.bound(normal_force, speed, area(setup_.segments[candidate.pair->segment], step.x));
-  return kernel::sliding_spring(along(before->friction), stiffness, slip, bound);
+  const double bound = law.bound(normal_force, speed, area(faces_[candidate.segment], step.x));
+  return kernel::sliding_spring(along(before.friction), stiffness, slip, bound);
 }
 
 // ---- forces and energy
 
-void SurfaceContact::next_cycle() {
-  forces_.next_cycle();
-  frictions_.next_cycle();
+void SurfaceContact::sum_up(Block& block) const {
+  for (const Hit& hit : block.hits) {
+    block.resultant += faces_[hit.segment].side == 1 && pressing_ != 1 ? -hit.force : hit.force;
+    block.deepest = std::max(block.deepest, hit.depth);
+  }
+}
+
+/// Lists what of the hits goes to which node, by parts of these; parts in the order in which they are met. `shares`:
+/// room for the same in the order of the hits.
+void SurfaceContact::share_out(Block& block, std::vector<Share>& shares) const {
+  shares.clear();
+  for (std::size_t h = 0; h < block.hits.size(); ++h) {
+    const Face& face = faces_[block.hits[h].segment];
+    const int hit = static_cast<int>(h);
+    shares.push_back({forces_.place(nodes_[block.hits[h].tracked].node), hit, the_node});
+    for (int c = 0; c < face.corners(); ++c)
+      shares.push_back({forces_.place(face.node[c]), hit, static_cast<signed char>(c)});
+  }
+  const auto shares_of = [&block](const Share& share) -> Shares& {
+    const int part = share.place / NodalForces::part_size;
+    for (Shares& known : block.parts)
+      if (known.part == part) return known;
+    return block.parts.emplace_back(Shares{part, 0});
+  };
+  // Counted, then put behind each other.
+  for (const Share& share : shares) ++shares_of(share).begin;
+  int sum = 0;
+  for (Shares& of_part : block.parts) sum += std::exchange(of_part.begin, sum);
+  block.shares.resize(shares.size());
+  for (const Share& share : shares) block.shares[shares_of(share).begin++] = share;
+  int begin = 0;
+  for (Shares& of_part : block.parts) begin = std::exchange(of_part.begin, begin);
+}
+
+/// Adds to the nodes of a part what of the hits is theirs.
+void SurfaceContact::spread(std::size_t part, const Step& step) {
+  for (const Source& source : sources_[part]) {
+    const Block& block = blocks_[source.block];
+    for (int i = source.begin; i < source.end; ++i) {
+      const Share& share = block.shares[i];
+      const Hit& hit = block.hits[share.hit];
+      if (share.corner == the_node) {
+        forces_.add_at(share.place, hit.force, hit.friction);
+        continue;
+      }
+      const double weight = -hit.weight[share.corner];
+      forces_.add_at(share.place, weight * hit.force, weight * hit.friction);
+      if (!law_.balances_friction) continue;
+      const Face& face = faces_[hit.segment];
+      const Vec3d lever = vec(step.x[nodes_[hit.tracked].node]) - interpolate(face, hit.weight, step.x);
+      const auto back = [&](const Vec3d& force) {
+        return couple({face.node.data(), at(face.corners())}, -cross(lever, force), step.x)[share.corner];
+      };
+      forces_.add_at(share.place, back(hit.force), back(hit.friction));
+    }
+  }
+}
+
+/// Sums up what the blocks found, if the contact is `active`, and books the work of the step.
+void SurfaceContact::add_forces(const Step& step, std::span<Row> force, bool active) {
   resultant_ = {};
   touching_ = 0;
   deepest_ = 0.0;
-}
-
-void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
-  for (const int b : active_blocks_) {
-    const Block& block = blocks_[b];
-    resultant_ += block.resultant;
-    deepest_ = std::max(deepest_, block.deepest);
-    touching_ += static_cast<int>(block.hits.size());
-  }
-  energies_.springs = 0.0;
-  for (Block& block : blocks_) energies_.add(std::exchange(block.energies, {}));
-  const auto spread = [this, &step](Vec3d Hit::*which) {
-    return [this, &step, which](NodalForces::Part& part) {
-      for (const int b : active_blocks_) {
-        const Block& block = blocks_[b];
-        if (!part.meets(block.lowest, block.highest)) continue;
-        for (const Hit& hit : block.hits) {
-          const Segment& segment = setup_.segments[hit.segment];
-          const Vec3d& of_hit = hit.*which;
-          part.add(setup_.nodes[hit.tracked].node, of_hit);
-          for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], -hit.weight[c] * of_hit);
-          if (!setup_.law.balances_friction) continue;
-          const Vec3d lever = vec(step.x[setup_.nodes[hit.tracked].node]) - interpolate(segment, hit.weight, step.x);
-          const std::array<Vec3d, 4> back =
-              couple({segment.node.data(), at(segment.corners())}, -cross(lever, of_hit), step.x);
-          for (int c = 0; c < segment.corners(); ++c) part.add(segment.node[c], back[c]);
-        }
+  for (std::vector<Source>& sources : sources_) sources.clear();
+  if (active) {
+    for (const int b : active_blocks_) {
+      const Block& block = blocks_[b];
+      resultant_ += block.resultant;
+      deepest_ = std::max(deepest_, block.deepest);
+      touching_ += static_cast<int>(block.hits.size());
+      for (std::size_t i = 0; i < block.parts.size(); ++i) {
+        const int end = i + 1 < block.parts.size() ? block.parts[i + 1].begin : static_cast<int>(block.shares.size());
+        sources_[block.parts[i].part].push_back({b, block.parts[i].begin, end});
       }
-    };
-  };
-  forces_.add_by_parts(spread(&Hit::force));
-  if (setup_.law.friction.any()) frictions_.add_by_parts(spread(&Hit::friction));
-  forces_.add_to(force);
-}
-
-void SurfaceContact::update_energy(double dt, std::span<const Row> v) {
-  const std::array<double, 2> work = forces_.work(dt, v);
-  for (int side = 0; side < 2; ++side) energy_[side] -= work[side];
-  if (setup_.law.friction.any()) energies_.friction -= frictions_.work(dt, v)[0];
-}
-
-// ---- initial penetrations
-
-std::vector<Penetration> SurfaceContact::penetrations(std::span<const Row> x) {
-  search(x, {});
-  std::vector<Penetration> found;
-  Step step;
-  step.x = x;
-  for (const int b : active_blocks_) {
-    Block& block = blocks_[b];
-    for (int t = block.begin; t < block.end; ++t) {
-      gather_candidates(block, t, step);
-      const int node = setup_.nodes[t].node;
-      for (const Candidate& c : block.candidates)
-        if (c.gap < c.contact_distance && presses(block, c, node, step))
-          found.push_back({node, c.pair->segment, c.contact_distance - c.gap, c.away});
     }
+    energies_.springs = 0.0;
+    for (Block& block : blocks_) energies_.add(std::exchange(block.energies, {}));
   }
-  return found;
-}
-
-std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std::span<const Row> x) {
-  return SurfaceContact(setup, x).penetrations(x);
-}
-
-std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup& setup, std::span<const Row> x) {
-  SurfaceContact contact(setup, x);
-  const std::vector<double> reached = contact.inner_;
-  if (std::none_of(reached.begin(), reached.end(), [](double inner) { return inner > 0.0; })) return {};
-  for (double& inner : contact.inner_) inner /= pressing_depth;
-  std::vector<Penetration> found = contact.penetrations(x);
-  std::erase_if(found, [&](const Penetration& p) {
-    const auto tracked =
-        std::find_if(setup.nodes.begin(), setup.nodes.end(), [&p](const TrackedNode& t) { return t.node == p.node; });
-    return reached[p.segment] == 0.0 || p.depth <= reached[p.segment] + 0.5 * tracked->thickness;
+  parallel_for(forces_.parts(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      forces_.next_cycle(p);
+      spread(p, step);
+      forces_.add_to(p, force);
+      work_[p] = forces_.work(p, step.dt, step.v);
+    }
   });
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
-  return found;
-}
-
-std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, std::span<Row> x, int passes) {
-  const std::vector<Penetration> before = find_penetrations(setup, x);
-  std::vector<Penetration> left = before;
-  for (int pass = 0; pass < passes; ++pass) {
-    bool moved = false;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      // Of several penetrations of a node only the first in the list is mended in a pass.
-      if (i > 0 && left[i].node == left[i - 1].node) continue;
-      const double thickness = setup.segments[left[i].segment].thickness;
-      if (left[i].depth <= 1e-3 * thickness) continue;
-      add(x[left[i].node], 0.5 * left[i].depth * left[i].direction);
-      moved = true;
-    }
-    if (!moved) break;
-    left = find_penetrations(setup, x);
-  }
-  return before;
+  NodalForces::Work work;
+  for (const NodalForces::Work& of_part : work_) work.add(of_part);
+  for (std::size_t side = 0; side < 2; ++side) energy_[side] -= work.of_side[side];
+  if (law_.friction.any()) energies_.friction -= work.friction;
 }
 
 Vec3d SurfaceContact::force_between(const TwoBodies& bodies) const {
   Vec3d sum;
   each_hit([&](const Hit& hit) {
-    sum += bodies.sign({&setup_.nodes[hit.tracked].node, 1}, setup_.segments[hit.segment].node) * hit.force;
+    sum += bodies.sign({&nodes_[hit.tracked].node, 1}, faces_[hit.segment].node) * hit.force;
   });
   return sum;
 }
 
 void SurfaceContact::Block::archive(Archive& a) {
-  a(first, next_check_travel, deep, pairs, hits);
-  a.built(begin, end, old_first, old_pairs, candidates, resultant, deepest, lowest, highest, energies);
+  a(asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, shares, parts);
+  a.built(begin, end, resultant, deepest, energies);
 }
 
 /// With the search lists: a pair remembers on which side it stands, and a search at another cycle would give other
@@ -683,9 +662,9 @@ void SurfaceContact::Block::archive(Archive& a) {
 void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_,
-    active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, frictions_, energies_);
-  a.built(setup_, around_, segment_stiffness_, inner_, node_stiffness_, node_mass_, excluded_, stays_active_,
-          thickest_segment_, pressing_, margin_, boxes_, tree_);
+    active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, energies_);
+  a.built(law_, stiffness_scale_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, masses_,
+          around_, excluded_, stays_active_, thickest_segment_, pressing_, margin_, sources_, work_);
 }
 
 }  // namespace nugget::contact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -92,7 +93,12 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// is not checked until the steps taken since, each judged by the box of its displacements, can have closed the gap. No
 /// contact is missed between searches and none depends on how often one searches.
 ///
-/// Results are the same bits for any number of threads. No memory is taken between searches.
+/// Results are the same bits for any number of threads.
+///
+/// Layout. Tracked nodes stand in blocks, which the threads take one after the other. In a cycle a block lists the
+/// pairs that are awake, projects them a register full at a time, whosever they are, and then looks at each of its
+/// nodes. The lists of pairs, the longest, hold 32 bytes a pair; what a pair that touches remembers stands apart. Of a
+/// segment one line of the cache is read. The forces are spread to the nodes by parts of these; see decision 0091.
 class SurfaceContact {
  public:
   /// A node that is pressed by a segment.
@@ -105,7 +111,7 @@ class SurfaceContact {
   };
 
   /// `x`: initial coordinates, for stiffness and search margin.
-  SurfaceContact(SurfaceContactSetup setup, std::span<const Row> x);
+  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x);
 
   /// Adds the contact forces at the end of a step to `force`, by node. Sign: forces that act on the nodes (an external
   /// force; the solver's a = (force - internal)/m).
@@ -148,36 +154,58 @@ class SurfaceContact {
   void archive(Archive& a);
 
  private:
+  /// What the passes over pairs read of a segment: one line of the cache.
+  struct alignas(64) Face : Facet {
+    double thickness = 0.0;
+    double stiffness = 0.0;  ///< scaled
+    double inner = 0.0;      ///< how deep inside its brick it still presses; 0: a shell
+    int element = -1, covered_by = -1, kind = 0;
+    unsigned char side = 1;
+    bool of_brick = false;
+  };
+  /// The same of a tracked node.
+  struct Tracked {
+    int node = 0, kind = 0;
+    double thickness = 0.0;
+    double stiffness = 0.0;  ///< mean of its segments', scaled
+    unsigned against = 1;
+  };
+  /// What SOFT = 2 needs to know besides, of segments and tracked nodes.
+  struct Masses {
+    std::vector<double> segment, scale;
+    std::vector<double> node;  ///< mean of its segments'
+  };
   /// A node and a segment that are near each other.
   struct Pair {
-    int segment = 0;
-    signed char side = 0;   ///< +1, -1: on which side of the segment's normal the node is kept; 0: not known
-    bool touching = false;  ///< did so in the cycle before
-    bool inside = false;    ///< behind a brick's face or a sheet's mid-surface then, or going out over its edge
+    unsigned segment : 31 = 0;
+    unsigned near_own : 1 = 0;  ///< the segment has a corner of one of the node's own
+    int touch = none;           ///< place of what it remembers, while it touches
+    double xi = 0.0, eta = 0.0;
+    double next_check_travel = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
+  };
+  static constexpr int none = -1;
+  /// What a pair that touches remembers from cycle to cycle.
+  struct Touch {
     double xi = 0.0, eta = 0.0;
     double offset = 0.0;  ///< overlap that the pair came with and that gives no force [length]
     double depth = 0.0;   ///< overlap that does [length]
     Vec3d friction;       ///< force on the node along the surface [force]
     kernel::PairMemory memory;
-    double next_check_travel = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
+    int segment = 0;
+    signed char side = 0;   ///< +1, -1: on which side of the segment's normal the node is kept; 0: not known
+    bool touching = false;  ///< false: a pair that does not
+    bool inside = false;    ///< behind a brick's face or a sheet's mid-surface, or going out over its edge
 
     bool pressed() const { return touching && memory.force > 0.0; }
     bool pressed_inside() const { return inside && pressed(); }
     /// What the spring holds [energy].
     double held() const { return 0.5 * memory.force * depth; }
-
-    void release() {
-      touching = inside = false;
-      side = 0;
-      offset = depth = 0.0;
-      friction = {};
-      memory = {};
-    }
   };
   /// A pair close enough to be looked at in this cycle.
   struct Candidate {
     Pair* pair = nullptr;
-    Pair before;  ///< the pair as the cycle before left it
+    int segment = 0;
+    Touch before;  ///< the pair as the cycle before left it
     kernel::Foot foot;
     Vec3d away;                     ///< unit vector along which the node would leave
     double gap = 0.0;               ///< from the foot to the node, negative inside a brick [length]
@@ -187,77 +215,134 @@ class SurfaceContact {
     double came_from = 0.0;         ///< height above the brick's face at the start of the step [length]
     bool came_through = false;      ///< came through the brick's face in this step, from clearly before it, or under it
     double contact_distance = 0.0;  ///< distance at which the two touch
+
+    bool touching() const { return pair->touch != none; }  ///< in this cycle
+  };
+  /// Those of one node.
+  using Candidates = std::span<Candidate>;
+  static constexpr std::size_t width = lanes<NativeBatch>;  ///< pairs that are projected at a time
+  /// What of a hit goes to one node.
+  struct Share {
+    int place = 0;           ///< of the node, see NodalForces
+    int hit = 0;             ///< of the block
+    signed char corner = 0;  ///< of the segment; -1: the tracked node
+  };
+  /// The pairs of a block that can touch in this cycle.
+  struct Awake {
+    struct Node {
+      int tracked = 0;
+      std::size_t end = 0;        ///< of its pairs
+      double asleep_until = 0.0;  ///< `next_check_travel` of the first of those that are not awake
+    };
+    std::vector<Node> nodes;
+    std::vector<int> pairs, of;  ///< places in the block, and the tracked node of each
+    std::vector<int> order;      ///< in which they are projected: those with a foot inside first
+    std::vector<int> turn;       ///< where each stands in that
+  };
+  /// What a thread needs for the block that it works on.
+  struct Work {
+    Awake awake, next;                            ///< of the block, and of the one after it
+    std::vector<kernel::Feet<NativeBatch>> feet;  ///< of the pairs that are awake
+    std::vector<NativeBatch> clear;               ///< least_distance()
+    std::vector<int> close;                       ///< of the pairs of a node that are awake: those close enough
+    std::vector<Candidate> candidates;            ///< of a node, and of earlier ones
+    std::vector<Pair> listed;                     ///< the new lists of a block, in a search
+    std::vector<std::pair<int, Box>> around;      ///< segments near some nodes of the block, with their boxes
+    std::vector<Share> shares;                    ///< of the hits of a block, in the order of these
+  };
+  /// Shares of one part of the nodes, see NodalForces; they end where those of the next begin.
+  struct Shares {
+    int part = 0, begin = 0;
+  };
+  /// The same seen from the part.
+  struct Source {
+    int block = 0, begin = 0, end = 0;
   };
   /// A fixed group of tracked nodes: what one thread works on at a time.
   struct Block {
     int begin = 0, end = 0;                 // tracked nodes
+    double asleep_until = 0.0;              // the first of `next_check_travel`
     std::vector<int> first;                 // of the pairs of each node
     std::vector<double> next_check_travel;  // of each node: the first of its pairs'
     std::vector<double> deep;               // of each node: how deep it was inside in the cycle before, if it was
     std::vector<Pair> pairs;                // by node, then by segment
-    std::vector<int> old_first;             // the lists before the search
-    std::vector<Pair> old_pairs;
-    std::vector<Candidate> candidates;
+    std::vector<Touch> touches;             // of pairs, where Pair::touch says
+    std::vector<int> free;                  // of these, those that no pair has
     std::vector<Hit> hits;
-    // Of the hits: their sum as it stands in rcforc, the deepest, and from where to where nodes take part in them.
+    std::vector<Share> shares;  // of the hits, by part of the nodes, in the order of the hits
+    std::vector<Shares> parts;
+    // Of the hits: their sum as it stands in rcforc, the deepest.
     Vec3d resultant;
     double deepest = 0.0;
-    int lowest = 0, highest = -1;
     ContactEnergies energies;  // what this cycle adds; of springs: what they hold
-    void sum_up(const SurfaceContactSetup& setup, unsigned pressing);
+
+    const Touch* touch_of(const Pair& pair) const { return pair.touch == none ? nullptr : &touches[pair.touch]; }
+    bool pressed(const Pair& pair) const { return pair.touch != none && touches[pair.touch].pressed(); }
+    void release(Pair& pair);
+    Touch& touch(Pair& pair);
     void archive(Archive& a);
   };
   static constexpr double side_change_cosine = 0.5;  // cosine from the side that is remembered, over an edge
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
   friend std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup&, std::span<const Row>);
+  friend std::vector<Penetration> remove_penetrations(const SurfaceContactSetup&, std::span<Row>, int);
   std::vector<Penetration> penetrations(std::span<const Row> x);
+  void find_overlaps(Block& block, const Step& step, std::vector<Penetration>& found) const;
 
+  /// Kept between the tasks of a thread.
+  static Work& work_of_thread();
   bool alive(int segment, std::span<const unsigned char> element_alive) const {
-    return is_exposed(setup_.segments[segment], element_alive);
+    return is_exposed(faces_[segment], element_alive);
   }
   bool node_alive(int node, std::span<const unsigned char> element_alive) const;
   double penalty(int segment, int tracked, const Step& step) const;
   double contact_distance(int tracked, int segment) const {
-    return 0.5 * (setup_.nodes[tracked].thickness + setup_.segments[segment].thickness);
+    return 0.5 * (nodes_[tracked].thickness + faces_[segment].thickness);
   }
 
   bool moved_too_far(std::span<const Row> x);
+  bool lists_are_good_for(std::span<const Row> x);
   template <class Displacement>
   double approach(const Displacement& displacement);
-  double widest(int tracked) const { return 0.5 * (setup_.nodes[tracked].thickness + thickest_segment_); }
+  double widest(int tracked) const { return 0.5 * (nodes_[tracked].thickness + thickest_segment_); }
   void search(std::span<const Row> x, std::span<const unsigned char> element_alive);
-  void list_neighbours(Block& block, std::span<const Row> x, std::span<const unsigned char> element_alive);
-  void work(Block& block, const Step& step) const;
-  void check_node(Block& block, int tracked, const Step& step) const;
-  static std::span<const Pair> pairs_of(const Block& block, int tracked) {
-    const int first = block.first[tracked - block.begin], last = block.first[tracked - block.begin + 1];
-    return std::span(block.pairs).subspan(first, last - first);
-  }
-  void prefetch_segments(const Block& block, int tracked) const;
-  void prefetch_corners(const Block& block, int tracked, const Step& step) const;
-  void gather_candidates(Block& block, int tracked, const Step& step) const;
-  void add_candidates(Block& block, std::span<Pair* const> near, int tracked, const Step& step) const;
+  void list_neighbours(Block& block, const BoxTree& tree, Work& work, std::span<const Row> x,
+                       std::span<const unsigned char> element_alive) const;
+  Box around(const Block& block, int tracked, const Vec3d& p) const;
+  int find_around(const Block& block, int first, const BoxTree& tree, Work& work, std::span<const Row> x) const;
+  static Box box_of(const Face& face, std::span<const Row> x);
+  bool is_near_own(int node, const Facet& segment) const;
+  void look_at(std::size_t begin, std::size_t end, Work& work, const Step& step);
+  void look_at(Block& block, Work& work, const Step& step) const;
+  void ask_for(const Block& block) const;
+  void wake(const Block& block, Awake& awake) const;
+  void project(const Block& block, Work& work, const Step& step) const;
+  void check_node(Block& block, Candidates candidates, int tracked, const Step& step) const;
+  Candidates gather_candidates(Block& block, Work& work, const Awake::Node& node, std::size_t first,
+                               const Step& step) const;
+  void fill(Candidate& candidate, const Block& block, Pair& pair, const kernel::Feet<NativeBatch>& feet, int l,
+            int tracked, const Step& step) const;
   double reach(const Block& block, int tracked, int segment) const {
-    return inner_[segment] + block.deep[tracked - block.begin];
+    return faces_[segment].inner + block.deep[tracked - block.begin];
   }
-  void stay_inside(Block& block, int node, const Step& step) const;
-  void go_over_edges(Block& block, int node, const Step& step) const;
+  void stay_inside(Candidates candidates, int node, const Step& step) const;
+  void go_over_edges(Candidates candidates, int node, const Step& step) const;
   bool round_edge(Candidate& candidate, int side, const Vec3d& p, const Step& step) const;
   bool is_beyond(const Candidate& candidate, const Vec3d& r, const Step& step) const;
-  bool is_free_edge(const Segment& segment, int corner, const Step& step) const;
-  void drop_stray_candidates(Block& block, int node, const Step& step) const;
-  void resolve_swept_nodes(Block& block, int node, const Step& step) const;
+  bool is_free_edge(const Facet& segment, int corner, const Step& step) const;
+  void drop_stray_candidates(Candidates candidates, int node, const Step& step) const;
+  void resolve_swept_nodes(Candidates candidates, int node, const Step& step) const;
   double faces(int node, const Vec3d& normal, const Step& step) const;
   void measure_inside_brick(Candidate& candidate, double deepest, const Vec3d& p, const Step& step) const;
   bool outside_adjacent_face(const Candidate& candidate, const Vec3d& p, const Step& step) const;
-  bool presses(const Block& block, const Candidate& candidate, int node, const Step& step) const;
+  bool presses(Candidates candidates, const Candidate& candidate, int node, const Step& step) const;
   bool is_own_neighbourhood(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
-  const Candidate* predecessor(const Block& block, const Candidate& candidate) const;
+  const Candidate* predecessor(Candidates candidates, const Candidate& candidate) const;
   int remembered_side(const Candidate& candidate, const Candidate* from) const;
   bool handled_by_edge_contact(const Candidate& candidate, int node, const Step& step) const;
   int side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const;
-  Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Pair* before, const Vec3d& direction,
+  Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Touch& before, const Vec3d& direction,
                  double stiffness, double normal_force, const Step& step) const;
   bool too_deep(double overlap, int segment) const;
   struct Spring {
@@ -265,29 +350,31 @@ class SurfaceContact {
     double stiffness = 0.0;     ///< [force/length]
   };
   Spring spring(const Candidate& candidate, int tracked, const Step& step) const;
-  void press(Block& block, Candidate& candidate, int tracked, const Step& step) const;
-  bool has_parted(const Block& block, const Candidate& candidate) const;
+  void press(Block& block, Candidates candidates, const Candidate& candidate, int tracked, const Step& step) const;
+  bool has_parted(Candidates candidates, const Candidate& candidate) const;
   double part(Block& block, const Candidate& candidate, int tracked, const Step& step) const;
-  bool is_handed_on(const Block& block, const Candidate& candidate) const;
-  void book_drop(Block& block, const Candidate& candidate, int tracked, double given_back, const Step& step) const;
-  void add_forces(const Step& step, std::span<Row> force);
-  void update_energy(double dt, std::span<const Row> v);
-  void next_cycle();
+  bool is_handed_on(Candidates candidates, const Candidate& candidate) const;
+  void book_drop(Block& block, Candidates candidates, const Candidate& candidate, int tracked, double given_back,
+                 const Step& step) const;
+  void sum_up(Block& block) const;
+  void share_out(Block& block, std::vector<Share>& shares) const;
+  void spread(std::size_t part, const Step& step);
+  void add_forces(const Step& step, std::span<Row> force, bool active);
 
-  SurfaceContactSetup setup_;
+  kernel::PenaltyLaw law_;
+  double stiffness_scale_ = 0.0, deepest_allowed_ = 0.0, birth_ = 0.0, death_ = 0.0;
+  bool edges_meet_ = false, covers_ = false;  // covers_: deleted elements expose segments
+  std::vector<Face> faces_;                   // the segments
+  std::vector<Tracked> nodes_;                // the tracked nodes
+  Masses masses_;                             // empty without SOFT = 2
   NodeSegments around_;
-  std::vector<double> segment_stiffness_;  // scaled
-  std::vector<double> inner_;              // how deep inside its brick a segment still presses; 0: a shell
-  std::vector<double> node_stiffness_;     // scaled, by tracked node
-  std::vector<double> node_mass_;          // mean of its segments', by tracked node
   const std::vector<unsigned char>* excluded_ = nullptr;
-  std::vector<char> stays_active_;  // by node: TrackedNode::stays
+  std::vector<char> stays_active_;  // by node: TrackedNode::stays_active
   double thickest_segment_ = 0.0;
   unsigned pressing_ = 0;  // sides whose segments press any node
   double margin_ = 0.0;
 
   NodalForces forces_;             // on all nodes of segments and all tracked nodes
-  NodalForces frictions_;          // what of them is friction, if there is any
   std::vector<int> active_nodes_;  // those of them with active segments at the last search
   std::vector<Row> searched_at_;   // coordinates of active_nodes_ then
   bool searched_ = false;
@@ -297,10 +384,10 @@ class SurfaceContact {
   double searched_when_ = 0.0;        // travelled_ at the last search
   std::vector<Box> moved_;            // displacements of active_nodes_, by group of nodes
   std::vector<int> active_segments_;  // active segments at the last search
-  std::vector<Box> boxes_;            // of these, with their skin
-  BoxTree tree_;
   std::vector<Block> blocks_;
-  std::vector<int> active_blocks_;  // blocks that have pairs
+  std::vector<int> active_blocks_;            // blocks that have pairs
+  std::vector<std::vector<Source>> sources_;  // of forces, by part of the nodes
+  std::vector<NodalForces::Work> work_;       // by part of the nodes
 
   std::array<double, 2> energy_{};
   ContactEnergies energies_;

@@ -17,7 +17,7 @@ constexpr double on_the_face = 1e-6;  // of the depth down to which a brick pres
 
 /// Changes the weights of the corners as little as can be so that their point moves by `way`, in the plane with
 /// `normal`.
-void shift(std::array<double, 4>& weight, const Segment& segment, const Vec3d& way, const Vec3d& normal,
+void shift(std::array<double, 4>& weight, const Facet& segment, const Vec3d& way, const Vec3d& normal,
            std::span<const Row> x) {
   const int corners = segment.corners();
   Vec3d middle;
@@ -38,19 +38,19 @@ void shift(std::array<double, 4>& weight, const Segment& segment, const Vec3d& w
   for (int c = 0; c < corners; ++c) weight[c] += dot(slope, vec(x[segment.node[c]]) - middle);
 }
 
-bool share_a_node(const Segment& a, const Segment& b) {
+bool share_a_node(const Facet& a, const Facet& b) {
   return b.has(a.node[0]) || b.has(a.node[1]) || b.has(a.node[2]) || b.has(a.node[3]);
 }
 
 /// Whether the edge or corner of `segment` that `boundary` names belongs to `other` too.
-bool has_boundary(const Segment& other, const Segment& segment, unsigned boundary) {
+bool has_boundary(const Facet& other, const Facet& segment, unsigned boundary) {
   for (int c = 0; c < 4; ++c)
     if ((boundary >> c & 1u) && !other.has(segment.node[c])) return false;
   return boundary != 0;
 }
 
 /// Whether a node is one of the corners that `boundary` names.
-bool has_boundary_at(const Segment& segment, unsigned boundary, int node) {
+bool has_boundary_at(const Facet& segment, unsigned boundary, int node) {
   for (int c = 0; c < segment.corners(); ++c)
     if ((boundary >> c & 1u) && segment.node[c] == node) return true;
   return false;
@@ -60,18 +60,18 @@ bool has_boundary_at(const Segment& segment, unsigned boundary, int node) {
 
 /// A node that is pressed stays so through the whole brick, and behind the mid-surface of a sheet, as long as it is
 /// over a face of that surface; one that was not is pressed down to `inner_` alone.
-void SurfaceContact::stay_inside(Block& block, int node, const Step& step) const {
+void SurfaceContact::stay_inside(Candidates candidates, int node, const Step& step) const {
   const Vec3d p = vec(step.x[node]);
-  for (Candidate& c : block.candidates) {
+  for (Candidate& c : candidates) {
     if (c.foot.boundary != 0 || c.gap <= 0.0) continue;
-    const Candidate* from = c.before.touching ? &c : predecessor(block, c);
+    const Candidate* from = c.before.touching ? &c : predecessor(candidates, c);
     if (from == nullptr || !from->before.pressed_inside()) continue;
-    if (inner_[c.pair->segment] > 0.0) {
+    if (faces_[c.segment].inner > 0.0) {
       // Not one that was run over and came in from the side.
       if (around_.at(node).empty() || faces(node, c.foot.normal, step) < -clearly_more)
-        measure_inside_brick(c, inner_[c.pair->segment] / pressing_depth, p, step);
+        measure_inside_brick(c, faces_[c.segment].inner / pressing_depth, p, step);
     } else if (const double beyond = -remembered_side(c, from) * dot(p - c.foot.point, c.foot.normal);
-               beyond > 0.0 && beyond < std::sqrt(area(setup_.segments[c.pair->segment], step.x))) {
+               beyond > 0.0 && beyond < std::sqrt(area(faces_[c.segment], step.x))) {
       c.gap = 0.0;
     }
   }
@@ -80,18 +80,17 @@ void SurfaceContact::stay_inside(Block& block, int node, const Step& step) const
 /// Nodes that were pressed inside and left the face over an edge or a corner. There the face goes on as one that is
 /// round, with a centre below the edge: what the spring holds comes back as the node goes over it. Only for those that
 /// were pressed: what comes from the side finds no round edge beside the brick.
-void SurfaceContact::go_over_edges(Block& block, int node, const Step& step) const {
+void SurfaceContact::go_over_edges(Candidates candidates, int node, const Step& step) const {
   const Vec3d p = vec(step.x[node]);
-  for (std::size_t i = 0; i < block.candidates.size(); ++i) {
-    Candidate& left = block.candidates[i];
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    Candidate& left = candidates[i];
     if (left.foot.boundary == 0 || !left.before.pressed_inside() || !round_edge(left, left.before.side, p, step))
       continue;
     // Along the edge the next face has it.
-    const Segment& segment = setup_.segments[left.pair->segment];
-    for (Candidate& next : block.candidates)
-      if (!next.before.touching && (inner_[next.pair->segment] > 0.0) == (inner_[left.pair->segment] > 0.0) &&
-          share_a_node(setup_.segments[next.pair->segment], segment) &&
-          std::abs(dot(next.foot.normal, left.foot.normal)) > 0.5)
+    const Face& segment = faces_[left.segment];
+    for (Candidate& next : candidates)
+      if (!next.before.touching && (faces_[next.segment].inner > 0.0) == (faces_[left.segment].inner > 0.0) &&
+          share_a_node(faces_[next.segment], segment) && std::abs(dot(next.foot.normal, left.foot.normal)) > 0.5)
         round_edge(next, dot(next.foot.normal, left.foot.normal) > 0.0 ? left.before.side : -left.before.side, p, step);
   }
 }
@@ -101,8 +100,8 @@ void SurfaceContact::go_over_edges(Block& block, int node, const Step& step) con
 /// the face.
 bool SurfaceContact::round_edge(Candidate& candidate, int side, const Vec3d& p, const Step& step) const {
   if ((candidate.gap < 0.0 && !candidate.extended) || candidate.foot.boundary == 0 || side == 0) return false;
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  const double inner = inner_[candidate.pair->segment], size = std::sqrt(area(segment, step.x));
+  const Face& segment = faces_[candidate.segment];
+  const double inner = faces_[candidate.segment].inner, size = std::sqrt(area(segment, step.x));
   const double radius = inner > 0.0 ? inner / pressing_depth : size;
   const Vec3d r = p - candidate.foot.point, out = static_cast<double>(side) * candidate.foot.normal;
   const Vec3d from_centre = r + radius * out;
@@ -122,10 +121,10 @@ bool SurfaceContact::round_edge(Candidate& candidate, int side, const Vec3d& p, 
 /// Whether the way `r` from the foot leads beyond the surface: in front of another face of the brick that is not much
 /// the same, or off the end of a sheet.
 bool SurfaceContact::is_beyond(const Candidate& candidate, const Vec3d& r, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const Face& segment = faces_[candidate.segment];
   const int corners = segment.corners();
   const auto in_front_of = [&](int s) {
-    const Segment& other = setup_.segments[s];
+    const Face& other = faces_[s];
     if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) return false;
     const kernel::Corners k = corners_of(other, step.x);
     const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
@@ -134,7 +133,7 @@ bool SurfaceContact::is_beyond(const Candidate& candidate, const Vec3d& r, const
   for (int c = 0; c < corners; ++c) {
     if (!(candidate.foot.boundary >> c & 1u)) continue;
     const std::span<const int> around = around_.at(segment.node[c]);
-    if (segment.volume > 0.0) {
+    if (segment.of_brick) {
       if (std::any_of(around.begin(), around.end(), in_front_of)) return true;
       continue;
     }
@@ -147,30 +146,30 @@ bool SurfaceContact::is_beyond(const Candidate& candidate, const Vec3d& r, const
 }
 
 /// Whether the edge of a shell from a corner to the next is on no other one.
-bool SurfaceContact::is_free_edge(const Segment& segment, int corner, const Step& step) const {
+bool SurfaceContact::is_free_edge(const Facet& segment, int corner, const Step& step) const {
   const int end = segment.node[(corner + 1) % segment.corners()];
   const std::span<const int> around = around_.at(segment.node[corner]);
-  const auto has_it = [&](int s) { return setup_.segments[s].has(end) && alive(s, step.element_alive); };
+  const auto has_it = [&](int s) { return faces_[s].has(end) && alive(s, step.element_alive); };
   return std::count_if(around.begin(), around.end(), has_it) == 1;
 }
 
 /// A node inside a brick is near several of its faces. It belongs to those that it touched before, slid onto, or came
 /// through in this step; the others are no business of its.
-void SurfaceContact::drop_stray_candidates(Block& block, int node, const Step& step) const {
+void SurfaceContact::drop_stray_candidates(Candidates candidates, int node, const Step& step) const {
   bool any = false;
-  for (Candidate& candidate : block.candidates) {
+  for (Candidate& candidate : candidates) {
     if (candidate.gap >= 0.0 || candidate.before.touching) continue;
-    const Segment& segment = setup_.segments[candidate.pair->segment];
+    const Face& segment = faces_[candidate.segment];
     const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
     candidate.came_from = dot(vec(step.x[node]) - candidate.foot.point - step.dt * velocity, candidate.foot.normal);
-    candidate.came_through = candidate.came_from > on_the_face * inner_[candidate.pair->segment];
+    candidate.came_through = candidate.came_from > on_the_face * faces_[candidate.segment].inner;
     any = any || candidate.came_through;
   }
-  if (any) resolve_swept_nodes(block, node, step);
-  for (Candidate& candidate : block.candidates) {
+  if (any) resolve_swept_nodes(candidates, node, step);
+  for (Candidate& candidate : candidates) {
     if (candidate.gap >= 0.0 || candidate.before.touching) continue;
-    const bool is_level = candidate.came_from >= -on_the_face * inner_[candidate.pair->segment];
-    const Candidate* from = predecessor(block, candidate);
+    const bool is_level = candidate.came_from >= -on_the_face * faces_[candidate.segment].inner;
+    const Candidate* from = predecessor(candidates, candidate);
     // Level with a face it came through that only if no other has it.
     if (!candidate.extended && (candidate.came_through || (from == nullptr && is_level))) continue;
     if (from == nullptr || dot(from->foot.normal, candidate.foot.normal) <= 0.5) candidate.gap = Box::infinity;
@@ -180,19 +179,19 @@ void SurfaceContact::drop_stray_candidates(Block& block, int node, const Step& s
 /// A body that is pressed onto another one and slides runs over its nodes: they come in through a face at its side, a
 /// little above the one with which it lies on them. They belong to the latter, if their own surface faces that more, or
 /// if it is so little that the sides of two bodies would catch each other where these are level.
-void SurfaceContact::resolve_swept_nodes(Block& block, int node, const Step& step) const {
-  for (Candidate& side : block.candidates) {
+void SurfaceContact::resolve_swept_nodes(Candidates candidates, int node, const Step& step) const {
+  for (Candidate& side : candidates) {
     if (!side.came_through) continue;
     const double facing = faces(node, side.foot.normal, step);
     const auto is_below = [&](const Candidate& other) {
-      const Segment& segment = setup_.segments[other.pair->segment];
-      if (other.gap >= 0.0 || !share_a_node(segment, setup_.segments[side.pair->segment])) return false;
+      const Face& segment = faces_[other.segment];
+      if (other.gap >= 0.0 || !share_a_node(segment, faces_[side.segment])) return false;
       const bool shallow =
           dot(other.foot.normal, side.foot.normal) < 0.5 && -other.gap < extension * std::sqrt(area(segment, step.x));
       return faces(node, other.foot.normal, step) < (shallow ? -0.5 : facing - clearly_more);
     };
-    const auto below = std::find_if(block.candidates.begin(), block.candidates.end(), is_below);
-    if (below == block.candidates.end()) continue;
+    const auto below = std::find_if(candidates.begin(), candidates.end(), is_below);
+    if (below == candidates.end()) continue;
     side.came_through = false;
     side.gap = Box::infinity;
     below->came_through = !below->before.touching;
@@ -205,10 +204,10 @@ double SurfaceContact::faces(int node, const Vec3d& normal, const Step& step) co
   double least = 1.0;
   for (const int s : around_.at(node)) {
     if (!alive(s, step.element_alive)) continue;
-    const kernel::Corners k = corners_of(setup_.segments[s], step.x);
+    const kernel::Corners k = corners_of(faces_[s], step.x);
     const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
     const double size = norm(n), cosine = size > 0.0 ? dot(n, normal) / size : 1.0;
-    least = std::min(least, setup_.segments[s].volume > 0.0 ? cosine : -std::abs(cosine));
+    least = std::min(least, faces_[s].of_brick ? cosine : -std::abs(cosine));
   }
   return least;
 }
@@ -227,12 +226,12 @@ void SurfaceContact::measure_inside_brick(Candidate& candidate, double deepest, 
   const double height = dot(r, candidate.foot.normal), distance = candidate.foot.distance;
   if (height >= 0.0 || distance > deepest) return;
   if (!(step.dt > 0.0) && outside_adjacent_face(candidate, p, step)) return;
-  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const Face& segment = faces_[candidate.segment];
   double beyond = 0.0;  // in sides
   for (int c = 0; c < segment.corners(); ++c) {
     if (!(candidate.foot.boundary >> c & 1u)) continue;
     for (const int s : around_.at(segment.node[c])) {
-      const Segment& other = setup_.segments[s];
+      const Face& other = faces_[s];
       if (!has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive)) continue;
       const kernel::Corners k = corners_of(other, step.x);
       const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
@@ -254,11 +253,11 @@ void SurfaceContact::measure_inside_brick(Candidate& candidate, double deepest, 
 
 /// Whether p lies on, or in front of, a face that forms a ridge with the candidate's.
 bool SurfaceContact::outside_adjacent_face(const Candidate& candidate, const Vec3d& p, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const Face& segment = faces_[candidate.segment];
   for (int c = 0; c < segment.corners(); ++c)
     for (const int s : around_.at(segment.node[c])) {
-      const Segment& other = setup_.segments[s];
-      if (s == candidate.pair->segment || same_side(segment, other) == 0 || !alive(s, step.element_alive)) continue;
+      const Face& other = faces_[s];
+      if (s == candidate.segment || same_side(segment, other) == 0 || !alive(s, step.element_alive)) continue;
       const kernel::Corners k = corners_of(other, step.x);
       const Vec3d n = cross(k[2] - k[0], k[3] - k[1]), centre = 0.25 * (k[0] + k[1] + k[2] + k[3]);
       const bool ridge = dot(centre - candidate.foot.point, candidate.foot.normal) < 0.0;
@@ -267,26 +266,25 @@ bool SurfaceContact::outside_adjacent_face(const Candidate& candidate, const Vec
   return false;
 }
 
-bool SurfaceContact::presses(const Block& block, const Candidate& candidate, int node, const Step& step) const {
+bool SurfaceContact::presses(Candidates candidates, const Candidate& candidate, int node, const Step& step) const {
   // In this order: most of those that touch are hidden, and that is seen without the segments of the node.
-  return std::none_of(block.candidates.begin(), block.candidates.end(),
+  return std::none_of(candidates.begin(), candidates.end(),
                       [&](const Candidate& other) { return hidden_by(other, candidate); }) &&
          !is_own_neighbourhood(candidate, node, step.element_alive);
 }
 
 /// The pair pressed in the cycle before, and none that it is one stretch of surface with does now.
-bool SurfaceContact::has_parted(const Block& block, const Candidate& candidate) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  return candidate.before.pressed() &&
-         std::none_of(block.candidates.begin(), block.candidates.end(), [&](const Candidate& other) {
-           return other.pair->touching && share_a_node(setup_.segments[other.pair->segment], segment);
+bool SurfaceContact::has_parted(Candidates candidates, const Candidate& candidate) const {
+  const Face& segment = faces_[candidate.segment];
+  return candidate.before.pressed() && std::none_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+           return other.touching() && share_a_node(faces_[other.segment], segment);
          });
 }
 
 /// Another pair, new in this cycle, has taken over what this one remembered.
-bool SurfaceContact::is_handed_on(const Block& block, const Candidate& candidate) const {
-  return std::any_of(block.candidates.begin(), block.candidates.end(), [&](const Candidate& other) {
-    return other.pair->touching && !other.before.touching && predecessor(block, other) == &candidate;
+bool SurfaceContact::is_handed_on(Candidates candidates, const Candidate& candidate) const {
+  return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+    return other.touching() && !other.before.touching && predecessor(candidates, other) == &candidate;
   });
 }
 
@@ -294,11 +292,11 @@ bool SurfaceContact::is_handed_on(const Block& block, const Candidate& candidate
 /// distance 0, so this is no contact of one part of the surface with another.
 bool SurfaceContact::is_own_neighbourhood(const Candidate& candidate, int node,
                                           std::span<const unsigned char> element_alive) const {
-  if (candidate.foot.boundary == 0) return false;
-  const Segment& segment = setup_.segments[candidate.pair->segment];
+  if (candidate.foot.boundary == 0 || candidate.pair->near_own == 0) return false;
+  const Face& segment = faces_[candidate.segment];
   const std::span<const int> around = around_.at(node);
   return std::any_of(around.begin(), around.end(), [&](int own) {
-    return has_boundary(setup_.segments[own], segment, candidate.foot.boundary) && alive(own, element_alive);
+    return has_boundary(faces_[own], segment, candidate.foot.boundary) && alive(own, element_alive);
   });
 }
 
@@ -307,19 +305,17 @@ bool SurfaceContact::is_own_neighbourhood(const Candidate& candidate, int node,
 bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidate) const {
   if (&other == &candidate) return false;
   // Over an edge goes the node down the side of the brick, which has no say until it has left.
-  if (other.over_an_edge != candidate.over_an_edge &&
-      share_a_node(setup_.segments[other.pair->segment], setup_.segments[candidate.pair->segment])) {
+  if (other.over_an_edge != candidate.over_an_edge && share_a_node(faces_[other.segment], faces_[candidate.segment])) {
     if (other.over_an_edge && !candidate.before.touching) return true;
     if (candidate.over_an_edge && !other.before.touching) return false;
   }
   if (candidate.gap < 0.0 && other.gap >= 0.0) return false;  // a face that it is not behind
   if (candidate.gap < 0.0 && other.came_through != candidate.came_through && !candidate.before.touching &&
-      !other.before.touching &&
-      share_a_node(setup_.segments[other.pair->segment], setup_.segments[candidate.pair->segment]))
+      !other.before.touching && share_a_node(faces_[other.segment], faces_[candidate.segment]))
     return other.came_through;
   if (other.foot.distance > candidate.foot.distance) return false;
-  if (other.foot.distance == candidate.foot.distance && other.pair->segment > candidate.pair->segment) return false;
-  const Segment &a = setup_.segments[other.pair->segment], &b = setup_.segments[candidate.pair->segment];
+  if (other.foot.distance == candidate.foot.distance && other.segment > candidate.segment) return false;
+  const Face &a = faces_[other.segment], &b = faces_[candidate.segment];
   const bool alike = dot(other.away, candidate.away) > 0.5;
   if (has_boundary(a, b, candidate.foot.boundary))
     return candidate.gap >= 0.0 || alike || candidate.to_an_edge || !candidate.before.touching;
@@ -330,12 +326,12 @@ bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidat
 }
 
 /// The pair from which the node comes if it did not touch `candidate` before: a neighbour that it touched.
-const SurfaceContact::Candidate* SurfaceContact::predecessor(const Block& block, const Candidate& candidate) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
+const SurfaceContact::Candidate* SurfaceContact::predecessor(Candidates candidates, const Candidate& candidate) const {
+  const Face& segment = faces_[candidate.segment];
   const Candidate* found = nullptr;
-  for (const Candidate& other : block.candidates) {
+  for (const Candidate& other : candidates) {
     if (&other == &candidate || !other.before.touching) continue;
-    const Segment& from = setup_.segments[other.pair->segment];
+    const Face& from = faces_[other.segment];
     if (same_side(from, segment) != 0) return &other;
     if (found == nullptr && share_a_node(from, segment)) found = &other;
   }
@@ -346,13 +342,13 @@ const SurfaceContact::Candidate* SurfaceContact::predecessor(const Block& block,
 int SurfaceContact::remembered_side(const Candidate& candidate, const Candidate* from) const {
   if (candidate.before.touching) return candidate.before.side;
   if (from == nullptr) return 0;
-  const Segment &a = setup_.segments[from->pair->segment], &b = setup_.segments[candidate.pair->segment];
+  const Face &a = faces_[from->segment], &b = faces_[candidate.segment];
   int same = same_side(a, b);
   // Over a corner they have none in common but a neighbour has one with either.
   for (int c = 0; c < a.corners() && same == 0; ++c) {
     if (!b.has(a.node[c])) continue;
     for (const int s : around_.at(a.node[c]))
-      if (same == 0) same = same_side(a, setup_.segments[s]) * same_side(setup_.segments[s], b);
+      if (same == 0) same = same_side(a, faces_[s]) * same_side(faces_[s], b);
   }
   return same * from->before.side;
 }
@@ -361,16 +357,16 @@ int SurfaceContact::remembered_side(const Candidate& candidate, const Candidate*
 /// sheet has no sides there: off the end of it, at the edge of a brick, and over a fold, where what is the outer side
 /// of the one segment can be the inner one of the next.
 int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
+  const Face& segment = faces_[candidate.segment];
   const double distance = norm(was_at);
-  if (inner_[candidate.pair->segment] > 0.0 || !(distance > 0.0)) return 0;
+  if (faces_[candidate.segment].inner > 0.0 || !(distance > 0.0)) return 0;
   const double up = dot(was_at, candidate.foot.normal) / distance;
   if (std::abs(up) < side_change_cosine) return 0;
   const int side = up < 0.0 ? -1 : 1;
   for (int c = 0; c < segment.corners(); ++c) {
     if (!(candidate.foot.boundary >> c & 1u)) continue;
     for (const int s : around_.at(segment.node[c])) {
-      const Segment& other = setup_.segments[s];
+      const Face& other = faces_[s];
       const int same = same_side(segment, other);
       if (same == 0 || !has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive))
         continue;
@@ -386,19 +382,19 @@ int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_
 /// each other, where they are closest, and the node on the one is as good a place as any. Side by side it is the nodes
 /// that meet.
 bool SurfaceContact::handled_by_edge_contact(const Candidate& candidate, int node, const Step& step) const {
-  const Segment& segment = setup_.segments[candidate.pair->segment];
-  if (!setup_.edges_meet || candidate.foot.boundary == 0 || segment.volume > 0.0) return false;
+  const Face& segment = faces_[candidate.segment];
+  if (!edges_meet_ || candidate.foot.boundary == 0 || segment.of_brick) return false;
   // Visits the other ends of the free edges at a node.
   const auto each_free_edge = [&](int at, const auto& visit) {
     for (const int s : around_.at(at)) {
-      const Segment& own = setup_.segments[s];
-      if (own.volume > 0.0 || !alive(s, step.element_alive)) continue;
+      const Face& own = faces_[s];
+      if (own.of_brick || !alive(s, step.element_alive)) continue;
       for (int c = 0; c < own.corners(); ++c) {
         const int a = own.node[c], b = own.node[(c + 1) % own.corners()];
         if (a != at && b != at) continue;
         const int end = a == at ? b : a;
         const std::span<const int> there = around_.at(at);
-        const auto has_it = [&](int t) { return setup_.segments[t].has(end) && alive(t, step.element_alive); };
+        const auto has_it = [&](int t) { return faces_[t].has(end) && alive(t, step.element_alive); };
         if (std::count_if(there.begin(), there.end(), has_it) == 1) visit(end);
       }
     }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "impact/contact/contact_setup.hpp"
 #include "impact/contact/edge_setup.hpp"
 
@@ -43,7 +45,11 @@ Contacts::Contacts(const system::System& system, std::span<const Row> x, Finding
 }
 
 void Contacts::apply(const contact::Step& step, std::span<Row> force) {
-  for (contact::PenaltyContact& c : contacts_) c.apply(step, force);
+  contact::Step now = step;
+  // While nothing is deleted no pair need look at what its elements are.
+  const std::span<const unsigned char>& alive = step.element_alive;
+  if (!alive.empty() && std::memchr(alive.data(), 0, alive.size()) == nullptr) now.element_alive = {};
+  for (contact::PenaltyContact& c : contacts_) c.apply(now, force);
 }
 
 void Contacts::surface_changed() {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 
 #include "base/batch.hpp"
@@ -29,7 +31,16 @@ struct Foot {
                                    ///< (two bits) or is the corner (one bit) on which the foot lies
 };
 
-/// The same for `lanes<R>` points, each on a segment of its own.
+/// Lane l of an `R` that stands in memory: no more than that lane is read.
+template <class R>
+double stored_lane(const R& a, int l) {
+  static_assert(sizeof a == static_cast<std::size_t>(lanes<R>) * sizeof(double));
+  double value;
+  std::memcpy(&value, reinterpret_cast<const char*>(&a) + static_cast<std::size_t>(l) * sizeof value, sizeof value);
+  return value;
+}
+
+/// Feet of `lanes<R>` points, each on a segment of its own.
 template <class R>
 struct Feet {
   R xi{}, eta{};
@@ -39,14 +50,34 @@ struct Feet {
   R boundary{};  ///< the bits as a number
 
   Foot at(int l) const {
-    const auto vector = [l](const Vec3<R>& a) { return Vec3d{lane(a.x, l), lane(a.y, l), lane(a.z, l)}; };
-    return {lane(xi, l),
-            lane(eta, l),
-            {lane(weight[0], l), lane(weight[1], l), lane(weight[2], l), lane(weight[3], l)},
-            vector(point),
-            vector(normal),
-            lane(distance, l),
-            static_cast<unsigned>(lane(boundary, l))};
+    Foot foot;
+    put(l, foot);
+    return foot;
+  }
+  void put(int l, Foot& foot) const {
+    const auto number = [l](const R& a) { return stored_lane(a, l); };
+    const auto vector = [&](const Vec3<R>& a) { return Vec3d{number(a.x), number(a.y), number(a.z)}; };
+    foot.xi = number(xi);
+    foot.eta = number(eta);
+    for (std::size_t c = 0; c < 4; ++c) foot.weight[c] = number(weight[c]);
+    foot.point = vector(point);
+    foot.normal = vector(normal);
+    foot.distance = number(distance);
+    foot.boundary = static_cast<unsigned>(number(boundary));
+  }
+  void set(int l, const Foot& foot) {
+    const auto vector = [l](Vec3<R>& a, const Vec3d& b) {
+      set_lane(a.x, l, b.x);
+      set_lane(a.y, l, b.y);
+      set_lane(a.z, l, b.z);
+    };
+    set_lane(xi, l, foot.xi);
+    set_lane(eta, l, foot.eta);
+    for (std::size_t c = 0; c < 4; ++c) set_lane(weight[c], l, foot.weight[c]);
+    vector(point, foot.point);
+    vector(normal, foot.normal);
+    set_lane(distance, l, foot.distance);
+    set_lane(boundary, l, foot.boundary);
   }
 };
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Overlaps at the start, found as a contact finds them in a cycle.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "contact/surface_contact.hpp"
+
+namespace nugget::contact {
+namespace {
+
+bool any_bricks(const SurfaceContactSetup& setup) {
+  return std::any_of(setup.segments.begin(), setup.segments.end(), [](const Segment& s) { return s.volume > 0.0; });
+}
+
+}  // namespace
+
+/// The overlaps of a contact that has not been applied yet. The lists of the last call stay, where no nodes have moved
+/// too far for them; what is found is the same.
+std::vector<Penetration> SurfaceContact::penetrations(std::span<const Row> x) {
+  if (!searched_ || !lists_are_good_for(x)) search(x, {});
+  Step step;
+  step.x = x;
+  std::vector<std::vector<Penetration>> found(active_blocks_.size());
+  parallel_for(active_blocks_.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) find_overlaps(blocks_[active_blocks_[b]], step, found[b]);
+  });
+  std::vector<Penetration> all;
+  for (const std::vector<Penetration>& of_block : found) all.insert(all.end(), of_block.begin(), of_block.end());
+  return all;
+}
+
+void SurfaceContact::find_overlaps(Block& block, const Step& step, std::vector<Penetration>& found) const {
+  Work& work = work_of_thread();
+  std::fill(block.next_check_travel.begin(), block.next_check_travel.end(), travelled_);
+  for (Pair& pair : block.pairs) {
+    pair.xi = pair.eta = 0.0;
+    pair.next_check_travel = travelled_;
+  }
+  wake(block, work.awake);
+  // From the middle, as a search does, and from there again, as the first cycle does: so the feet have its bits.
+  project(block, work, step);
+  for (std::size_t i = 0; i < work.awake.pairs.size(); ++i) {
+    Pair& pair = block.pairs[work.awake.pairs[i]];
+    const std::size_t turn = at(work.awake.turn[i]);
+    pair.xi = kernel::stored_lane(work.feet[turn / width].xi, static_cast<int>(turn % width));
+    pair.eta = kernel::stored_lane(work.feet[turn / width].eta, static_cast<int>(turn % width));
+  }
+  project(block, work, step);
+  std::size_t first = 0;
+  for (const Awake::Node& node : work.awake.nodes) {
+    const Candidates candidates = gather_candidates(block, work, node, std::exchange(first, node.end), step);
+    const int n = nodes_[node.tracked].node;
+    for (const Candidate& c : candidates)
+      if (c.gap < c.contact_distance && presses(candidates, c, n, step))
+        found.push_back({n, c.segment, c.contact_distance - c.gap, c.away});
+  }
+}
+
+std::vector<Penetration> find_penetrations(const SurfaceContactSetup& setup, std::span<const Row> x) {
+  return SurfaceContact(setup, x).penetrations(x);
+}
+
+std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup& setup, std::span<const Row> x) {
+  if (!any_bricks(setup)) return {};
+  SurfaceContact contact(setup, x);
+  std::vector<double> reached;
+  for (SurfaceContact::Face& face : contact.faces_) {
+    reached.push_back(face.inner);
+    face.inner /= pressing_depth;
+  }
+  std::vector<Penetration> found = contact.penetrations(x);
+  std::erase_if(found, [&](const Penetration& p) {
+    const auto tracked =
+        std::find_if(setup.nodes.begin(), setup.nodes.end(), [&p](const TrackedNode& t) { return t.node == p.node; });
+    return reached[p.segment] == 0.0 || p.depth <= reached[p.segment] + 0.5 * tracked->thickness;
+  });
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  return found;
+}
+
+std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, std::span<Row> x, int passes) {
+  std::optional<SurfaceContact> contact(std::in_place, setup, x);
+  const bool bricks = any_bricks(setup);
+  const std::vector<Penetration> before = contact->penetrations(x);
+  std::vector<Penetration> left = before;
+  for (int pass = 0; pass < passes; ++pass) {
+    bool moved = false;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      // Of several penetrations of a node only the first in the list is mended in a pass.
+      if (i > 0 && left[i].node == left[i - 1].node) continue;
+      const double thickness = setup.segments[left[i].segment].thickness;
+      if (left[i].depth <= 1e-3 * thickness) continue;
+      add(x[left[i].node], 0.5 * left[i].depth * left[i].direction);
+      moved = true;
+    }
+    if (!moved) break;
+    if (bricks) contact.emplace(setup, x);  // they have become more or less deep
+    left = contact->penetrations(x);
+  }
+  return before;
+}
+
+}  // namespace nugget::contact

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which segments are near a node.
+#include <algorithm>
+
+#include "base/bvh.hpp"
+#include "base/parallel.hpp"
+#include "contact/surface_contact.hpp"
+
+namespace nugget::contact {
+namespace {
+
+constexpr std::size_t nodes_per_group = 4096;
+constexpr double nodes_close_together = 16.0;  // side of their box, in margins: four elements
+
+}  // namespace
+
+/// By how much two of the active points can have approached each other if the i-th was displaced by `displacement(i)`:
+/// no more than the diagonal of the box of all displacements, whatever the surface does as a whole.
+template <class Displacement>
+double SurfaceContact::approach(const Displacement& displacement) {
+  parallel_for(moved_.size(), 1, [this, &displacement](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      Box box;
+      for (std::size_t i = g * nodes_per_group; i < std::min(active_nodes_.size(), (g + 1) * nodes_per_group); ++i)
+        box.add(displacement(i));
+      moved_[g] = box;
+    }
+  });
+  if (moved_.empty()) return 0.0;
+  Box all;
+  for (const Box& box : moved_) all.add(box);
+  return norm(all.high - all.low);
+}
+
+bool SurfaceContact::moved_too_far(std::span<const Row> x) {
+  travelled_ += approach([this, &x](std::size_t i) {
+    const Vec3d step = vec(x[active_nodes_[i]]) - vec(seen_at_[i]);
+    seen_at_[i] = x[active_nodes_[i]];
+    return step;
+  });
+  // Steps added up are never less than the whole way: while they are short that need not be measured.
+  return travelled_ - searched_when_ > margin_ && !lists_are_good_for(x);
+}
+
+/// Whether no two points have come closer by more than the margin since the search.
+bool SurfaceContact::lists_are_good_for(std::span<const Row> x) {
+  return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - vec(searched_at_[i]); }) <= margin_;
+}
+
+void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive) {
+  active_nodes_.clear();
+  active_nodes_.reserve(forces_.nodes().size());
+  searched_at_.clear();
+  searched_at_.reserve(forces_.nodes().size());
+  for (int n : forces_.nodes()) {
+    if (!node_alive(n, element_alive) || !finite(x[n])) continue;
+    active_nodes_.push_back(n);
+    searched_at_.push_back(x[n]);
+  }
+  seen_at_ = searched_at_;
+  moved_.resize((active_nodes_.size() + nodes_per_group - 1) / nodes_per_group);
+
+  active_segments_.clear();
+  active_segments_.reserve(faces_.size());
+  std::vector<Box> boxes;
+  boxes.reserve(faces_.size());
+  for (std::size_t s = 0; s < faces_.size(); ++s) {
+    const Face& face = faces_[s];
+    const bool whole = std::all_of(face.node.begin(), face.node.end(), [&](int n) { return finite(x[n]); });
+    if (!whole || !(face.side & pressing_) || !alive(static_cast<int>(s), element_alive)) continue;
+    active_segments_.push_back(static_cast<int>(s));
+    boxes.push_back(box_of(face, x));
+  }
+  const BoxTree tree = BoxTree(boxes);
+  boxes = {};
+
+  const auto list = [this, &tree, &x, &element_alive](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) list_neighbours(blocks_[b], tree, work_of_thread(), x, element_alive);
+  };
+  parallel_for(blocks_.size(), 4, list);
+  active_blocks_.clear();
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (!blocks_[b].pairs.empty()) active_blocks_.push_back(static_cast<int>(b));
+  searched_ = true;
+  searched_when_ = travelled_;
+  ++searches_;
+}
+
+/// Makes the lists of the nodes of a block anew; what their pairs remember goes on.
+void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& work, std::span<const Row> x,
+                                     std::span<const unsigned char> element_alive) const {
+  const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
+  std::vector<Pair>& listed = work.listed;
+  listed.clear();
+  int next_old = 0, end_of_group = block.begin;
+  for (int t = block.begin; t < block.end; ++t) {
+    const auto start = static_cast<std::ptrdiff_t>(listed.size());
+    const std::span<Pair> old = std::span(block.pairs).subspan(next_old, block.first[t - block.begin + 1] - next_old);
+    next_old = block.first[t - block.begin + 1];
+    block.first[t - block.begin] = static_cast<int>(start);
+    const Tracked& tracked = nodes_[t];
+    if (!finite(x[tracked.node]) || !node_alive(tracked.node, element_alive)) {
+      for (Pair& pair : old) {
+        if (block.pressed(pair)) block.energies.deleted += block.touch_of(pair)->held();
+        block.release(pair);
+      }
+      continue;
+    }
+    if (t >= end_of_group) end_of_group = find_around(block, t, tree, work, x);
+    const Vec3d p = vec(x[tracked.node]);
+    const Box box = around(block, t, p);
+    for (const auto& [segment, its_box] : work.around) {
+      if (!its_box.overlaps(box)) continue;
+      const Face& face = faces_[segment];
+      const double far = contact_distance(t, segment) + reach(block, t, segment) + margin_;
+      if (!(face.side & tracked.against) || face.has(tracked.node)) continue;
+      const kernel::Corners corners = corners_of(face, x);
+      if (kernel::least_distance(corners, p) > far) continue;
+      const kernel::Foot foot = kernel::closest_point(corners, face.triangle(), p);
+      if (foot.distance > far) continue;
+      Pair pair;
+      pair.segment = static_cast<unsigned>(segment) & 0x7fffffffu;
+      pair.xi = foot.xi;
+      pair.eta = foot.eta;
+      pair.next_check_travel = travelled_ + (foot.distance - (widest(t) + reach(block, t, segment)));
+      listed.push_back(pair);
+    }
+    std::sort(listed.begin() + start, listed.end(), by_segment);
+    for (auto pair = listed.begin() + start; pair != listed.end(); ++pair) {
+      const auto was = std::lower_bound(old.begin(), old.end(), *pair, by_segment);
+      if (was != old.end() && was->segment == pair->segment)
+        *pair = *was;
+      else
+        pair->near_own = is_near_own(tracked.node, faces_[pair->segment]) ? 1 : 0;
+    }
+    const auto end = static_cast<std::ptrdiff_t>(listed.size());
+    for (Pair& was : old) {
+      if (was.touch == none || std::binary_search(listed.begin() + start, listed.begin() + end, was, by_segment))
+        continue;
+      const bool pressed = block.pressed(was);
+      if (pressed && alive(static_cast<int>(was.segment), element_alive)) {
+        listed.push_back(was);
+        continue;
+      }
+      if (pressed) block.energies.deleted += block.touch_of(was)->held();
+      block.release(was);
+    }
+    if (static_cast<std::ptrdiff_t>(listed.size()) > end) std::sort(listed.begin() + start, listed.end(), by_segment);
+  }
+  block.first.back() = static_cast<int>(listed.size());
+  block.pairs.assign(listed.begin(), listed.end());
+  std::fill(block.next_check_travel.begin(), block.next_check_travel.end(), 0.0);
+  block.asleep_until = 0.0;
+}
+
+/// All that is within reach of a node at `p`.
+Box SurfaceContact::around(const Block& block, int tracked, const Vec3d& p) const {
+  return Box{p, p}.grown(0.5 * nodes_[tracked].thickness + margin_ + block.deep[tracked - block.begin]);
+}
+
+/// Finds the segments around the nodes of a block from `first` on, as many of them as stand close together, in one walk
+/// through the tree: neighbours find the same. Returns the end of these nodes.
+int SurfaceContact::find_around(const Block& block, int first, const BoxTree& tree, Work& work,
+                                std::span<const Row> x) const {
+  Box all;
+  int end = first;
+  for (; end < block.end; ++end) {
+    const int node = nodes_[end].node;
+    if (!finite(x[node])) continue;
+    Box more = all;
+    more.add(around(block, end, vec(x[node])));
+    const Vec3d size = more.high - more.low;
+    if (end > first && std::max({size.x, size.y, size.z}) > nodes_close_together * margin_) break;
+    all = more;
+  }
+  work.around.clear();
+  tree.overlapping(all, [&](int item) {
+    const int segment = active_segments_[item];
+    work.around.emplace_back(segment, box_of(faces_[segment], x));
+  });
+  return end;
+}
+
+/// The box of a segment with its skin and all that it presses behind it.
+Box SurfaceContact::box_of(const Face& face, std::span<const Row> x) {
+  Box box;
+  for (const Vec3d& c : corners_of(face, x)) box.add(c);
+  return box.grown(0.5 * face.thickness + face.inner);
+}
+
+/// Whether a segment has a corner of one of the node's own segments.
+bool SurfaceContact::is_near_own(int node, const Facet& segment) const {
+  const std::span<const int> around = around_.at(node);
+  return std::any_of(around.begin(), around.end(), [&](int own) {
+    return std::any_of(segment.node.begin(), segment.node.end(), [&](int n) { return faces_[own].has(n); });
+  });
+}
+
+}  // namespace nugget::contact
