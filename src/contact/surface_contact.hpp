@@ -98,7 +98,7 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 /// Layout. Tracked nodes stand in blocks, which the threads take one after the other. In a cycle a block lists the
 /// pairs that are awake, projects them a register full at a time, whosever they are, and then looks at each of its
 /// nodes. The lists of pairs, the longest, hold 32 bytes a pair; what a pair that touches remembers stands apart. Of a
-/// segment one line of the cache is read. The forces are spread to the nodes by parts of these; see decision 0091.
+/// segment one line of the cache is read. The forces are spread to the nodes by parts of these; see decision 0092.
 class SurfaceContact {
  public:
   /// A node that is pressed by a segment.
