@@ -107,6 +107,12 @@ class Tutorial(unittest.TestCase):
         page = self.folder / "page.md"
         page.write_text("# A\n\n    python3 /usr/share/nugget/examples/double_hat/make.py .\n", encoding="utf-8")
         self.assertFalse(tutorial.lacks_module(page, self.nugget))
+        page.write_text("# A\n\n    python3 /usr/share/nugget/examples/python/forces.py model.k .\n", encoding="utf-8")
+        package = self.folder / "python" / "nugget"
+        package.mkdir(parents=True)
+        self.assertTrue(tutorial.lacks_module(page, self.nugget))
+        (package / "_nugget.so").touch()
+        self.assertFalse(tutorial.lacks_module(page, self.nugget))
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ import shutil
 import subprocess
 import sys
 
-WORDS = ("nugget ", "cp ", "python3 ", "sed ", "cat ")  # with which commands begin
+WORDS = ("nugget ", "mkdir ", "cp ", "python3 ", "sed ", "cat ")  # with which commands begin
 SOURCES = pathlib.Path(__file__).resolve().parent.parent / "examples"
 INSTALLED = re.compile(r"/usr/share/nugget/examples/([\w./-]+)")
 PICTURE = re.compile(r"!\[[^\]]*\]\(img/([\w-]+)/([^)\s]+)\)")
@@ -142,7 +142,7 @@ def lacks_module(page, nugget):
     """Whether the page imports the Python module, and it was not built."""
     scripts = [SOURCES / match[1] for match in INSTALLED.finditer(page.read_text(encoding="utf-8")) if match[1].endswith(".py")]
     needs = any(NEEDS_MODULE.search(script.read_text(encoding="utf-8")) for script in scripts if script.is_file())
-    return needs and not (nugget.parent / "python" / "nugget").is_dir()
+    return needs and not any((nugget.parent / "python" / "nugget").glob("_nugget*.so"))
 
 
 def main(arguments):

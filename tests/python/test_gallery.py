@@ -47,8 +47,11 @@ class Gallery(CommandTest):
         self.assertAlmostEqual(force / max(self.column("out/run/welds.csv", "peak_shear")), 1.0, 2)
 
     def column(self, name, column):
+        return [float(word) for word in self.words(name, column)]
+
+    def words(self, name, column):
         head, *rows = [line.split(",") for line in self.read(name).splitlines()]
-        return [float(row[head.index(column)]) for row in rows]
+        return [row[head.index(column)] for row in rows]
 
     def test_over_displacement(self):
         force, at = self.numbers(self.out("over_displacement"), r"(?:force|at) ([\d.]+)")
@@ -62,6 +65,14 @@ class Gallery(CommandTest):
     def test_thickness(self):
         forces = self.numbers(self.out("thickness"), r"mm: (\d+) N")
         self.assertEqual((len(forces), sorted(forces)), (4, forces))
+
+    def test_strengths(self):
+        said = self.out("strengths", "peel", "peel")
+        rows = [tuple(map(float, row)) for row in re.findall(r"^ +(\d+) +(\d+) +(\d+)$", said, re.M)]
+        forces, failed = [row[1] for row in rows], [row[2] for row in rows]
+        self.assertEqual((len(rows), sorted(forces), sorted(failed, reverse=True)), (5, forces, failed))
+        self.assertEqual(failed[-1], sum(verdict == "yes" for verdict in self.words("out/moment7000/welds.csv", "failed")))
+        self.assertLess(failed[-1], failed[0])
 
     def test_missing_weld(self):
         said = self.out("missing_weld", "weld_bond", "modes/hat_welded")
