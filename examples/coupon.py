@@ -43,21 +43,12 @@ def weld(d, pid, joined, what, sigy, nrr, nrs, **more):
     """A part of weld beams that does not yield below `sigy`, tied to the parts `joined` (set 1); `what` is said of its material, `more`
     are fields behind EH."""
     d.part("spot weld", pid=pid, secid=pid, mid=pid)
-    d.keyword("SECTION_BEAM")
-    d.card(secid=pid, elform=9, shrf=1.0, qr=2, cst=1.0)
-    d.card(ts1=DIAMETER, ts2=DIAMETER, tt1=0.0, tt2=0.0)
+    d.weld_section(pid, DIAMETER)
     d.comment(what)
     d.keyword("MAT_SPOTWELD")
     d.card(mid=pid, ro=7.85e-9, e=210000.0, pr=0.3, sigy=sigy, eh=1000.0, **more)
     d.card(efail=0.0, nrr=nrr, nrs=nrs, nrt=nrs)
-    d.keyword("CONTACT_SPOTWELD_ID")
-    d.text(f"{1:10d}weld to sheets")
-    d.card(surfa=pid, surfb=1, surfatyp=3, surfbtyp=2)
-    d.card(fs=None)
-    d.card(sfsa=None)
-    d.keyword("SET_PART_LIST")
-    d.card(sid=1)
-    d.ids(joined)
+    d.tie_welds(pid, 1, joined, title="weld to sheets")
 
 
 def grips(d, held, pulled, along, curve, scale):

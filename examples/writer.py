@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes LS-DYNA keyword text in standard columns, each card under a line that names its fields."""
+import pathlib
 import subprocess
 import sys
 
@@ -84,9 +85,38 @@ class Deck:
         self.text("$#   eid     pid      n1      n2      n3")
         self.lines += [f"{e:8d}{p:8d}{a:8d}{b:8d}{0:8d}" for e, (p, (a, b)) in beams.items()]
 
+    def tie_welds(self, welds, sid, sheets=(), title="welds to sheets", number=1):
+        """Ties the weld beams of part `welds` to the part set `sid`; `sheets` are its parts, where it is not there already."""
+        self.keyword("CONTACT_SPOTWELD_ID")
+        self.text(f"{number:10d}{title}")
+        self.card(surfa=welds, surfb=sid, surfatyp=3, surfbtyp=2)
+        self.card(fs=None)
+        self.card(sfsa=None)
+        if not sheets:
+            return
+        self.keyword("SET_PART_LIST")
+        self.card(sid=sid)
+        self.ids(sheets)
+
+    def weld_section(self, secid, diameter):
+        """Of weld beams."""
+        self.keyword("SECTION_BEAM")
+        self.card(secid=secid, elform=9, shrf=1.0, qr=2, cst=1.0)
+        self.card(ts1=diameter, ts2=diameter, tt1=0.0, tt2=0.0)
+
     def write(self, path):
         with open(path, "w", encoding="ascii", newline="\n") as file:
             file.write("\n".join(self.lines + ["*END"]) + "\n")
+
+
+def main(doc, decks):
+    """Of a script whose only argument is a folder: writes the decks that `decks()` gives, {name: deck}, into it."""
+    if len(sys.argv) != 2:
+        sys.exit(doc)
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, deck in decks().items():
+        deck.write(folder / f"{name}.k")
 
 
 def run(nugget, folder, name, deck):

@@ -14,7 +14,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from coupon import THICKNESS, controls, grips, sheets, weld as weld_part  # noqa: E402
-from writer import Deck  # noqa: E402
+from writer import Deck, main  # noqa: E402
 
 LOWER, UPPER, WELD = 1, 2, 3  # parts
 PATCH = {"lap": 40.0, "peel": 40.0, "cross": 48.0}  # side of the square that both sheets share, the weld in its middle
@@ -147,9 +147,4 @@ def decks():
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, deck in decks().items():
-        deck.write(folder / f"{name}.k")
+    main(__doc__, decks)

@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from writer import Deck  # noqa: E402
+from writer import Deck, main  # noqa: E402
 
 LENGTH = 700.0       # of the rail, along z; the wall stands at z = 0
 TOP, WEB, FLANGE = 60.0, 40.0, 18.0
@@ -186,23 +186,14 @@ A blank field takes its default. Lines that begin with $ are comments; $# names 
               "each and lets it go with the shell's four nodes. So the welds stand where they are needed, not where the mesh is.")
     d.part("spot welds", pid=WELDS, secid=WELDS, mid=WELDS)
     d.comment("elform 9 is the weld beam; cst = 1 a round section; ts the outer, tt the inner diameter.")
-    d.keyword("SECTION_BEAM")
-    d.card(secid=WELDS, elform=9, shrf=1.0, qr=2, cst=1.0)
-    d.card(ts1=DIAMETER, ts2=DIAMETER, tt1=0.0, tt2=0.0)
+    d.weld_section(WELDS, DIAMETER)
     d.comment("The weld fails when (nrr/NRR)^2 + (nrs/NRS)^2 + ... reaches 1: axial force in tension, two shear forces, torsion,\n"
               "two bending moments. A strength of 0 is not considered.")
     d.keyword("MAT_SPOTWELD")
     d.card(mid=WELDS, ro=7.85e-9, e=210000.0, pr=0.3, sigy=500.0, eh=1000.0, dt=0.0, tfail=0.0)
     d.card(efail=0.0, nrr=6000.0, nrs=9000.0, nrt=9000.0, mrr=0.0, mss=20000.0, mtt=20000.0, nf=0.0)
     d.comment("surfa is the part of the welds (type 3), surfb the set of parts with the sheets (type 2).")
-    d.keyword("CONTACT_SPOTWELD_ID")
-    d.text(f"{1:10d}welds to sheets")
-    d.card(surfa=WELDS, surfb=1, surfatyp=3, surfbtyp=2)
-    d.card(fs=None)
-    d.card(sfsa=None)
-    d.keyword("SET_PART_LIST")
-    d.card(sid=1)
-    d.ids([UPPER, LOWER])
+    d.tie_welds(WELDS, 1, [UPPER, LOWER])
 
     d.comment("\n---- contact, wall, start ------------------------------------------------------------------------------------")
     d.comment("The sheets do not pass through each other or themselves.")
@@ -235,8 +226,4 @@ A blank field takes its default. Lines that begin with $ are comments; $# names 
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    make().write(folder / "double_hat.k")
+    main(__doc__, lambda: {"double_hat": make()})

@@ -11,7 +11,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from writer import Deck  # noqa: E402
+from writer import Deck, main  # noqa: E402
 
 LENGTH, WIDTH, OVERLAP, THICKNESS, SIZE = 80.0, 40.0, 40.0, 1.2, 5.0
 DIAMETER, STRENGTH = 6.0, 6000.0
@@ -85,21 +85,9 @@ def make():
         ends[9002 + 2 * k] = (x, y, 10.0 * THICKNESS if k else THICKNESS)
     d.nodes({**lower, **upper, **ends})
     d.shells({**lower_shells, **upper_shells})
-    d.keyword("ELEMENT_BEAM")
-    d.text("$#   eid     pid      n1      n2      n3")
-    for k, eid in enumerate(WELDS):
-        d.text(f"{eid:8d}{3:8d}{9001 + 2 * k:8d}{9002 + 2 * k:8d}{0:8d}")
-    d.keyword("END")
-    return "\n".join(d.lines) + "\n"
-
-
-def main(folder):
-    folder = pathlib.Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "joint.k").write_text(make(), encoding="ascii")
+    d.beams({eid: (3, (9001 + 2 * k, 9002 + 2 * k)) for k, eid in enumerate(WELDS)})
+    return d
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    main(sys.argv[1])
+    main(__doc__, lambda: {"joint": make()})

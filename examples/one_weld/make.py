@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from writer import Deck  # noqa: E402
+from writer import Deck, main  # noqa: E402
 
 DIAMETER, LENGTH, YOUNG = 6.0, 1.5, 210000.0
 YIELD, HARDENING, EFAIL, RUPTURE = 400.0, 1000.0, 0.2, 0.3
@@ -56,9 +56,7 @@ def weld(title, velocity, duration, step):
     d.keyword("DATABASE_GLSTAT")
     d.card(dt=duration / 50.0)
     d.part("weld", pid=1, secid=1, mid=1)
-    d.keyword("SECTION_BEAM")
-    d.card(secid=1, elform=9, shrf=1.0, qr=2, cst=1.0)
-    d.card(ts1=DIAMETER, ts2=DIAMETER, tt1=0.0, tt2=0.0)
+    d.weld_section(1, DIAMETER)
     d.keyword("BOUNDARY_SPC_NODE")
     d.card(nid=1, cid=0, dofx=1, dofy=1, dofz=1, dofrx=1, dofry=1, dofrz=1)
     d.card(nid=2, cid=0, dofx=0, dofy=1, dofz=0, dofrx=1, dofry=1, dofrz=1)
@@ -108,9 +106,4 @@ def decks():
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, deck in decks().items():
-        deck.write(folder / f"{name}.k")
+    main(__doc__, decks)

@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from writer import Deck  # noqa: E402
+from writer import Deck, main  # noqa: E402
 
 SIZE = 6.0                                  # of an element: that of a weld
 ACROSS, ALONG = 50, 67                      # elements of the panel: 300 x 402 mm
@@ -113,21 +113,12 @@ on one side of the stiffener, the acceleration is felt on the other. Units: mm, 
 
     d.comment("\n---- the welds -------------------------------------------------------------------------------------------------")
     d.part("spot welds", pid=WELDS, secid=WELDS, mid=WELDS)
-    d.keyword("SECTION_BEAM")
-    d.card(secid=WELDS, elform=9, shrf=1.0, qr=2, cst=1.0)
-    d.card(ts1=DIAMETER, ts2=DIAMETER, tt1=0.0, tt2=0.0)
+    d.weld_section(WELDS, DIAMETER)
     d.comment("In vibration a weld is elastic; it has no strengths here.")
     d.keyword("MAT_SPOTWELD")
     d.card(mid=WELDS, ro=7.85e-9, e=210000.0, pr=0.3, sigy=500.0, eh=1000.0)
     d.card(efail=0.0)
-    d.keyword("CONTACT_SPOTWELD_ID")
-    d.text(f"{1:10d}welds to sheets")
-    d.card(surfa=WELDS, surfb=2, surfatyp=3, surfbtyp=2)
-    d.card(fs=None)
-    d.card(sfsa=None)
-    d.keyword("SET_PART_LIST")
-    d.card(sid=2)
-    d.ids([PANEL, HAT])
+    d.tie_welds(WELDS, 2, [PANEL, HAT])
 
     d.comment("\n---- the mesh --------------------------------------------------------------------------------------------------")
     d.nodes(nodes)
@@ -137,8 +128,4 @@ on one side of the stiffener, the acceleration is felt on the other. Units: mm, 
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    make().write(folder / "panel.k")
+    main(__doc__, lambda: {"panel": make()})

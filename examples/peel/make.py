@@ -9,7 +9,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from writer import Deck  # noqa: E402
+from writer import Deck, main  # noqa: E402
 
 SIZE = 6.0                             # of an element: that of a weld
 ALONG, ACROSS = 40, 5                  # elements of a strip: 240 x 30 mm
@@ -72,21 +72,12 @@ A strip of {ALONG * SIZE:g} x {ACROSS * SIZE:g} x {THICKNESS:g} mm lies on a bas
     d.card(eps1=None)
     d.card(es1=None)
     d.part("spot welds", pid=WELDS, secid=2, mid=2)
-    d.keyword("SECTION_BEAM")
-    d.card(secid=2, elform=9, shrf=1.0, qr=2, cst=1.0)
-    d.card(ts1=DIAMETER, ts2=DIAMETER, tt1=0.0, tt2=0.0)
+    d.weld_section(2, DIAMETER)
     d.comment("mss, mtt: the bending moments that a weld bears.")
     d.keyword("MAT_SPOTWELD")
     d.card(mid=2, ro=7.85e-9, e=210000.0, pr=0.3, sigy=2000.0, eh=1000.0)
     d.card(efail=0.0, nrr=4000.0, nrs=8000.0, nrt=8000.0, mrr=0.0, mss=5000.0, mtt=5000.0)
-    d.keyword("CONTACT_SPOTWELD_ID")
-    d.text(f"{1:10d}welds to sheets")
-    d.card(surfa=WELDS, surfb=1, surfatyp=3, surfbtyp=2)
-    d.card(fs=None)
-    d.card(sfsa=None)
-    d.keyword("SET_PART_LIST")
-    d.card(sid=1)
-    d.ids([BASE, STRIP])
+    d.tie_welds(WELDS, 1, [BASE, STRIP])
     d.comment("The base is held, one end of the strip moves up without turning, free along the strip.")
     d.node_set(1, [n for i in range(ALONG + 1) for n in base(i)])
     d.node_set(2, upper(0))
@@ -103,8 +94,4 @@ A strip of {ALONG * SIZE:g} x {ACROSS * SIZE:g} x {THICKNESS:g} mm lies on a bas
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    make().write(folder / "peel.k")
+    main(__doc__, lambda: {"peel": make()})
