@@ -73,7 +73,7 @@ A strip of {ALONG * SIZE:g} x {ACROSS * SIZE:g} x {THICKNESS:g} mm lies on a bas
     d.card(es1=None)
     d.part("spot welds", pid=WELDS, secid=2, mid=2)
     d.weld_section(2, DIAMETER)
-    d.comment("mss, mtt: the bending moments that a weld bears.")
+    d.comment("mss, mtt: the bending moments that a weld carries.")
     d.keyword("MAT_SPOTWELD")
     d.card(mid=2, ro=7.85e-9, e=210000.0, pr=0.3, sigy=2000.0, eh=1000.0)
     d.card(efail=0.0, nrr=4000.0, nrs=8000.0, nrt=8000.0, mrr=0.0, mss=5000.0, mtt=5000.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A study of welds: the largest force and how many welds fail, over the bending moment that a weld bears.
+"""A study of welds: the largest force and how many welds fail, over the bending moment that a weld carries.
 
     python3 strengths.py MODEL.k FOLDER
 """

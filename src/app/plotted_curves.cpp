@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -34,15 +33,16 @@ std::vector<ChannelCurve> chosen_curves(const std::string& directory, const std:
   return chosen;
 }
 
-void filter_curves(const PlotArguments& arguments, const std::string& directory, std::vector<ChannelCurve>& curves) {
-  const std::optional<double> second = report::second_of(directory);
-  if (!second)
-    throw std::runtime_error(
-        fmt::format("--cfc: the units of {} are not known, so that nothing says how long a second is", directory));
+void filter_curves(int channel_class, std::vector<ChannelCurve>& curves) {
   for (ChannelCurve& curve : curves) {
     if (curve.over_frequency) throw std::runtime_error(fmt::format("--cfc: {} is no history over time", curve.name()));
+    if (!curve.second)
+      throw std::runtime_error(
+          fmt::format("--cfc: {}: the units of the deck are not known, so that nothing says how long a second is "
+                      "[run it again with --units]",
+                      curve.name()));
     try {
-      TimeHistory filtered = sae_filtered(curve.x, curve.y, arguments.channel_class, *second);
+      TimeHistory filtered = sae_filtered(curve.x, curve.y, channel_class, *curve.second);
       curve.x = std::move(filtered.times);
       curve.y = std::move(filtered.values);
     } catch (const std::runtime_error& error) {
@@ -71,7 +71,7 @@ void put_over(const ChannelCurve& other, std::vector<ChannelCurve>& curves) {
 
 std::vector<ChannelCurve> curves_of(const PlotArguments& arguments, const std::string& directory) {
   std::vector<ChannelCurve> curves = chosen_curves(directory, arguments.channels);
-  if (arguments.channel_class != 0) filter_curves(arguments, directory, curves);
+  if (arguments.channel_class != 0) filter_curves(arguments.channel_class, curves);
   if (arguments.over.empty()) return curves;
   const std::vector<ChannelCurve> other = chosen_curves(directory, {arguments.over});
   if (other.size() > 1)

@@ -40,8 +40,10 @@ void add_responses_of(const RunData& run, std::vector<ChannelCurve>& curves) {
       {"frf", run.frf}, {"ssd", run.ssd}, {"erp", run.power}};
   for (const auto& [file, responses] : kinds)
     for (const ResponseCurve& r : responses) {
-      curves.push_back({file, r.name, {}, r.quantity, {}, abscissa, true, r.frequency, r.amplitude});
-      if (!r.phase.empty()) curves.push_back({file, r.name, {}, "phase", " deg", abscissa, true, r.frequency, r.phase});
+      if (r.frequency.empty()) continue;
+      curves.push_back({file, r.name, {}, r.quantity, {}, abscissa, true, {}, r.frequency, r.amplitude});
+      if (!r.phase.empty())
+        curves.push_back({file, r.name, {}, "phase", " deg", abscissa, true, {}, r.frequency, r.phase});
     }
 }
 
@@ -71,18 +73,14 @@ std::vector<ChannelCurve> read_channel_curves(const std::filesystem::path& direc
   const RunData run = read_run(directory);
   std::vector<ChannelCurve> curves;
   const std::string time = "time" + in_units(run.summary, dimension::time);
+  const auto units = model::units_named(run.summary.value("units", ""));
+  const std::optional<double> second = units ? std::optional(1e6 * units->microsecond) : std::nullopt;
   for (output::HistoryRecord& record : output::read_histories(directory))
     for (output::Channel& c : record.channels)
       curves.push_back({record.file, c.entity, c.title, c.quantity, unit_of(run.summary, c.dimension), time, false,
-                        record.times, std::move(c.values)});
+                        second, record.times, std::move(c.values)});
   add_responses_of(run, curves);
   return curves;
-}
-
-std::optional<double> second_of(const std::filesystem::path& directory) {
-  const auto units = model::units_named(read_run(directory).summary.value("units", ""));
-  if (!units) return std::nullopt;
-  return 1e6 * units->microsecond;
 }
 
 std::vector<const ChannelCurve*> matching(const std::vector<ChannelCurve>& curves, const std::string& pattern) {

@@ -19,6 +19,7 @@ struct ChannelCurve {
   std::string unit;      ///< ` N`, as unit_of() gives it; empty where the units are not known
   std::string abscissa;  ///< `time [s]`, `frequency [Hz]`
   bool over_frequency = false;
+  std::optional<double> second;  ///< one second in the unit of time; nothing where the units are not known
   std::vector<double> x, y;
 
   std::string name() const;  ///< `swforc/weld 50002/axial`
@@ -27,9 +28,6 @@ struct ChannelCurve {
 /// The curves of a run in a folder: histories (output::read_histories) and the responses frf, ssd and erp. Throws
 /// std::runtime_error where there is no run.
 std::vector<ChannelCurve> read_channel_curves(const std::filesystem::path& directory);
-
-/// One second in the unit of time of a run; nothing where its units are not known.
-std::optional<double> second_of(const std::filesystem::path& directory);
 
 /// Those that a pattern asks for: FILE, FILE/QUANTITY, FILE/ENTITY or FILE/ENTITY/QUANTITY, where ENTITY is its id, its
 /// name (`weld 50002`) or its title; each with the wildcards `*`, `?`, `[...]`, in small or capital letters alike.

@@ -7,9 +7,11 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "base/index.hpp"
 #include "output/d3plot_reader.hpp"
@@ -72,9 +74,7 @@ struct Scene {
   Vec3d place_of(const ShownWeld& weld) const {
     const std::vector<std::size_t>& nodes =
         weld.has_failed_by(state.time) && !weld.segment.empty() ? weld.segment : weld.nodes;
-    Vec3d centre{};
-    for (const std::size_t node : nodes) centre += 1.0 / static_cast<double>(nodes.size()) * x[node];
-    return centre;
+    return middle_of(nodes, x);
   }
 };
 
@@ -206,8 +206,7 @@ Colour colour_of(const Scene& s, const std::optional<FacetValues>& of, std::size
 /// From the model to pixels.
 class Camera {
  public:
-  Camera(const Scene& s) : options_(s.options) {
-    towards_ = unit(options_.towards);
+  Camera(const Scene& s, const Vec3d& towards) : options_(s.options), towards_(unit(towards)) {
     Vec3d right = cross(options_.up, towards_);
     if (!(norm(right) > 1e-9 * norm(options_.up))) right = cross(Vec3d{0.0, 1.0, 0.0}, towards_);
     if (!(norm(right) > 1e-9)) right = {1.0, 0.0, 0.0};
@@ -393,9 +392,8 @@ class FailureValues {
   std::map<std::string, std::vector<double>> of_;
 };
 
-std::string drawn_welds(const Scene& s, const Camera& camera, const DrawnFacets& sheets, const fs::path& directory) {
+std::string drawn_welds(const Scene& s, const Camera& camera, const DrawnFacets& sheets, const FailureValues& failure) {
   constexpr double least_radius = 3.5;
-  const FailureValues failure(directory, s.modes ? 0.0 : s.state.time);
   std::string text;
   for (const ShownWeld& weld : s.welds) {
     const PicturePoint p = camera(s.place_of(weld));
@@ -517,6 +515,23 @@ std::string caption(const Scene& s) {
   return text;
 }
 
+std::string drawn(const Scene& scene, const Camera& camera, const std::optional<FacetValues>& values,
+                  const FailureValues& failure) {
+  const PictureOptions& options = scene.options;
+  const DrawnFacets sheets(scene, camera, values);
+  const std::string title = scene.run.summary.value("title", scene.geometry().title);
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {0} {1}\" "
+      "width=\"{0}\" height=\"{1}\">\n<style>text {{ font: 13px sans-serif; fill: #234; stroke: #fff; stroke-width: "
+      "3px; "
+      "paint-order: stroke; }}</style>\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}{3}{4}{5}{6}{7}{8}{9}</svg>\n",
+      options.width, options.height, options.shapes ? sheets.as_shapes() : sheets.as_pixels(),
+      drawn_beams(scene, camera), drawn_welds(scene, camera, sheets, failure),
+      text_at(margin, 22.0, title, " style=\"font-weight: bold\""), text_at(margin, 40.0, caption(scene)),
+      values ? colour_bar(scene, *values) : part_list(scene), weld_legend(scene), triad(scene, camera));
+}
+
 }  // namespace
 
 const std::vector<std::string>& picture_fields() {
@@ -529,21 +544,18 @@ const std::vector<std::string>& picture_fields() {
   return names;
 }
 
-std::string model_picture(const fs::path& directory, const PictureOptions& options) {
+std::vector<std::string> model_pictures(const fs::path& directory, const PictureOptions& options,
+                                        std::span<const Vec3d> towards) {
   const Scene scene = read_scene(directory, options);
   const std::optional<FacetValues> values = values_of(scene);
-  const Camera camera(scene);
-  const DrawnFacets sheets(scene, camera, values);
-  const std::string title = scene.run.summary.value("title", scene.geometry().title);
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {0} {1}\" "
-      "width=\"{0}\" height=\"{1}\">\n<style>text {{ font: 13px sans-serif; fill: #234; stroke: #fff; stroke-width: "
-      "3px; paint-order: stroke; }}</style>\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}{3}{4}{5}{6}{7}{8}{9}</svg>\n",
-      options.width, options.height, options.shapes ? sheets.as_shapes() : sheets.as_pixels(),
-      drawn_beams(scene, camera), drawn_welds(scene, camera, sheets, directory),
-      text_at(margin, 22.0, title, " style=\"font-weight: bold\""), text_at(margin, 40.0, caption(scene)),
-      values ? colour_bar(scene, *values) : part_list(scene), weld_legend(scene), triad(scene, camera));
+  const FailureValues failure(directory, scene.modes ? 0.0 : scene.state.time);
+  std::vector<std::string> pictures;
+  for (const Vec3d& direction : towards) pictures.push_back(drawn(scene, Camera(scene, direction), values, failure));
+  return pictures;
+}
+
+std::string model_picture(const fs::path& directory, const PictureOptions& options) {
+  return model_pictures(directory, options, {&options.towards, 1}).front();
 }
 
 }  // namespace nugget::report

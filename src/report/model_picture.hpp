@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,5 +36,9 @@ const std::vector<std::string>& picture_fields();
 /// hide them), a legend and what is seen. Parallel projection. Throws std::runtime_error where there is nothing to draw
 /// or an option names what is not there.
 std::string model_picture(const std::filesystem::path& directory, const PictureOptions& options);
+
+/// The same from several directions, in place of that of the options; the run is read once.
+std::vector<std::string> model_pictures(const std::filesystem::path& directory, const PictureOptions& options,
+                                        std::span<const Vec3d> towards);
 
 }  // namespace nugget::report

@@ -275,10 +275,9 @@ std::string stills(const std::vector<std::string>& pictures, bool alive) {
 std::vector<std::string> pictures_of(const std::filesystem::path& directory) {
   PictureOptions options;
   options.width = 1080, options.height = 720;
-  PictureOptions from_behind = options;
-  from_behind.towards = {-options.towards.x, -options.towards.y, options.towards.z};
+  const Vec3d from = options.towards, towards[] = {from, {-from.x, -from.y, from.z}};
   try {
-    return {model_picture(directory, options), model_picture(directory, from_behind)};
+    return model_pictures(directory, options, towards);
   } catch (const std::runtime_error&) {
     return {};
   }

@@ -11,6 +11,12 @@
 
 namespace nugget::report {
 
+Vec3d middle_of(const std::vector<std::size_t>& nodes, const std::vector<Vec3d>& x) {
+  Vec3d middle;
+  for (const std::size_t node : nodes) middle += 1.0 / static_cast<double>(nodes.size()) * x[node];
+  return middle;
+}
+
 std::vector<ShownWeld> shown_welds(const RunData& run, const output::D3plotGeometry& geometry) {
   std::map<int, std::size_t> place;
   for (std::size_t i = 0; i < geometry.node_ids.size(); ++i) place[geometry.node_ids[i]] = i;

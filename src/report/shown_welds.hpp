@@ -23,4 +23,7 @@ struct ShownWeld {
 /// Those that have nodes in the file.
 std::vector<ShownWeld> shown_welds(const RunData& run, const output::D3plotGeometry& geometry);
 
+/// The mean of the places of some nodes.
+Vec3d middle_of(const std::vector<std::size_t>& nodes, const std::vector<Vec3d>& x);
+
 }  // namespace nugget::report

@@ -203,10 +203,7 @@ VtuGrid grid_of_welds(const std::vector<ShownWeld>& welds, const D3plotState& s,
       for (const std::size_t node : weld.nodes) grid.points.push_back(s.x[node]);
       grid.add_cell(line, std::array{first, first + 1});
     } else {
-      Vec3d middle;
-      for (const std::size_t node : weld.nodes)
-        middle = middle + 1.0 / static_cast<double>(weld.nodes.size()) * s.x[node];
-      grid.points.push_back(middle);
+      grid.points.push_back(middle_of(weld.nodes, s.x));
       grid.add_cell(vertex, std::array{first});
     }
     fields.begin_cell();

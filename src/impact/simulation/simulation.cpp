@@ -227,9 +227,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
 
   start();
   if (options.restore) resume(options);
-  checkpoint_cycle_ = state_.cycle;
-  checkpoint_time_ = state_.time;
-  checkpoint_seconds_ = solve_seconds_;
+  checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
   add_time(elements);
   const Outcome relaxed = options.restore ? Outcome{} : relax(options, recorder, progress);
   Outcome outcome;
@@ -298,7 +296,7 @@ void Simulation::report_progress(const ProgressCallback& progress, double end_ti
 void Simulation::obey(const SenseSwitches& switches, Recorder& recorder) {
   if (switches.stop) interrupt("d3kil");
   if (switches.state) recorder.ask_for_state();
-  restart_file_asked_ = restart_file_asked_ || switches.restart_file;
+  if (switches.restart_file) checkpoints_.ask();
 }
 
 void Simulation::write_checkpoint_if_due(const Options& options) {
@@ -306,20 +304,9 @@ void Simulation::write_checkpoint_if_due(const Options& options) {
   stop_requested_ = interrupted_by != nullptr;
   if (!options.write_checkpoint || diverged_) return;
   solve_seconds_ = elapsed();
-  const Checkpoints& every = options.checkpoints;
-  const auto passed = [](double before, double now, double interval) {
-    return interval > 0.0 && std::floor(now / interval) > std::floor(before / interval);
-  };
-  const bool due = restart_file_asked_ ||
-                   (every.cycles > 0 && state_.cycle > checkpoint_cycle_ && state_.cycle % every.cycles == 0) ||
-                   passed(checkpoint_time_, state_.time, every.time) ||
-                   passed(checkpoint_seconds_, solve_seconds_, 60.0 * every.minutes);
-  if (!due && !stop_requested_) return;
+  if (!stop_requested_ && !checkpoints_.due(options.checkpoints, state_.cycle, state_.time, solve_seconds_)) return;
   options.write_checkpoint();
-  restart_file_asked_ = false;
-  checkpoint_cycle_ = state_.cycle;
-  checkpoint_time_ = state_.time;
-  checkpoint_seconds_ = solve_seconds_;
+  checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
 }
 
 void Simulation::update_velocities() {
@@ -694,8 +681,7 @@ void Simulation::archive(Archive& a) {
     stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, stop_requested_, restart_file_asked_, checkpoint_cycle_, checkpoint_time_, checkpoint_seconds_,
-          begin_, timed_until_);
+          block_power_, stop_requested_, checkpoints_, begin_, timed_until_);
 }
 
 }  // namespace nugget::impact

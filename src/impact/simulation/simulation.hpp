@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "impact/simulation/assembled_step.hpp"
+#include "impact/simulation/checkpoint_schedule.hpp"
 #include "impact/simulation/options.hpp"
 #include "impact/simulation/relaxation.hpp"
 #include "impact/simulation/snapshot.hpp"
@@ -121,9 +122,7 @@ class Simulation {
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
-  bool restart_file_asked_ = false;
-  long checkpoint_cycle_ = 0;  ///< of the last restart file; its time, and the clock then
-  double checkpoint_time_ = 0.0, checkpoint_seconds_ = 0.0;
+  CheckpointSchedule checkpoints_;
   bool diverged_ = false;
   bool unstable_ = false;  ///< energy_is_made at the last cycle that is a multiple of 100
   Relaxation relaxation_;
