@@ -171,7 +171,10 @@ async function compareModes() {
 
 try {
   await { impact, modes, responses, without_webgl: withoutWebgl, compare, compare_modes: compareModes }[kind]();
-  if (picture) await page.screenshot({ path: picture });
+  if (picture) {
+    await page.waitForTimeout(1500); // until the page has scrolled to what a link named
+    await page.screenshot({ path: picture });
+  }
   await page.setViewportSize({ width: 390, height: 800 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   assert.ok(wide <= 1, `on a narrow screen nothing reaches beyond the side (${wide} pixels)`);
