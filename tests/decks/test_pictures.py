@@ -6,7 +6,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from lap_joint import deck
-from nugget_command import CommandTest
+from nugget_command import SOURCE, CommandTest
 from test_mode_studies import strips
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -173,6 +173,17 @@ class Picture(Pictures):
     def test_the_page_has_a_picture_where_scripts_do_not_run(self):
         self.run_deck()
         self.assertRegex(self.read("report.html"), r'<img alt="the model"[^>]*src="data:image/svg\+xml;base64,')
+
+    def test_colours_are_those_of_the_viewer(self):
+        """Two languages, one scale: the numbers stand in both."""
+        script = (SOURCE / "web" / "src" / "colours.js").read_text(encoding="utf-8")
+        program = (SOURCE / "src" / "report" / "colours.cpp").read_text(encoding="utf-8")
+        numbers = lambda text: [int(n) for n in re.findall(r"\d+", text)]  # noqa: E731
+        stops = numbers(re.search(r"STOPS = (.*?);", script)[1])
+        self.assertEqual(len(stops), 21)
+        self.assertEqual(numbers(re.search(r"stops(\{\{.*?\});", program, re.S)[1]), stops)
+        for ours, theirs in (("failed", "FAILED"), ("near_failure", "NEAR"), ("safe", "SAFE"), ("plain", "PLAIN")):
+            self.assertEqual(numbers(re.search(rf"\b{ours}\{{(.*?)\}}", program)[1]), numbers(re.search(rf"\b{theirs} = \[(.*?)\]", script)[1]))
 
 
 if __name__ == "__main__":
