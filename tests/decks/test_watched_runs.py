@@ -105,7 +105,7 @@ class WatchedRuns(CommandTest):
     def test_watch_follows_to_the_end(self):
         run = self.start()
         seen = self.nugget("watch", "run", "--once").stdout
-        self.assertRegex(seen, r"model.k  running  0\.0 % in \d+:\d\d")
+        self.assertRegex(seen, r"model.k  running  \d+\.\d % in \d+:\d\d")
         self.assertRegex(seen, r"internal energy +\|[ ▁▂▃▄▅▆▇█]{60}\| now ")
         self.switch("sw1")
         run.communicate(timeout=30)
