@@ -93,6 +93,7 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   const double work = static_cast<double>(elements) * static_cast<double>(s.cycles);
   if (work > 0.0) s.ns_per_element_cycle = 1e9 * (run.solve_seconds() - s.seconds.output) / work;
   s.threads = threads();
+  s.lanes = system::elements_at_a_time();
   s.welds = p.welds;
   return s;
 }

@@ -223,8 +223,8 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   for (const auto& [name, seconds] : summary.seconds.phases)
     s += fmt::format("   {:<12} {:8.3f}  {:5.1f} %\n", name, seconds,
                      summary.seconds.solve > 0.0 ? 100.0 * seconds / summary.seconds.solve : 0.0);
-  return s + fmt::format(" {:.1f} ns per element and cycle on {} threads\n\n", summary.ns_per_element_cycle,
-                         summary.threads);
+  return s + fmt::format(" {:.1f} ns per element and cycle on {} threads, {} elements at a time\n\n",
+                         summary.ns_per_element_cycle, summary.threads, summary.lanes);
 }
 
 std::string in_short(const output::Summary& summary) {

@@ -12,7 +12,9 @@
 namespace nugget {
 
 /// Lanes of one register of the machine that is built for (NUGGET_ARCH).
-#if defined(__AVX__)
+#if defined(__AVX512DQ__)
+inline constexpr int native_width = 8;
+#elif defined(__AVX__)
 inline constexpr int native_width = 4;
 #else
 inline constexpr int native_width = 2;
@@ -31,6 +33,11 @@ struct Register<4> {
   typedef double Lanes __attribute__((vector_size(32)));
   typedef long Bits __attribute__((vector_size(32)));
 };
+template <>
+struct Register<8> {
+  typedef double Lanes __attribute__((vector_size(64)));
+  typedef long Bits __attribute__((vector_size(64)));
+};
 
 /// What a comparison of two batches gives: one truth value a lane (all bits set or none).
 template <int W>
@@ -45,6 +52,24 @@ struct Mask {
   friend Mask operator!(Mask a) { return Mask(~a.bits); }
   bool operator[](int l) const { return bits[l] != 0; }
 };
+
+#if defined(__AVX512DQ__)
+/// One bit a lane: AVX-512 compares into registers of their own.
+template <>
+struct Mask<8> {
+  __mmask8 bits;
+
+  Mask() = default;
+  explicit Mask(int b) : bits(static_cast<__mmask8>(b)) {}
+  friend Mask operator&&(Mask a, Mask b) { return Mask(a.bits & b.bits); }
+  friend Mask operator||(Mask a, Mask b) { return Mask(a.bits | b.bits); }
+  friend Mask operator!(Mask a) { return Mask(~a.bits); }
+  bool operator[](int l) const { return (bits >> l & 1) != 0; }
+};
+inline bool any(Mask<8> m) {
+  return m.bits != 0;
+}
+#endif
 
 template <int W>
 inline bool any(Mask<W> m) {
@@ -82,21 +107,59 @@ struct Batch {
   Batch& operator+=(Batch b) { return *this = *this + b; }
   Batch& operator-=(Batch b) { return *this = *this - b; }
   Batch& operator*=(Batch b) { return *this = *this * b; }
-  friend Mask<W> operator>(Batch a, Batch b) { return Mask<W>(a.v > b.v); }
-  friend Mask<W> operator<(Batch a, Batch b) { return Mask<W>(a.v < b.v); }
-  friend Mask<W> operator>=(Batch a, Batch b) { return Mask<W>(a.v >= b.v); }
-  friend Mask<W> operator<=(Batch a, Batch b) { return Mask<W>(a.v <= b.v); }
+#if defined(__AVX512DQ__)
+#define NUGGET_COMPARE(sign, predicate)                        \
+  friend Mask<W> operator sign(Batch a, Batch b) {             \
+    if constexpr (W == 8)                                      \
+      return Mask<W>(_mm512_cmp_pd_mask(a.v, b.v, predicate)); \
+    else                                                       \
+      return Mask<W>(a.v sign b.v);                            \
+  }
+  NUGGET_COMPARE(>, _CMP_GT_OQ)
+  NUGGET_COMPARE(<, _CMP_LT_OQ)
+  NUGGET_COMPARE(>=, _CMP_GE_OQ)
+  NUGGET_COMPARE(<=, _CMP_LE_OQ)
+  friend Batch select(Mask<W> m, Batch yes, Batch no) {
+    if constexpr (W == 8)
+      return Batch(Lanes(_mm512_mask_blend_pd(m.bits, no.v, yes.v)));
+    else
+      return Batch(m.bits ? yes.v : no.v);
+  }
+#else
+  friend Mask<W> operator>(Batch a, Batch b) {
+    return Mask<W>(a.v > b.v);
+  }
+  friend Mask<W> operator<(Batch a, Batch b) {
+    return Mask<W>(a.v < b.v);
+  }
+  friend Mask<W> operator>=(Batch a, Batch b) {
+    return Mask<W>(a.v >= b.v);
+  }
+  friend Mask<W> operator<=(Batch a, Batch b) {
+    return Mask<W>(a.v <= b.v);
+  }
 
-  friend Batch select(Mask<W> m, Batch yes, Batch no) { return Batch(m.bits ? yes.v : no.v); }
-  friend Batch min(Batch a, Batch b) { return select(b < a, b, a); }
-  friend Batch max(Batch a, Batch b) { return select(a < b, b, a); }
+  friend Batch select(Mask<W> m, Batch yes, Batch no) {
+    return Batch(m.bits ? yes.v : no.v);
+  }
+#endif
+  friend Batch min(Batch a, Batch b) {
+    return select(b < a, b, a);
+  }
+  friend Batch max(Batch a, Batch b) {
+    return select(a < b, b, a);
+  }
   friend Batch abs(Batch a) {
-    const typename Mask<W>::Bits sign = reinterpret_cast<typename Mask<W>::Bits>(Batch(-0.0).v);
-    return Batch(reinterpret_cast<Lanes>(reinterpret_cast<typename Mask<W>::Bits>(a.v) & ~sign));
+    using Bits = typename Register<W>::Bits;
+    const Bits sign = reinterpret_cast<Bits>(Batch(-0.0).v);
+    return Batch(reinterpret_cast<Lanes>(reinterpret_cast<Bits>(a.v) & ~sign));
   }
   friend Batch sqrt(Batch a) {
 #if defined(__AVX__)
     if constexpr (W == 4) return Batch(reinterpret_cast<Lanes>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.v))));
+#endif
+#if defined(__AVX512DQ__)
+    if constexpr (W == 8) return Batch(Lanes(_mm512_maskz_sqrt_pd(0xff, a.v)));  // GCC 12 warns of the plain one
 #endif
     Batch r;
     for (int l = 0; l < W; ++l) r.v[l] = std::sqrt(a.v[l]);

@@ -86,4 +86,36 @@ inline void scatter<Batch<4>>(Row* base, const int* id, const Vec3<Batch<4>>& v)
 }
 #endif
 
+#if defined(__AVX512DQ__)
+namespace detail {
+inline Batch<8> joined(Batch<4> low, Batch<4> high) {
+  return Batch<8>(__builtin_shufflevector(low.v, high.v, 0, 1, 2, 3, 4, 5, 6, 7));
+}
+inline Vec3<Batch<4>> low(const Vec3<Batch<8>>& v) {
+  const auto half = [](Batch<8> a) { return Batch<4>(__builtin_shufflevector(a.v, a.v, 0, 1, 2, 3)); };
+  return {half(v.x), half(v.y), half(v.z)};
+}
+inline Vec3<Batch<4>> high(const Vec3<Batch<8>>& v) {
+  const auto half = [](Batch<8> a) { return Batch<4>(__builtin_shufflevector(a.v, a.v, 4, 5, 6, 7)); };
+  return {half(v.x), half(v.y), half(v.z)};
+}
+}  // namespace detail
+
+template <>
+[[gnu::always_inline]] inline Vec3<Batch<8>> gather<Batch<8>>(const Row* base, const int* id) {
+  const Vec3<Batch<4>> a = gather<Batch<4>>(base, id), b = gather<Batch<4>>(base, id + 4);
+  return {detail::joined(a.x, b.x), detail::joined(a.y, b.y), detail::joined(a.z, b.z)};
+}
+template <>
+[[gnu::always_inline]] inline void store_rows<Batch<8>>(Row* first, const Vec3<Batch<8>>& v) {
+  store_rows(first, detail::low(v));
+  store_rows(first + 4, detail::high(v));
+}
+template <>
+[[gnu::always_inline]] inline void scatter<Batch<8>>(Row* base, const int* id, const Vec3<Batch<8>>& v) {
+  scatter(base, id, detail::low(v));
+  scatter(base, id + 4, detail::high(v));
+}
+#endif
+
 }  // namespace nugget

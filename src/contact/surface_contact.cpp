@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "contact/couple.hpp"
 #include "contact/surface_nodes.hpp"
+#include "contact/surface_work.hpp"
 #include "kernel/contact/touch_friction.hpp"
 
 namespace nugget::contact {
@@ -219,7 +220,7 @@ void SurfaceContact::wake(const Block& block, Awake& awake) const {
 /// Projects the nodes of the pairs that are awake onto their segments, as many pairs at a time as a register has lanes.
 void SurfaceContact::project(const Block& block, Work& work, const Step& step) const {
   using R = NativeBatch;
-  constexpr std::size_t ahead = 3 * width;
+  constexpr std::size_t width = Work::width, ahead = 3 * width;
   Awake& awake = work.awake;
   const std::size_t count = awake.pairs.size();
   awake.order.resize(count);
@@ -321,8 +322,8 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
       block.release(pair);
       continue;
     }
-    const std::size_t batch = at(work.awake.turn[i]) / width;
-    const int l = static_cast<int>(at(work.awake.turn[i]) % width);
+    const std::size_t batch = at(work.awake.turn[i]) / Work::width;
+    const int l = static_cast<int>(at(work.awake.turn[i]) % Work::width);
     kernel::Feet<NativeBatch>& feet = work.feet[batch];
     const double far = widest + (face.inner + deep), least = kernel::stored_lane(work.clear[batch], l);
     if (least >= far && !pressed) {
@@ -350,17 +351,15 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   for (std::size_t k = 0; k < count; ++k) {
     const int i = work.close[k];
     Pair& pair = block.pairs[work.awake.pairs[i]];
-    const std::size_t turn = at(work.awake.turn[i]);
-    if (matters)
-      fill(work.candidates[k], block, pair, work.feet[turn / width], static_cast<int>(turn % width), tracked, step);
+    if (matters) fill(work.candidates[k], block, pair, work, at(work.awake.turn[i]), tracked, step);
     block.release(pair);
   }
   return std::span(work.candidates).first(matters ? count : 0);
 }
 
-/// Makes a candidate, in the place of one of an earlier node, of a pair and lane l of the feet.
-void SurfaceContact::fill(Candidate& c, const Block& block, Pair& pair, const kernel::Feet<NativeBatch>& feet, int l,
-                          int tracked, const Step& step) const {
+/// Makes a candidate, in the place of one of an earlier node, of a pair and its foot. `turn`: see Awake.
+void SurfaceContact::fill(Candidate& c, const Block& block, Pair& pair, const Work& work, std::size_t turn, int tracked,
+                          const Step& step) const {
   const auto segment = static_cast<int>(pair.segment);
   const Face& face = faces_[segment];
   const Vec3d p = vec(step.x[nodes_[tracked].node]);
@@ -370,7 +369,7 @@ void SurfaceContact::fill(Candidate& c, const Block& block, Pair& pair, const ke
     c.before = *before;
   else if (c.before.touching)
     c.before = {};
-  feet.put(l, c.foot);
+  work.feet[turn / Work::width].put(static_cast<int>(turn % Work::width), c.foot);
   c.contact_distance = contact_distance(tracked, segment);
   c.gap = c.foot.distance;
   c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;

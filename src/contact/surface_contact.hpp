@@ -220,7 +220,6 @@ class SurfaceContact {
   };
   /// Those of one node.
   using Candidates = std::span<Candidate>;
-  static constexpr std::size_t width = lanes<NativeBatch>;  ///< pairs that are projected at a time
   /// What of a hit goes to one node.
   struct Share {
     int place = 0;           ///< of the node, see NodalForces
@@ -239,17 +238,7 @@ class SurfaceContact {
     std::vector<int> order;      ///< in which they are projected: those with a foot inside first
     std::vector<int> turn;       ///< where each stands in that
   };
-  /// What a thread needs for the block that it works on.
-  struct Work {
-    Awake awake, next;                            ///< of the block, and of the one after it
-    std::vector<kernel::Feet<NativeBatch>> feet;  ///< of the pairs that are awake
-    std::vector<NativeBatch> clear;               ///< least_distance()
-    std::vector<int> close;                       ///< of the pairs of a node that are awake: those close enough
-    std::vector<Candidate> candidates;            ///< of a node, and of earlier ones
-    std::vector<Pair> listed;                     ///< the new lists of a block, in a search
-    std::vector<std::pair<int, Box>> around;      ///< segments near some nodes of the block, with their boxes
-    std::vector<Share> shares;                    ///< of the hits of a block, in the order of these
-  };
+  struct Work;
   /// Shares of one part of the nodes, see NodalForces; they end where those of the next begin.
   struct Shares {
     int part = 0, begin = 0;
@@ -320,8 +309,8 @@ class SurfaceContact {
   void check_node(Block& block, Candidates candidates, int tracked, const Step& step) const;
   Candidates gather_candidates(Block& block, Work& work, const Awake::Node& node, std::size_t first,
                                const Step& step) const;
-  void fill(Candidate& candidate, const Block& block, Pair& pair, const kernel::Feet<NativeBatch>& feet, int l,
-            int tracked, const Step& step) const;
+  void fill(Candidate& candidate, const Block& block, Pair& pair, const Work& work, std::size_t turn, int tracked,
+            const Step& step) const;
   double reach(const Block& block, int tracked, int segment) const {
     return faces_[segment].inner + block.deep[tracked - block.begin];
   }

@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/surface_contact.hpp"
+#include "contact/surface_work.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -44,8 +45,8 @@ void SurfaceContact::find_overlaps(Block& block, const Step& step, std::vector<P
   for (std::size_t i = 0; i < work.awake.pairs.size(); ++i) {
     Pair& pair = block.pairs[work.awake.pairs[i]];
     const std::size_t turn = at(work.awake.turn[i]);
-    pair.xi = kernel::stored_lane(work.feet[turn / width].xi, static_cast<int>(turn % width));
-    pair.eta = kernel::stored_lane(work.feet[turn / width].eta, static_cast<int>(turn % width));
+    pair.xi = kernel::stored_lane(work.feet[turn / Work::width].xi, static_cast<int>(turn % Work::width));
+    pair.eta = kernel::stored_lane(work.feet[turn / Work::width].eta, static_cast<int>(turn % Work::width));
   }
   project(block, work, step);
   std::size_t first = 0;

@@ -5,6 +5,7 @@
 #include "base/bvh.hpp"
 #include "base/parallel.hpp"
 #include "contact/surface_contact.hpp"
+#include "contact/surface_work.hpp"
 
 namespace nugget::contact {
 namespace {

@@ -121,6 +121,7 @@ Json to_json(const Summary& s) {
   json["seconds"] = to_json(s.seconds);
   json["ns_per_element_cycle"] = s.ns_per_element_cycle;
   json["threads"] = s.threads;
+  json["lanes"] = s.lanes;
   json["ranks"] = s.ranks;
   json["weld"] = Json::array();
   for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));

@@ -140,6 +140,7 @@ struct Summary {
   } seconds;
   double ns_per_element_cycle = 0.0;
   int threads = 0, ranks = 1;
+  int lanes = 1;  ///< elements that the kernels took at a time
   std::vector<WeldReport> welds;
   std::vector<ModeReport> modes;
   std::vector<ResponseReport> responses;

@@ -56,6 +56,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   using R = NativeBatch;
   static constexpr int width = native_width;
   static constexpr int line = 8;  ///< doubles in a cache line
+  /// Elements are padded to a multiple of it whatever the width, so that slots and restart files do not depend on it.
+  static constexpr std::size_t padded_to = 8;
+  static_assert(padded_to % width == 0);
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
   /// A step that moves nothing.
@@ -102,7 +105,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     }
   }
 
-  std::size_t blocks() const override { return (size() + width - 1) / width; }
+  std::size_t blocks() const override { return (size() + padded_to - 1) / padded_to * padded_to / width; }
   std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
 
@@ -280,7 +283,11 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   void archive(Archive& a) override {
     ElementGroup::archive(a);
-    a(state_, energy_, step_, reference_state_);
+    archive_by_element(a, state_, at(kernel_.state_size()));
+    archive_by_element(a, reference_state_, reference_fields_.size());
+    a(energy_, step_);
+    if (a.reading())
+      for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
     a.built(kernel_, nodes_, reference_fields_, inviscid_, mass_, inertia_, imposed_);
   }
 
@@ -522,6 +529,27 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     values.assign(at(kernel_.state_size() * width), 0.0);
     for (std::size_t i = 0; i < fields; ++i)
       real_store(&values[reference_fields_[i] * width], real_load<R>(reference + i * width));
+  }
+  /// Values that stand block by block, field by field, lane by lane: in the file the fields of an element follow each
+  /// other, so that programs of every width read it.
+  static void archive_by_element(Archive& a, AlignedReals& values, std::size_t fields) {
+    constexpr std::size_t at_a_time = 512 * padded_to;
+    std::size_t size = values.size();
+    a(size);
+    values.resize(size);
+    std::vector<double> rows;
+    for (std::size_t begin = 0; fields != 0 && begin < size / fields; begin += at_a_time) {
+      const std::size_t end = std::min(begin + at_a_time, size / fields);
+      rows.resize((end - begin) * fields);
+      const auto each = [&](const auto& visit) {
+        for (std::size_t e = begin; e < end; ++e)
+          for (std::size_t i = 0; i < fields; ++i)
+            visit(rows[(e - begin) * fields + i], values[(e / width * fields + i) * width + e % width]);
+      };
+      each([](double& row, const double& value) { row = value; });
+      a(rows);
+      each([](const double& row, double& value) { value = row; });
+    }
   }
   static void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
     set_lane(to.x, l, nugget::lane(from.x, l));

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/batch.hpp"
+
 namespace nugget::system {
 
 double ElementGroup::wanted_mass_scale(std::size_t e) {
@@ -53,9 +55,13 @@ void ElementGroup::vibrate(std::size_t b, const State& now, std::span<const Row>
   }
 }
 
+int elements_at_a_time() {
+  return native_width;
+}
+
 void ElementGroup::archive(Archive& a) {
-  a(deletions, inverted, block_step, step_share, physical_mass_scale_);
-  a.built(kind, part, element, nodes_per_element, weld, rotational, first_slot, damping_share, damping_time,
+  a(deletions, inverted, step_share, physical_mass_scale_);
+  a.built(block_step, kind, part, element, nodes_per_element, weld, rotational, first_slot, damping_share, damping_time,
           damping_stiffness_ratio, mass_step, physical_mass_step);
 }
 

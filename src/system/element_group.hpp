@@ -21,6 +21,9 @@ namespace nugget::system {
 /// System nodes of an element, as many as its group's nodes_per_element.
 using ElementNodes = std::array<int, 10>;
 
+/// How many elements the kernels of this program take at a time: the doubles that one of its registers holds.
+int elements_at_a_time();
+
 /// Elements of one kind, formulation, law and part, in blocks of `width` lanes. A cycle reads nodal rows and writes the
 /// elements' nodal forces into slots of their own; the nodes gather the slots afterwards, always in the same order.
 class ElementGroup {

@@ -65,7 +65,6 @@ Vec3d SpringGroup::line_of(const Entry& s, const State& state, double& length) c
 void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots,
                         std::span<Row> damping) {
   for (std::size_t b = begin; b < end; ++b) {
-    double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t e = b * width; e < std::min(size(), (b + 1) * width); ++e) {
       Entry& s = springs_[e];
       const bool lived = s.alive;
@@ -82,10 +81,15 @@ void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, 
       }
       s.energy += 0.5 * dt * work;
       if (damped()) damp(e, state, damping);
-      if (s.alive) smallest = std::min(smallest, s.step);
     }
-    block_step[b] = smallest;
+    find_block_step(b);
   }
+}
+
+void SpringGroup::find_block_step(std::size_t b) {
+  block_step[b] = std::numeric_limits<double>::infinity();
+  for (std::size_t e = b * width; e < std::min(size(), (b + 1) * width); ++e)
+    if (springs_[e].alive) block_step[b] = std::min(block_step[b], springs_[e].step);
 }
 
 void SpringGroup::advance(Entry& s, const State& state, double dt) {
@@ -344,6 +348,8 @@ void SpringGroup::archive(Archive& a) {
   ElementGroup::archive(a);
   a(springs_);
   a.built(section_, law_, model_);
+  if (!a.reading()) return;
+  for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
 }
 
 }  // namespace nugget::system

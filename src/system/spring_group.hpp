@@ -92,6 +92,7 @@ class SpringGroup final : public ElementGroup {
   /// Stiffness-proportional damping of spring e into its slots.
   void damp(std::size_t e, const State& state, std::span<Row> slots) const;
   double stable_step_of(const Entry& s) const;
+  void find_block_step(std::size_t b);
 
   const model::SectionDiscrete& section_;
   const kernel::Spring& law_;

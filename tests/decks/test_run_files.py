@@ -25,7 +25,7 @@ SUMMARY = {
                "external": NUMBER, "eroded": NUMBER, "initial": NUMBER, "ratio": NUMBER},
     "seconds": {"read": NUMBER, "setup": NUMBER, "solve": NUMBER, "output": NUMBER,
                 "phases": {"elements": NUMBER, "contact": NUMBER}},
-    "ns_per_element_cycle": NUMBER, "threads": COUNT, "ranks": COUNT, "weld": [WELD], "modes": []}
+    "ns_per_element_cycle": NUMBER, "threads": COUNT, "lanes": COUNT, "ranks": COUNT, "weld": [WELD], "modes": []}
 
 
 def misfits(value, shape, where="summary"):

@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 #include "app/command_line.hpp"
@@ -14,21 +17,44 @@
 
 namespace {
 
-/// Under mpirun the program with MPI takes this one's place; it stands beside it. Returns where that fails.
-int become_a_rank(char** argv) {
+/// Another program that stands beside this one takes its place. Returns, with the path of it, where that fails.
+std::string become(const char* name, char** argv) {
   std::error_code unknown;
-  const std::filesystem::path program =
-      std::filesystem::read_symlink("/proc/self/exe", unknown).replace_filename("nugget-mpi");
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown).replace_filename(name);
   execv(program.c_str(), argv);
-  fmt::print(stderr, "nugget: started by mpirun with several ranks, which need {}: {}\n", program.string(),
-             std::strerror(errno));
+  return program.string();
+}
+
+int refuse(const std::string& why) {
+  fmt::print(stderr, "nugget: {}\n", why);
   return static_cast<int>(nugget::app::ExitCode::wrong_command);
+}
+
+/// Under mpirun the program with MPI.
+int become_a_rank(char** argv) {
+  const std::string program = become("nugget-mpi", argv);
+  return refuse(fmt::format("started by mpirun with several ranks, which need {}: {}", program, std::strerror(errno)));
+}
+
+/// What x86-64-v4 has beyond v3. Systems that keep the wide registers only (__builtin_cpu_supports asks for that, too).
+bool has_avx512() {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512vl");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (nugget::app::started_ranks() > 1) return become_a_rank(argv);
+  // Eight lanes where the processor has them and that program was built; NUGGET_LANES asks for one of the two.
+  const char* asked = std::getenv("NUGGET_LANES");
+  const std::string_view lanes = asked == nullptr ? "" : asked;
+  if (!lanes.empty() && lanes != "4" && lanes != "8")
+    return refuse(fmt::format("NUGGET_LANES is '{}', expected 4 (AVX2) or 8 (AVX-512)", lanes));
+  if (lanes == "8" || (lanes.empty() && has_avx512())) {
+    const std::string program = become("nugget-avx512", argv);
+    if (lanes == "8") return refuse(fmt::format("NUGGET_LANES=8 needs {}: {}", program, std::strerror(errno)));
+  }
   nugget::app::guard_terminal();
   return nugget::app::code_after_terminal(nugget::app::command_line(argc, argv));
 }

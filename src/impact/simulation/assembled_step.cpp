@@ -345,13 +345,18 @@ void AssembledStep::choose_blocks() {
   for (std::size_t g = 0; g < system_.groups.size(); ++g) {
     const system::ElementGroup& group = *system_.groups[g];
     const std::size_t width = group.block_width();
-    for (std::size_t b = 0; b < group.blocks(); ++b) {
+    // As many at a time as the widest block holds: which elements count must not depend on the width.
+    constexpr std::size_t at_a_time = 8;
+    for (std::size_t first = 0; first < group.size(); first += at_a_time) {
       bool meets = false;
-      for (std::size_t e = b * width; e < std::min(group.size(), (b + 1) * width) && !meets; ++e)
+      const std::size_t end = std::min(group.size(), first + at_a_time);
+      for (std::size_t e = first; e < end && !meets; ++e)
         each_node(group, e, [&](int k) { meets = meets || touched[k] != 0; });
       if (!meets) continue;
-      blocks_.push_back({static_cast<int>(g), b, rows_});
-      rows_ += width * at(group.nodes_per_element) * (group.rotational ? 2 : 1);
+      for (std::size_t b = first / width; b * width < end; ++b) {
+        blocks_.push_back({static_cast<int>(g), b, rows_});
+        rows_ += width * at(group.nodes_per_element) * (group.rotational ? 2 : 1);
+      }
     }
   }
 }

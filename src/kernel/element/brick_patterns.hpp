@@ -87,7 +87,7 @@ template <class R>
 
 /// Square of the largest face's area.
 template <class R>
-R largest_face2(const Patterns<R>& x) {
+[[gnu::always_inline]] inline R largest_face2(const Patterns<R>& x) {
   R most = R(0.0);
   const auto pair = [&](const Vec3<R>& a, const Vec3<R>& ha, const Vec3<R>& b, const Vec3<R>& hb) {
     const Vec3<R> up = cross(a + ha, b + hb), down = cross(a - ha, b - hb);

@@ -19,7 +19,7 @@ struct Surface : Quadrilateral<R> {
   R xi_x, xi_y, eta_x, eta_y;   ///< gradients of the natural coordinates at the centre
   Vec3<R> along_xi, along_eta;  ///< twice x,xi and x,eta at the centre: the mean sides
 
-  explicit Surface(const Vec3<R> (&x)[4]) : Quadrilateral<R>(x) {
+  [[gnu::always_inline]] explicit Surface(const Vec3<R> (&x)[4]) : Quadrilateral<R>(x) {
     xi_x = 2.0 * (this->bx24 - this->bx13);
     xi_y = 2.0 * (this->by24 - this->by13);
     eta_x = -2.0 * (this->bx13 + this->bx24);

@@ -17,7 +17,7 @@ struct Quadrilateral {
   R bx13, bx24, by13, by24;
   Vec3<R> h;  ///< h . x with h = (1, -1, 1, -1), in the frame
 
-  explicit Quadrilateral(const Vec3<R> (&x)[4]) {
+  [[gnu::always_inline]] explicit Quadrilateral(const Vec3<R> (&x)[4]) {
     const Vec3<R> a = x[2] - x[0], b = x[3] - x[1];
     // With the diagonals' lengths p, q and half the angle between them, everything follows from four roots and two
     // divisions.
@@ -48,7 +48,7 @@ template <class R>
 struct Differences {
   Vec3<R> d13, d24, dh;
   explicit Differences(const Vec3<R> (&f)[4]) : d13(f[0] - f[2]), d24(f[1] - f[3]), dh((f[0] + f[2]) - (f[1] + f[3])) {}
-  Differences in(const Frame<R>& frame) const {
+  [[gnu::always_inline]] Differences in(const Frame<R>& frame) const {
     Differences r = *this;
     r.d13 = frame.local(d13);
     r.d24 = frame.local(d24);
@@ -69,7 +69,7 @@ R largest_side2(const Vec3<R> (&x)[4]) {
 
 /// Square of the length over which the stable step is taken, on the speed c or, for the ISDO 2 branch, sqrt(E / rho).
 template <class R>
-R length2(const Vec3<R> (&x)[4], const R& area, ShellLength length, double nu) {
+[[gnu::always_inline]] inline R length2(const Vec3<R> (&x)[4], const R& area, ShellLength length, double nu) {
   if (length == ShellLength::area_over_diagonal) {
     const Vec3<R> a = x[2] - x[0], b = x[3] - x[1];
     return area * area / max(dot(a, a), dot(b, b));

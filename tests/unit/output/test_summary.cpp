@@ -73,6 +73,7 @@ TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
                                "seconds",
                                "ns_per_element_cycle",
                                "threads",
+                               "lanes",
                                "ranks",
                                "weld",
                                "modes"}));
