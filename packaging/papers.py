@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PROGRAMS = ("nugget", "nugget-mpi")
+PROGRAMS = ("nugget", "nugget-mpi", "nugget-avx512")
 TOOLCHAIN = {"gcc-12", "glibc", "linux", "gcc-defaults", "libxcrypt", "llvm-toolchain-14"}  # runtimes: linked, not carried
 SPDX_NAMES = {"Expat": "MIT", "MIT": "MIT", "Apache": "Apache-2.0", "Apache-2": "Apache-2.0", "Apache-2.0": "Apache-2.0",
               "BSD-2-clause": "BSD-2-Clause", "BSD-3-clause": "BSD-3-Clause", "BSD-3-Clause": "BSD-3-Clause",
@@ -98,7 +98,7 @@ def source_of(package):
 
 def debian_packages(build):
     """A row per Debian source package: linked (a shared library of it is loaded) or compiled in (only its headers are)."""
-    asked, loaded = (set().union(*each) for each in zip(*(shared_libraries(build / program) for program in PROGRAMS)))
+    asked, loaded = (set().union(*each) for each in zip(*(shared_libraries(build / program) for program in PROGRAMS if (build / program).exists())))
     libraries = owners(asked)
     beside = {source_of(name)[0] for name in owners(loaded).values()} | TOOLCHAIN  # their headers only declare
     headers = owners(headers_of_programs(build))

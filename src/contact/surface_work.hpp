@@ -11,7 +11,7 @@
 namespace nugget::contact {
 
 /// What a thread needs for the block that it works on. Apart from the class: how many pairs are projected at a time
-/// depends on the program (docs/decisions/0093), what others see of a contact does not.
+/// depends on the program (docs/decisions/0094), what others see of a contact does not.
 struct SurfaceContact::Work {
   static constexpr std::size_t width = lanes<NativeBatch>;  ///< pairs that are projected at a time
 

@@ -1,12 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs that must leave the same bytes: with any number of threads, and cut short and gone on with."""
+"""Runs that must leave the same bytes: with any number of threads and lanes, and cut short and gone on with."""
 import json
+import os
+import pathlib
 import re
 
-from nugget_command import CommandTest
+from nugget_command import NUGGET, CommandTest
 
 DATE = re.compile(rb"date \d\d/\d\d/\d{4}")
 FOREVER = ("--max-cycles", 10**9)
+
+
+def lanes_here():
+    """Numbers of lanes for which there is a program that runs on this machine."""
+    flags = re.search(r"^flags\s*:(.*)", pathlib.Path("/proc/cpuinfo").read_text(encoding="ascii"), re.M)[1].split()
+    can = all(f"avx512{part}" in flags for part in ("f", "dq", "bw", "cd", "vl"))
+    return (4, 8) if can and pathlib.Path(NUGGET).with_name("nugget-avx512").exists() else (4,)
+
+
+LANES = lanes_here()
+
+
+def with_lanes(count):
+    return {**os.environ, "NUGGET_LANES": str(count)}
 
 
 class RepeatedRuns(CommandTest):
@@ -16,15 +32,18 @@ class RepeatedRuns(CommandTest):
         return {name: DATE.sub(b"date", (self.folder / folder / name).read_bytes()) for name in names}
 
     def compare(self, model, *options):
+        """The same bits with one, two and three threads, and with every number of lanes that this machine can run."""
         reference = None
-        for threads in (1, 2, 3):
-            self.nugget("run", model, "-o", f"t{threads}", "-j", threads, "--quiet", *options)
-            self.assertEqual(self.json(f"t{threads}/summary.json")["threads"], threads)
-            bits = self.bits(f"t{threads}")
+        for threads, lanes in ((1, LANES[0]), (2, LANES[-1]), (3, LANES[0]), *((2, n) for n in LANES[:-1])):
+            folder = f"t{threads}" if lanes == LANES[0] or threads != 2 else f"t2_{lanes}"
+            self.nugget("run", model, "-o", folder, "-j", threads, "--quiet", *options, env=with_lanes(lanes))
+            summary = self.json(f"{folder}/summary.json")
+            self.assertEqual((summary["threads"], summary["lanes"]), (threads, lanes))
+            bits = self.bits(folder)
             reference = reference or bits
             self.assertEqual(sorted(bits), sorted(reference))
             for name, content in bits.items():
-                self.assertTrue(content == reference[name], f"{name} differs with {threads} threads")
+                self.assertTrue(content == reference[name], f"{name} differs with {threads} threads and {lanes} lanes")
         return reference
 
     def results(self, folder):
@@ -35,7 +54,7 @@ class RepeatedRuns(CommandTest):
                 continue
             found[name] = DATE.sub(b"date", (self.folder / folder / name).read_bytes())
         summary = json.loads(found["summary.json"])
-        for key in ("seconds", "ns_per_element_cycle", "threads"):
+        for key in ("seconds", "ns_per_element_cycle", "threads", "lanes"):
             summary.pop(key)
         found["summary.json"] = json.dumps(summary).encode()
         return found
@@ -50,7 +69,7 @@ class RepeatedRuns(CommandTest):
                           f"{theirs[name][max(0, at - 60):at + 60]}")
 
     def resumed(self, text, *options, shares=(0.1, 0.5, 0.9), until=()):
-        """Runs a deck whole, and cut short at shares of its cycles; then goes on, once or twice."""
+        """Runs a deck whole, and cut short at shares of its cycles; then goes on, once or twice, with other lanes each time."""
         model = self.write(text) if isinstance(text, str) else text
         self.nugget("run", model, "-o", "whole", "-j", 1, "--quiet", *options)
         cycles = self.json("whole/summary.json")["cycles"]
@@ -61,14 +80,14 @@ class RepeatedRuns(CommandTest):
             with self.subTest(cycle=at):
                 self.nugget("run", model, "-o", "cut", "-j", 1, "--quiet", "--checkpoint", f"{at}cycles",
                             "--max-cycles", min(beyond, 2 * at - 1), *options)
-                self.nugget("run", "--resume", "cut", "-j", 2, "--quiet", *FOREVER)
+                self.nugget("run", "--resume", "cut", "-j", 2, "--quiet", *FOREVER, env=with_lanes(LANES[0]))
                 self.same("cut", "whole")
         at = cycles // 3
         with self.subTest("twice"):
             self.nugget("run", model, "-o", "cut", "-j", 2, "--quiet", "--checkpoint", f"{at}cycles", "--max-cycles",
-                        at + 2, *options)
+                        at + 2, *options, env=with_lanes(LANES[0]))
             self.nugget("run", "--resume", "cut", "-j", 1, "--quiet", "--max-cycles", 2 * at + 1)
-            self.nugget("run", "--resume", "cut", "-j", 1, "--quiet", *FOREVER)
+            self.nugget("run", "--resume", "cut", "-j", 1, "--quiet", *FOREVER, env=with_lanes(LANES[0]))
             self.same("cut", "whole")
             self.assertEqual(self.read("cut/run.log").count("Resumed from a restart file"), 2)
         return self.json("whole/summary.json")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The same bits with one, two and three threads, in every result file."""
+import random
 import re
 import subprocess
 import sys
@@ -7,7 +8,25 @@ import unittest
 
 from lap_joint import deck
 from nugget_command import SOURCE
-from repeated_runs import RepeatedRuns
+from repeated_runs import LANES, RepeatedRuns, with_lanes
+
+
+def cubes_on_a_sheet(n=5):
+    """Four elastic cubes of 10 mm on a corner of a sheet of n x n shells, whose nodes they share, in random motion, TSSFAC at its default."""
+    node = lambda i, j, k: 1 + i + (n + 1) * (j + (n + 1) * k)  # noqa: E731
+    chance = random.Random(7)
+    corners = [(i, j) for j in range(n) for i in range(n)]
+    nodes = [(node(i, j, k), 10.0 * i, 10.0 * j, 10.0 * k) for k in (0, 1) for j in range(n + 1) for i in range(n + 1) if k == 0 or max(i, j) <= 2]
+    return "\n".join([
+        "*KEYWORD", "*CONTROL_TERMINATION", "2.0e-4", "*DATABASE_GLSTAT", "1.0e-5", "*DATABASE_BINARY_D3PLOT", "1.0e-4",
+        "*MAT_ELASTIC", "1,7.85e-9,2.1e5,0.3", "*SECTION_SOLID", "1,1", "*SECTION_SHELL", "2,2,0.8333,2", "1.0,1.0,1.0,1.0",
+        "*PART", "cubes", "1,1,1", "*PART", "sheet", "2,2,1", "*NODE", *(f"{i},{x},{y},{z}" for i, x, y, z in nodes),
+        "*ELEMENT_SOLID",
+        *(f"{1 + e},1,{','.join(str(node(i + a, j + b, k)) for k in (0, 1) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)))}"
+          for e, (i, j) in enumerate(corners) if max(i, j) < 2),
+        "*ELEMENT_SHELL",
+        *(f"{1001 + e},2,{','.join(str(node(i + a, j + b, 0)) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)))}" for e, (i, j) in enumerate(corners)),
+        "*INITIAL_VELOCITY_NODE", *(f"{i},{','.join(f'{chance.uniform(-1, 1):.6f}' for _ in range(3))}" for i, *_ in nodes), "*END", ""])
 
 
 class SameBits(RepeatedRuns):
@@ -16,6 +35,18 @@ class SameBits(RepeatedRuns):
         files = self.compare("double_hat.k", "--until", "2.0e-4")
         self.assertLessEqual({"d3plot", "d3plot01", "swforc", "glstat", "matsum", "nodout", "rwforc", "rbdout"}, set(files))
         self.assertGreater(len(files["swforc"]), 10000)
+
+    def test_bricks_beside_shells_under_the_assembled_step(self):
+        """Which elements that step counts must not depend on how many stand in a block: here shells beside cubes."""
+        text = cubes_on_a_sheet()
+        self.compare(self.write(text))
+
+    def test_lanes_by_request(self):
+        model = self.write(deck())
+        self.nugget("run", model, "--quiet", "--max-cycles", 2)
+        self.assertEqual(self.json("summary.json")["lanes"], LANES[-1])
+        run = self.nugget("run", model, "--quiet", env=with_lanes(5), expect=2)
+        self.assertIn("NUGGET_LANES is '5', expected 4 (AVX2) or 8 (AVX-512)", run.stderr)
 
     def test_every_kind_of_damping(self):
         """Upper hat by stiffness and by deformation, lower hat by deformation, all nodes by two more; and deformation alone."""

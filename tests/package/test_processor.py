@@ -18,10 +18,10 @@ class Processor(unittest.TestCase):
     def on(self, processor, program="nugget"):
         return subprocess.run([QEMU, "-cpu", processor, NUGGET.with_name(program), "--version"], capture_output=True, text=True, timeout=120)
 
-    def lacks(self, run):
+    def lacks(self, run, arch="x86-64-v3"):
         self.assertEqual((run.returncode, run.stdout), (2, ""), run.stderr)
         message = next(line for line in run.stderr.splitlines() if line.startswith("nugget: "))
-        self.assertIn("; the program is compiled for x86-64-v3. ", message)
+        self.assertIn(f"; the program is compiled for {arch}. ", message)
         return re.search(r"lacks (.*?);", message)[1].split(", ")
 
     def test_without_avx(self):
@@ -33,6 +33,11 @@ class Processor(unittest.TestCase):
         for name, option in (("BMI2", "-bmi2"), ("AVX2", "-avx2"), ("LZCNT", "-abm"), ("MOVBE", "-movbe"), ("F16C", "-f16c")):
             with self.subTest(lacks=name):
                 self.assertEqual(self.lacks(self.on(f"max,{option}")), [name])
+
+    def test_program_with_eight_lanes(self):
+        if not NUGGET.with_name("nugget-avx512").exists():
+            self.skipTest("nugget-avx512 was not built")
+        self.assertEqual(self.lacks(self.on("Haswell", "nugget-avx512"), "x86-64-v4"), [f"AVX512{part}" for part in ("F", "DQ", "CD", "BW", "VL")])
 
     def test_with_all(self):
         run = self.on("Haswell")

@@ -7,7 +7,7 @@
 #include "output/restart_file.hpp"
 
 // `nugget-avx512`: the same program, whose kernels take eight elements at a time. `nugget` beside it gives it its place
-// on processors that can (docs/decisions/0093).
+// on processors that can (docs/decisions/0094).
 int main(int argc, char** argv) {
   // Both read each other's restart files, which hold no lanes: they go by the build, and that is known by `nugget`.
   std::error_code unknown;

@@ -38,6 +38,18 @@ extern const ProcessorFeature needed_features[] = {
 #ifdef __AVX512F__
     {"AVX512F", 7, 1, 16, with_wider},
 #endif
+#ifdef __AVX512DQ__
+    {"AVX512DQ", 7, 1, 17, with_wider},
+#endif
+#ifdef __AVX512CD__
+    {"AVX512CD", 7, 1, 28, with_wider},
+#endif
+#ifdef __AVX512BW__
+    {"AVX512BW", 7, 1, 30, with_wider},
+#endif
+#ifdef __AVX512VL__
+    {"AVX512VL", 7, 1, 31, with_wider},
+#endif
     {nullptr, 0, 0, 0, 0}};
 
 }  // namespace nugget::app
