@@ -537,18 +537,18 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     std::size_t size = values.size();
     a(size);
     values.resize(size);
-    std::vector<double> rows;
+    std::vector<double> piece;
     for (std::size_t begin = 0; fields != 0 && begin < size / fields; begin += at_a_time) {
       const std::size_t end = std::min(begin + at_a_time, size / fields);
-      rows.resize((end - begin) * fields);
+      piece.resize((end - begin) * fields);
       const auto each = [&](const auto& visit) {
         for (std::size_t e = begin; e < end; ++e)
           for (std::size_t i = 0; i < fields; ++i)
-            visit(rows[(e - begin) * fields + i], values[(e / width * fields + i) * width + e % width]);
+            visit(piece[(e - begin) * fields + i], values[(e / width * fields + i) * width + e % width]);
       };
-      each([](double& row, const double& value) { row = value; });
-      a(rows);
-      each([](const double& row, double& value) { value = row; });
+      each([](double& kept, const double& value) { kept = value; });
+      a(piece);
+      each([](const double& kept, double& value) { value = kept; });
     }
   }
   static void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
