@@ -2,11 +2,15 @@
 """Runs the neutral benchmark decks and prints ns per element-cycle, with --radioss beside OpenRadioss on the same machine.
 
     python3 bench/run_decks.py [--nugget build/nugget] [--shared ../shared] [--kernels kernels.json] [DECK ...]
+    python3 bench/run_decks.py --against OLD/nugget [--repeat 3] [--nugget ...] [DECK ...]
     python3 bench/run_decks.py --radioss STARTER ENGINE [--nugget ...] [--until SHARE] [--repeat 2] [DECK ...]
 
 The decks come from SHARED/bench/gen_impact.py and SHARED/decks (car6), which are not part of this repository; without them
 there is nothing to run and the program says so. One thread (and tube3 on two), one deck after the other: run nothing else meanwhile. KERNELS is the JSON output of
 nugget_bench; its STREAM and FMA peaks are printed with the table, because a figure means little without its machine.
+
+--against: another build of Nugget and this one in turn, REPEAT times each, one thread: of each the least, whole and by phase, and their ratio (below 1:
+this one is faster). NUGGET_LANES=4 in the environment keeps both from taking eight lanes (docs/decisions/0094); OLD:4 or OLD:8 sets it for OLD alone.
 
 --radioss: both programs in one run, in turn, REPEAT times, one thread each, to SHARE of each deck's end time; printed is user time by element-cycle, and in
 the whole, as the programs' steps differ. Of OpenRadioss it is the engine's alone, without animations; of Nugget it is all. RAD_CFG_PATH and LD_LIBRARY_PATH
@@ -23,7 +27,17 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-DECKS = ("tube3", "tube5", "tube5_cp", "tube5_table", "tube5c", "hex_ihq2", "hex_ihq6", "weld", "car6")
+DECKS = ("tube3", "tube3_16", "tube5", "tube5_cp", "tube5_table", "tube5c", "hex_ihq2", "hex_ihq6", "weld", "car6")
+
+
+def with_full_integration(deck):
+    """tube3 with ELFORM 16."""
+    text = deck.read_text(encoding="utf-8")
+    section = re.search(r"\*SECTION_SHELL\n([^\n]*)\n", text)
+    fields = section[1].split(",") if "," in section[1] else re.findall(r".{1,10}", section[1])
+    fields[1] = "16"
+    text = text[:section.start(1)] + ",".join(field.strip() for field in fields) + text[section.end(1):]
+    deck.with_name("tube3_16.k").write_text(text, encoding="utf-8")
 
 
 def with_rates(deck):
@@ -45,15 +59,39 @@ def with_rates(deck):
     put("tube5_table.k", "0,0,100", table)
 
 
-def run(nugget, deck, results, threads):
+def run(nugget, deck, results, threads, environment=None):
     """summary.json of a run, or the reason why there is none."""
     command = [str(nugget), "run", str(deck), "-o", str(results), "-j", str(threads), "--quiet"]
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, env=environment)
     summary = results / "summary.json"
     if done.returncode != 0 or not summary.is_file():
         reason = (done.stderr.strip() or done.stdout.strip() or "no summary.json").splitlines()[0]
         return None, f"exit code {done.returncode}: {reason}"
     return json.loads(summary.read_text(encoding="utf-8")), ""
+
+
+def against(arguments, names):
+    """Two builds of Nugget in turn on each deck: the least time of each, ns per element-cycle."""
+    old, _, lanes = arguments.against.partition(":")
+    programs = {"before": (old, lanes), "now": (str(arguments.nugget), "")}
+    print(f"{'deck':<12}{'phase':<12}{'before':>10}{'now':>10}{'ratio':>8}   (ns per element-cycle, one thread, least of {arguments.repeat} runs in turn)")
+    for name in names:
+        deck, least = arguments.work / f"{name}.k", {}
+        for _ in range(arguments.repeat):
+            for label, (program, own_lanes) in programs.items():
+                environment = {**os.environ, "NUGGET_LANES": own_lanes} if own_lanes else None
+                summary, reason = run(program, deck, arguments.work / f"{name}_{label}", 1, environment)
+                if summary is None:
+                    sys.exit(f"{name} {label}: {reason}")
+                work = summary["cycles"] * sum(summary["elements"].values()) * 1e-9
+                times = {phase: summary["seconds"]["phases"][phase] / work for phase in ("elements", "contact", "motion")}
+                for phase, ns in {"all": summary["ns_per_element_cycle"], **times}.items():
+                    least[phase, label] = min(ns, least.get((phase, label), ns))
+        for phase in ("all", "elements", "contact", "motion"):
+            before, now = least[phase, "before"], least[phase, "now"]
+            if before > 0.5:
+                print(f"{name if phase == 'all' else '':<12}{phase:<12}{before:>10.1f}{now:>10.1f}{now / before:>8.2f}", flush=True)
+    return 0
 
 
 def user_time(command, folder, log):
@@ -132,8 +170,9 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "decks", help="where decks and results go")
     parser.add_argument("--radioss", nargs=2, type=pathlib.Path, metavar=("STARTER", "ENGINE"),
                         help="run OpenRadioss on the same decks, in turn with Nugget")
+    parser.add_argument("--against", metavar="OLD[:LANES]", help="another build of Nugget, in turn with this one")
     parser.add_argument("--until", type=float, default=1.0, metavar="SHARE", help="with --radioss: of each deck's end time (1)")
-    parser.add_argument("--repeat", type=int, default=2, help="with --radioss: how often (2)")
+    parser.add_argument("--repeat", type=int, default=2, help="with --radioss and --against: how often (2)")
     parser.add_argument("decks", nargs="*", metavar="DECK", help=f"of {', '.join(DECKS)} (all)")
     arguments = parser.parse_args()
     generator = arguments.shared / "bench" / "gen_impact.py"
@@ -146,6 +185,9 @@ def main():
     arguments.work.mkdir(parents=True, exist_ok=True)
     subprocess.run([sys.executable, str(generator), str(arguments.work)], check=True)
     with_rates(arguments.work / "tube5.k")
+    with_full_integration(arguments.work / "tube3.k")
+    if arguments.against:
+        return against(arguments, [name for name in arguments.decks or DECKS if name != "car6"])
     if arguments.radioss:
         arguments.radioss = [program.resolve() for program in arguments.radioss]
         arguments.nugget, arguments.work = arguments.nugget.resolve(), arguments.work.resolve()
