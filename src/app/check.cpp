@@ -95,12 +95,11 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   if (!p.has_text) return refuse_missing(findings);
   warn_of_response_in_explicit_run(p.model, findings);
   Log log(directory / "check.log");
-  if (findings.errors() == 0) {
+  // Faults of ties, of the system and of what acts in it are told together.
+  if (p.is_tied) {
     system::System system(p.model, p.ties, findings);
-    if (findings.errors() == 0) {
-      impact::Simulation simulation(system, findings);
-      if (findings.errors() == 0) try_first_cycles(p.model, simulation, findings);
-    }
+    impact::Simulation simulation(system, findings);
+    if (findings.errors() == 0) try_first_cycles(p.model, simulation, findings);
   }
   const std::string refused = findings.errors() > 0 ? report_refused_welds(p, findings) : std::string();
   start_log(log, arguments.deck, p, findings);

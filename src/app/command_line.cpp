@@ -375,6 +375,14 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(length);
   fit_command->add_option("-j,--threads", fit.threads, "coupons at once (default: all cores)")->check(count);
 
+  nugget::app::TidyArguments tidy;
+  CLI::App* tidy_command =
+      cli.add_subcommand("tidy", "the deck as it was understood: values between commas, names of fields above them");
+  tidy_command->add_option("deck", tidy.deck, "LS-DYNA keyword file")->required();
+  tidy_command->add_option("-o,--output", tidy.output, "deck to be written; its include files are written beside it")
+      ->required();
+  add_case(tidy_command, tidy.load_case, "needed where it has several");
+
   nugget::app::CoverageArguments coverage;
   CLI::App* coverage_command =
       cli.add_subcommand("coverage", "which decks of a folder are accepted, and what refuses the others");
@@ -502,6 +510,7 @@ int nugget::app::command_line(int argc, char** argv) {
   }
   if (fit_command->parsed()) return static_cast<int>(nugget::app::fit(fit));
   if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
+  if (tidy_command->parsed()) return static_cast<int>(nugget::app::tidy(tidy));
   if (coverage_command->parsed()) return static_cast<int>(nugget::app::coverage(coverage));
   if (convert_command->parsed()) return static_cast<int>(nugget::app::convert(convert));
   if (picture_command->parsed()) {

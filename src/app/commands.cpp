@@ -386,8 +386,9 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   Clock clock;
   std::optional<system::System> system;
   std::optional<impact::Simulation> simulation;
-  if (findings.errors() == 0) system.emplace(p.model, p.ties, findings);
-  if (findings.errors() == 0) simulation.emplace(*system, findings);
+  // Faults of ties, of the system and of what acts in it are told together.
+  if (p.is_tied) system.emplace(p.model, p.ties, findings);
+  if (system) simulation.emplace(*system, findings);
   if (from != nullptr) {
     log.read();
     log.add(log_resumption(from->head(), today()));

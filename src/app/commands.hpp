@@ -117,6 +117,11 @@ struct FitArguments {
   int threads = 0;
 };
 
+struct TidyArguments {
+  std::string deck, output;
+  int load_case = 0;  ///< *CASE of the deck; cards of other cases stay as they are
+};
+
 struct CoverageArguments {
   std::string folder;                  ///< with the decks
   std::string directory = "coverage";  ///< for coverage.json and what each check leaves
@@ -160,6 +165,8 @@ const std::vector<std::string>& coupon_names();
 ExitCode fit(const FitArguments& arguments);
 /// Checks or runs the decks of a folder: which are accepted, and what refuses the others.
 ExitCode coverage(const CoverageArguments& arguments);
+/// Writes a deck as it was understood.
+ExitCode tidy(const TidyArguments& arguments);
 ExitCode keywords(const std::string& name);
 /// Runs the main example, found beside the program or where it is installed, and says where its results are.
 ExitCode demo(const std::string& directory);

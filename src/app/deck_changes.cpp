@@ -52,7 +52,7 @@ std::string number_for(double number, Kind kind, std::size_t width, const std::s
 
 /// A field in its line.
 struct DeckChanges::Cell {
-  const deck::Deck::ReadCard* read = nullptr;
+  const ReadCard* read = nullptr;
   std::size_t field = 0;
   std::string name;  ///< with its keyword, for messages
 
@@ -68,17 +68,19 @@ DeckChanges::DeckChanges(const RunArguments& arguments, const PreparedDeck& prep
       }()),
       text_(deck_) {
   Findings told;  // when the deck was prepared
-  deck_.read_cards = &read_;
+  deck_.card_read = [this](const Block& block, std::size_t line, const Card& card) {
+    read_.push_back({&block, line, card});
+  };
   reading::build(deck_, told, arguments.skip_unsupported, prepared.model.weld_library);
-  deck_.read_cards = nullptr;
-  const auto is_of_deck = [&](const deck::Deck::ReadCard& read) {
+  deck_.card_read = {};
+  const auto is_of_deck = [&](const ReadCard& read) {
     const std::less<const Block*> before;
     const Block* const first = deck_.blocks.data();
     return !before(read.block, first) && before(read.block, first + deck_.blocks.size());
   };
   const Block* block = nullptr;
   for (std::size_t i = 0; i < read_.size(); ++i) {
-    const deck::Deck::ReadCard& read = read_[i];
+    const ReadCard& read = read_[i];
     if (read.block != block && !is_of_deck(read)) continue;  // a line of a bulk table
     if (read.block != block || same_table(read.card, read_[cards_.back().lines.front()].card))
       cards_.push_back({read.block->starred(), {read.block->place.file, read.block->lines[read.line].number, 0}, {}});

@@ -63,6 +63,11 @@ class DeckChanges {
   std::vector<std::string> write(const std::filesystem::path& master) const;
 
  private:
+  struct ReadCard {
+    const deck::Block* block = nullptr;
+    std::size_t line = 0;  ///< in Block::lines
+    Card card;             ///< by whose table it was read
+  };
   struct Cell;
   Cell find(std::size_t cards, const std::string& field) const;
   void put(const Cell& cell, const std::string& text);
@@ -76,7 +81,7 @@ class DeckChanges {
 
   const PreparedDeck& prepared_;
   deck::Deck deck_;
-  std::vector<deck::Deck::ReadCard> read_;
+  std::vector<ReadCard> read_;
   std::vector<Cards> cards_;
   deck::EditedText text_;
   std::optional<deck::MovedNodes> nodes_;  ///< once one is moved

@@ -203,7 +203,7 @@ void Cursor::read_cells(Row& row, const Card& card) {
   }
   std::vector<CellText> cells;
   const CellText surplus = split(card, block_.format, block_.lines[next_].text, cells);
-  if (deck_.read_cards != nullptr) deck_.read_cards->push_back({&block_, next_, card});
+  if (deck_.card_read) deck_.card_read(block_, next_, card);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Row::Cell& cell = row.cells_[i];
     cell.blank = cells[i].text.empty();

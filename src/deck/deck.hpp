@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -79,13 +80,10 @@ class Deck {
   std::vector<Inclusion> inclusions;  ///< in reading order
   std::vector<Case> cases;            ///< *CASE, all of them
 
-  /// A data line and the card by whose table it was read.
-  struct ReadCard {
-    const Block* block = nullptr;
-    std::size_t line = 0;  ///< in Block::lines
-    Card card;
-  };
-  std::vector<ReadCard>* read_cards = nullptr;  ///< where each one is kept as it is read; null: nowhere
+  /// Is told of each data line as it is read by a card's table: its block, its index in Block::lines, the card. A line
+  /// of a bulk table comes in a block of the reader's own. Empty: nobody is told.
+  std::function<void(const Block&, std::size_t, const Card&)> card_read;
+  bool tells_bulk_lines = false;  ///< of lines of bulk tables too, which are read slowly then
 
   /// *DEFINE_TRANSFORMATION by its id (id_offset and unit factors of the result say nothing); null where there is none.
   const Transform* transformation(int id) const;

@@ -3,6 +3,7 @@
 so that a change to any of them is seen and judged."""
 import unittest
 
+from few_elements import card
 from lap_joint import deck
 from nugget_command import CommandTest, line_of
 
@@ -207,9 +208,25 @@ class BrokenDecks(CommandTest):
             "model.k:48:1: note: *CONTACT_SPOTWELD 1: 1 node tied, none of them moved",
             "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: on one sheet only, part 1 (expected: the two "
             "ends are on two different sheets) [see why the other end is not tied]",
+            "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about their "
+            "normal to hold it [*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces]",
             "1 error, 2 warnings",
             "the deck is refused; nothing was run",
         ])
+
+    def test_ties_do_not_hide_what_lies_behind_them(self):
+        """A weld in the air with SPOTSTP 1, found when welds are tied, and a contact of nothing, found when it is set up."""
+        self.write(deck(
+            ("     302          9.0000          9.0000          1.2000",
+             "     302          9.0000          9.0000          9.0000"),
+            ("*SET_PART_LIST\n", "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n" + card(3, 0, 3) + "\n\n*SET_PART_LIST\n")))
+        for command in ("run", "check"):
+            with self.subTest(command):
+                lines = self.nugget(command, "model.k", "-j", 1, expect=1).stderr.splitlines()
+                errors = [line for line in lines if ": error: " in line]
+                self.assertEqual(len(errors), 2)
+                self.assertIn("spotstp = 1: beam weld 31 is not tied", errors[0])
+                self.assertIn("model.k:52:1: error: *CONTACT_AUTOMATIC_SINGLE_SURFACE: the contact has no segments", errors[1])
 
     def test_untied2(self):
         """A weld in the air, SPOTSTP 2: runs without the weld."""
@@ -275,6 +292,8 @@ class BrokenDecks(CommandTest):
             "model.k:48:1: note: *CONTACT_SPOTWELD 1: 1 node tied, none of them moved",
             "model.k:125: warning: *ELEMENT_BEAM: beam weld 31: on one sheet only, part 1 (expected: the two "
             "ends are on two different sheets) [see why the other end is not tied]",
+            "model.k: note: *CONTACT_SPOTWELD: no torsion in 1 weld beam: the shells have no stiffness about their "
+            "normal to hold it [*CONTACT_SPOTWELD_WITH_TORSION turns it into in-plane forces]",
             "1 error, 2 warnings",
             "the deck is refused; nothing was run",
         ])

@@ -245,6 +245,18 @@ TEST(Laws, SimplifiedJohnsonCook) {
         [&](double ep) { return hardened(ep) * (1.0 + 0.05 * std::log(200.0 / 0.1)); }, 0.005);
 }
 
+// Sabotage: the viscous stress scaled by the yield stress, as that of Cowper and Symonds.
+TEST(Laws, Viscoplastic) {
+  const auto hardened = [](double ep) {
+    return 300.0 + 100.0 * (1.0 - std::exp(-25.0 * ep)) + 150.0 * (1.0 - std::exp(-4.0 * ep));
+  };
+  const std::string cards = "*MAT_103\n" + fields({1, 7.85e-9, E, 0.3, 300.0}) + fields({100.0, 25.0, 150.0, 4.0});
+  expect_law("laws", "MAT_103 without VK", cards + "\n\n\n\n", 0.1, 100.0, hardened, 0.002);
+  expect_law(
+      "laws", "MAT_103 VK 30, VM 0.2, 100/s", cards + fields({30.0, 0.2}) + "\n\n\n", 0.1, 100.0,
+      [&](double ep) { return hardened(ep) + 30.0 * std::pow(100.0, 0.2); }, 0.005);
+}
+
 // Sabotage: the temperature rise over TM instead of TM - TR.
 TEST(Laws, JohnsonCook) {
   // Without hardening the heat is the work: T* = 1 - exp(-A ep / (rho c (TM - TR))).

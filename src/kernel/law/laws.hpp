@@ -15,6 +15,7 @@
 #include "kernel/law/power_law.hpp"
 #include "kernel/law/rubber.hpp"
 #include "kernel/law/viscoelastic.hpp"
+#include "kernel/law/viscoplastic.hpp"
 
 namespace nugget::kernel {
 
@@ -26,6 +27,7 @@ using Flow = std::variant<  //
     PiecewiseLinear,        //
     JohnsonCook,            //
     PowerLaw,               //
+    Viscoplastic,           //
     Viscoelastic,           //
     BlatzKo,                //
     MooneyRivlin,           //

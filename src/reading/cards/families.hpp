@@ -28,6 +28,7 @@ std::vector<Keyword> gissmo_keywords();                  ///< *MAT_ADD_DAMAGE_GI
 std::vector<Keyword> friction_keywords();                ///< *DEFINE_FRICTION
 std::vector<Keyword> plastic_material_keywords();        ///< *MAT_... of metals beside 003 and 024
 std::vector<Keyword> johnson_cook_keywords();            ///< *MAT_... of Johnson and Cook
+std::vector<Keyword> viscoplastic_material_keywords();   ///< *MAT_ANISOTROPIC_VISCOPLASTIC
 std::vector<Keyword> weld_material_keywords();           ///< *MAT_SPOTWELD
 std::vector<Keyword> weld_table_keywords();              ///< the *DEFINE_ cards that belong to it
 std::vector<Keyword> heat_zone_keywords();               ///< sheets softened around welds

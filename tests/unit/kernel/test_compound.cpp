@@ -150,6 +150,29 @@ TEST(ComposedLaw, PowerLaw) {
       3e-3);
 }
 
+TEST(ComposedLaw, Viscoplastic) {
+  Viscoplastic flow{E, nu, 250.0, 120.0, 40.0, 200.0, 3.0};
+  const auto at_rest = [](double ep) {
+    return 250.0 + 120.0 * (1.0 - std::exp(-40.0 * ep)) + 200.0 * (1.0 - std::exp(-3.0 * ep));
+  };
+  expect_follows(
+      "MAT_103", composed_law({flow}), [&](double ep, double) { return at_rest(ep); }, 1.0, 1e-6);
+  flow.viscosity = 20.0;
+  flow.rate_exponent = 0.25;
+  for (const double rate : {0.01, 1.0, 1000.0})
+    expect_follows(
+        "MAT_103 with VK", composed_law({flow}),
+        [&](double ep, double r) { return at_rest(ep) + 20.0 * std::pow(r, 0.25); }, rate, 3e-3);
+  flow.hardening_1 = -100.0;  // falls from 250 to 150 and rises again
+  flow.viscosity = 0.0;
+  expect_follows(
+      "MAT_103 that softens", composed_law({flow}),
+      [](double ep, double) {
+        return 250.0 - 100.0 * (1.0 - std::exp(-40.0 * ep)) + 200.0 * (1.0 - std::exp(-3.0 * ep));
+      },
+      1.0, 1e-6);
+}
+
 TEST(ComposedLaw, StraightYieldCurvesOverTheRate) {
   const Curve yield{0, {0.0, 10.0, 1000.0}, {250.0, 300.0, 400.0}};
   PiecewiseLinear flow;

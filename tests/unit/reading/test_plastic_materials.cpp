@@ -154,6 +154,39 @@ TEST(PlasticMaterials, PowerLaw) {
   EXPECT_TRUE(built("*MAT_018\n4,7.85e-9,210000.0,0.3,600.0,1.0\n").error("does not meet", "n"));
 }
 
+TEST(PlasticMaterials, Viscoplastic) {
+  const std::string main = "*MAT_103_TITLE\nalloy\n4,2.7e-9,70000.0,0.33,200.0\n", hardening = "120.,40.,80.,3.\n";
+  const auto b = built(main + hardening + "15.,.2\n0.,.3,2\n\n\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_EQ(b.model.materials.at(0).title, "alloy");
+  const auto& law = flow<kernel::Viscoplastic>(b);
+  EXPECT_DOUBLE_EQ(law.yield, 200.0);
+  EXPECT_DOUBLE_EQ(law.hardening_1, 120.0);
+  EXPECT_DOUBLE_EQ(law.exponent_1, 40.0);
+  EXPECT_DOUBLE_EQ(law.hardening_2, 80.0);
+  EXPECT_DOUBLE_EQ(law.exponent_2, 3.0);
+  EXPECT_DOUBLE_EQ(law.viscosity, 15.0);
+  EXPECT_DOUBLE_EQ(law.rate_exponent, 0.2);
+  EXPECT_DOUBLE_EQ(composition(b).failure_strain, 0.3);
+  EXPECT_DOUBLE_EQ(composition(b).points_to_delete, 2.0);
+}
+
+TEST(PlasticMaterials, ViscoplasticThatIsNotBuilt) {
+  const std::string main = "*MAT_103\n4,2.7e-9,70000.0,0.33,200.0\n", hardening = "120.,40.,80.,3.\n";
+  EXPECT_TRUE(built("*MAT_103\n4,2.7e-9,70000.0,0.33,200.0,1,5\n\n\n\n\n\n").error("only 0 is supported", "flag"));
+  EXPECT_TRUE(built(main + "120.,40.,,,50.,3.\n\n\n\n\n").error("only 0 is supported", "qx1"));
+  EXPECT_TRUE(built(main + hardening + "15.\n\n\n\n").error("VM must be above 0", "vm"));
+  EXPECT_TRUE(built(main + "-150.,40.,-80.,3.\n\n\n\n\n").error("take all of it away", "sigy"));
+  // What is isotropic in a shell is not in a brick.
+  EXPECT_EQ(built(main + hardening + ",,.5,.5,.5,1.5,1.5,1.5\n\n\n\n" + brick).findings.errors(), 0);
+  EXPECT_TRUE(built(main + hardening + ",,1.,1.,1.\n\n\n\n" + brick).error("0.5 is isotropic in bricks", "r00_f"));
+  const std::string shell =
+      "*SECTION_SHELL\n1,2\n1.\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n"
+      "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
+  EXPECT_EQ(built(main + hardening + ",,1.,1.,1.\n\n\n\n" + shell).findings.errors(), 0);
+  EXPECT_TRUE(built(main + hardening + ",,1.,.8,1.\n\n\n\n" + shell).error("1 is isotropic in shells", "r45_g"));
+}
+
 TEST(PlasticMaterials, RateDependent) {
   const std::string curves =
       "*DEFINE_CURVE\n1\n0.0,250.0\n100.0,400.0\n*DEFINE_CURVE\n2\n0.0,1000.0\n100.0,2000.0\n"
