@@ -10,7 +10,10 @@ that went through a facet between one state and the next; edges that cross witho
 import argparse
 import pathlib
 
-import numpy as np
+try:
+    import numpy as np
+except ModuleNotFoundError:
+    raise SystemExit("tools/crossings.py needs numpy: ./dev setup installs python3-numpy, for the system's own /usr/bin/python3")
 
 import states
 

@@ -121,7 +121,8 @@ class ElementReader {
       for (int i = 0; i < 4; ++i) nothing_released = cells.integer(width_) == 0 && nothing_released;
       cells.integer(width_);
     }
-    if (!careful_.are_all() && cells.good() && nothing_released && row_.id > 0 && row_.part > 0 && offsets_fit()) return true;
+    if (!careful_.are_all() && cells.good() && nothing_released && row_.id > 0 && row_.part > 0 && offsets_fit())
+      return true;
     if (trimmed(line).empty()) return false;
     row_ = *careful_.read(card, line, lines_.number());
     return row_.id != 0 && row_.part != 0;  // else a finding says so

@@ -71,7 +71,8 @@ std::string comma_form(const Card& card, Format format, const std::vector<std::s
     end += width;
     const bool lone = count == 1 && cells[i].size() <= width;
     const std::size_t room = end > out.size() + 1 ? end - out.size() - (lone ? 0 : 1) : 0;
-    out += field.kind == Kind::text && !field.name.empty() ? fmt::format("{:<{}}", cells[i], room) : fmt::format("{:>{}}", cells[i], room);
+    out += field.kind == Kind::text && !field.name.empty() ? fmt::format("{:<{}}", cells[i], room)
+                                                           : fmt::format("{:>{}}", cells[i], room);
     if (i + 1 < count || (count == 1 && !lone)) out += ',';
   }
   return std::string(trimmed_end(out));

@@ -54,8 +54,8 @@ class TidiedText {
   std::deque<Card> cards_;
   std::vector<ReadLine> lines_;
   std::unordered_map<const char*, std::size_t> index_;  ///< into `lines_`, by where the line begins
-  std::pair<std::size_t, int> last_keyword_{};  ///< file and line of the keyword of the line before
-  std::vector<const Card*> named_;              ///< below it: tables of which the fields have been named
+  std::pair<std::size_t, int> last_keyword_{};          ///< file and line of the keyword of the line before
+  std::vector<const Card*> named_;                      ///< below it: tables of which the fields have been named
   std::size_t tidied_ = 0, kept_ = 0;
 };
 

@@ -4,6 +4,7 @@
 import unittest
 
 import lap_joint
+from few_elements import card
 from nugget_command import CommandTest
 from test_contact_forms import LOWER, SIDE, UPPER, plates, sliding
 
@@ -29,6 +30,20 @@ class PublicHabits(CommandTest):
 
     def pressed(self):
         return [line.split()[9] for line in self.read("rcforc").splitlines() if line.split()[:1] == ["slave"]]
+
+    def test_titles_of_definitions(self):
+        """Every *DEFINE_... has a _TITLE."""
+        death = {"*DEFINE_ELEMENT_DEATH_SHELL": "*DEFINE_ELEMENT_DEATH_SHELL\n" + card(24, 1.0e-5)}
+        death["*DEFINE_ELEMENT_DEATH_SHELL_TITLE"] = death["*DEFINE_ELEMENT_DEATH_SHELL"].replace("SHELL\n", "SHELL_TITLE\nlost\n")
+        bits = []
+        for text in death.values():
+            self.write(lap_joint.deck(("*PART\nlower", text + "*DEFINE_FUNCTION_TITLE\nnot used\n" + card(9) + "f(x)=x*2\n*PART\nlower")))
+            self.nugget("run", "model.k", "--quiet")
+            bits.append((self.folder / "d3plot01").read_bytes())
+        self.assertEqual(bits[0], bits[1])
+        self.write(lap_joint.deck())
+        self.nugget("run", "model.k", "--quiet")
+        self.assertNotEqual(bits[0], (self.folder / "d3plot01").read_bytes(), "something is deleted")
 
     def test_contacts_of_earlier_releases_press_as_the_automatic_ones(self):
         """Sabotage: the keyword read as a transducer presses with nothing."""

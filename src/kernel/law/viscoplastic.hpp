@@ -13,15 +13,15 @@ namespace nugget::kernel {
 /// Isotropic hardening in two terms that saturate (E. Voce, J. Inst. Metals 74, 1948), with a viscous stress that is
 /// added: yield stress SIGY + Q1 [1 - exp(-C1 ep)] + Q2 [1 - exp(-C2 ep)] + V (rate)^m (isotropic MAT_103).
 struct Viscoplastic {
-  double E = 0.0;               ///< Young's modulus [stress]
-  double nu = 0.0;              ///< Poisson's ratio [1]
-  double yield = 0.0;           ///< SIGY [stress]
-  double hardening_1 = 0.0;     ///< Q1 [stress]
-  double exponent_1 = 0.0;      ///< C1 [1]
-  double hardening_2 = 0.0;     ///< Q2 [stress]
-  double exponent_2 = 0.0;      ///< C2 [1]
-  double viscosity = 0.0;       ///< V, stress at a rate of 1 of the plastic strain [stress]; 0: none
-  double rate_exponent = 0.0;   ///< m [1]
+  double E = 0.0;              ///< Young's modulus [stress]
+  double nu = 0.0;             ///< Poisson's ratio [1]
+  double yield = 0.0;          ///< SIGY [stress]
+  double hardening_1 = 0.0;    ///< Q1 [stress]
+  double exponent_1 = 0.0;     ///< C1 [1]
+  double hardening_2 = 0.0;    ///< Q2 [stress]
+  double exponent_2 = 0.0;     ///< C2 [1]
+  double viscosity = 0.0;      ///< V, stress at a rate of 1 of the plastic strain [stress]; 0: none
+  double rate_exponent = 0.0;  ///< m [1]
 };
 
 /// Its yield stress at rest, and the rate effect: a Cowper-Symonds one with C = 1 and P = 1 / m that raises V.
@@ -54,8 +54,7 @@ class ViscoplasticFormula {
 template <>
 class LawKernel<Viscoplastic> : public J2<SmoothHardening<ViscoplasticFormula>, false> {
  public:
-  explicit LawKernel(const Viscoplastic& law)
-      : J2(law.E, law.nu, SmoothHardening<ViscoplasticFormula>(law), 0.0) {}
+  explicit LawKernel(const Viscoplastic& law) : J2(law.E, law.nu, SmoothHardening<ViscoplasticFormula>(law), 0.0) {}
 };
 
 }  // namespace nugget::kernel

@@ -43,7 +43,7 @@ class Maker {
   void make() {
     add_parts();
     for (const auto& card : b_.body_cards.nodal) add_nodal(card);
-    for (const auto& row : b_.body_cards.merges) merge(row);
+    for (const auto& card : b_.body_cards.merges) merge(card);
     merge_neighbours();
     emit();
     add_element_nodes();
@@ -86,7 +86,7 @@ class Maker {
     return std::any_of(cards.extra_nodes.begin(), cards.extra_nodes.end(),
                        [&](const auto& card) { return card.row->pid == id; }) ||
            std::any_of(cards.merges.begin(), cards.merges.end(),
-                       [&](const auto& row) { return row->pidl == id || row->pidc == id; });
+                       [&](const auto& card) { return card.row->pidl == id || (!card.set && card.row->pidc == id); });
   }
 
   void constrain(RigidBody& body, const deck::RowOf<RigidConstraintCard>& card) {
@@ -156,10 +156,29 @@ class Maker {
     return seed;
   }
 
-  void merge(const RowOf<MergeCard>& row) {
-    const Index l = b_.find(seed_ids_, "rigid body", row[&MergeCard::pidl]),
-                c = b_.find(seed_ids_, "rigid body", row[&MergeCard::pidc]);
-    if (l == none || c == none) return;
+  void merge(const BodyCards::Merge& card) {
+    const RowOf<MergeCard>& row = card.row;
+    const Index l = b_.find(seed_ids_, "rigid body", row[&MergeCard::pidl]);
+    if (!card.set) {
+      const Index c = b_.find(seed_ids_, "rigid body", row[&MergeCard::pidc]);
+      if (l != none && c != none) merge(row, l, c);
+      return;
+    }
+    const Set<Index>* const parts = b_.part_set(row[&MergeCard::pidc]);
+    if (l == none || parts == nullptr) return;
+    for (const Index p : parts->members) {
+      const int id = model_.parts[p].id;
+      if (id == row->pidl) continue;  // a set may hold the lead body itself
+      const Index c = seed_ids_.find(id);
+      if (c == none)
+        refuse(b_, row[&MergeCard::pidc], fmt::format("part {} of the set is no rigid body", id),
+               "take it out of the set, or give it *MAT_RIGID");
+      else
+        merge(row, l, c);
+    }
+  }
+
+  void merge(const RowOf<MergeCard>& row, Index l, Index c) {
     const Index to = lead(l), from = lead(c);
     if (to == from) {
       row[&MergeCard::pidc].report(b_.findings, Severity::warning, "is merged into this body already");

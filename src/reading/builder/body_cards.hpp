@@ -69,6 +69,10 @@ struct BodyCards {
     deck::Entry first, second;     ///< NODEA and NODEB; blank: the next two of the set
     deck::Entry system, strength;  ///< NCID, or CID; SIGY
   };
+  struct Merge {
+    bool set = false;  ///< PIDC is a set of parts
+    deck::RowOf<MergeCard> row;
+  };
   struct Weld {
     model::RigidWeld weld;      ///< nodes, body and axis are found later
     deck::Entry first, second;  ///< generalized: the node set and the coordinate system; else the two nodes
@@ -77,7 +81,7 @@ struct BodyCards {
 
   std::vector<Nodal> nodal;
   std::vector<ExtraNodes> extra_nodes;
-  std::vector<deck::RowOf<MergeCard>> merges;
+  std::vector<Merge> merges;
   std::vector<Weld> welds;
 
   /// Adds a weld; one without a number gets the next.

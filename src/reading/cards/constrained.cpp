@@ -90,6 +90,11 @@ const CardOf<MergeCard> merge_card{
     {&MergeCard::pidc, id("pidc", IdSpace::part, required, "body that is merged into it")},
     {&MergeCard::iflag, integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for both")},
 };
+const CardOf<MergeCard> merge_set_card{
+    {&MergeCard::pidl, id("pidl", IdSpace::part, required, "lead body")},
+    {&MergeCard::pidc, id("pidc", IdSpace::set, required, "set of parts, whose bodies are merged into it")},
+    {&MergeCard::iflag, integer("iflag", 0, any_value, "0: a given inertia of the lead body holds for all")},
+};
 struct SwitchedCard {
   int pid = 0, lrb = 0;
   std::string ptype;
@@ -280,9 +285,10 @@ void read_extra_nodes(Builder& builder, const Block& block, const Options&) {
     builder.body_cards.extra_nodes.push_back({set, cursor.read(set ? extra_set_card : extra_node_card)});
 }
 
+template <bool set>
 void read_mergers(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
-  while (!at_end(cursor)) builder.body_cards.merges.push_back(cursor.read(merge_card));
+  while (!at_end(cursor)) builder.body_cards.merges.push_back({set, cursor.read(set ? merge_set_card : merge_card)});
 }
 
 /// Before the rigid bodies are made: from there on the part is one of *MAT_RIGID with its own density and moduli.
@@ -504,7 +510,8 @@ std::vector<Keyword> constrained_keywords() {
        .read = read_nodal_body},
       {.name = "CONSTRAINED_EXTRA_NODES_NODE", .layout = {{{}, &extra_node_card}}, .read = read_extra_nodes<false>},
       {.name = "CONSTRAINED_EXTRA_NODES_SET", .layout = {{{}, &extra_set_card}}, .read = read_extra_nodes<true>},
-      {.name = "CONSTRAINED_RIGID_BODIES", .layout = {{{}, &merge_card}}, .read = read_mergers},
+      {.name = "CONSTRAINED_RIGID_BODIES", .layout = {{{}, &merge_card}}, .read = read_mergers<false>},
+      {.name = "CONSTRAINED_RIGID_BODIES_SET", .layout = {{{}, &merge_set_card}}, .read = read_mergers<true>},
       {.name = "DEFORMABLE_TO_RIGID", .layout = {{{}, &switched_part_card}}, .read = read_switched},
       {.name = "CONSTRAINED_GENERALIZED_WELD_SPOT",
        .options = {"ID"},

@@ -187,8 +187,9 @@ Curve smooth_curve(int id, double start, double end, double rise, double velocit
 }
 
 /// The text of a function, parameters replaced, and where each of its lines stands.
-void read_function(Builder& b, const Block& block, const Options&) {
+void read_function(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
   const auto row = cursor.read(function_card);
   refuse_unit_factors(b, block);
   std::string text;
@@ -333,7 +334,7 @@ std::vector<Keyword> curve_keywords() {
        .status = KeywordStatus::refused,
        .why = "curves by formula are not supported; write its points as *DEFINE_CURVE"},
       {.name = "DEFINE_CURVE_SMOOTH", .options = {"TITLE"}, .layout = {{"", &smooth_card}}, .read = read_smooth},
-      {.name = "DEFINE_FUNCTION", .layout = {{"", &function_card}}, .read = read_function},
+      {.name = "DEFINE_FUNCTION", .options = {"TITLE"}, .layout = {{"", &function_card}}, .read = read_function},
       {.name = "DEFINE_FUNCTION_TABULATED",
        .status = KeywordStatus::refused,
        .why = "tabulated functions are not built; give a curve or a *DEFINE_FUNCTION"},

@@ -52,8 +52,10 @@ void add_deaths(Builder& b, const Elements& of, const deck::RowOf<DeathCard>& ro
 }
 
 template <const Elements& of, bool set>
-void read_death(Builder& builder, const Block& block, const Options&) {
-  for (Cursor cursor(builder.deck, block, builder.findings); cursor.more();) {
+void read_death(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  read_title(cursor, options);
+  while (cursor.more()) {
     const auto row = cursor.read(set ? death_of_set : death_of_element);
     refuse_nonzero(builder, row[&DeathCard::boxid], "deletion by place is not built", "give TIME, and no BOXID");
     refuse_nonzero(builder, row[&DeathCard::idgrp], "groups of elements that are deleted together are not built",
@@ -64,7 +66,10 @@ void read_death(Builder& builder, const Block& block, const Options&) {
 
 template <const Elements& of, bool set>
 Keyword death_keyword(std::string_view name) {
-  return {.name = name, .layout = {{"repeated", set ? &death_of_set : &death_of_element}}, .read = read_death<of, set>};
+  return {.name = name,
+          .options = {"TITLE"},
+          .layout = {{"repeated", set ? &death_of_set : &death_of_element}},
+          .read = read_death<of, set>};
 }
 
 }  // namespace

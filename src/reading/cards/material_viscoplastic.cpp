@@ -115,8 +115,8 @@ void read_viscoplastic(Builder& b, const Block& block, const Options& options) {
   kernel::LawComponents law{static_cast<const Viscoplastic&>(cards)};
   law.failure_strain = plastic_strain_at_failure(cards.fail);
   law.points_to_delete = cards.numint;
-  const Index material = add_material(b, first, std::move(title), "MAT_ANISOTROPIC_VISCOPLASTIC",
-                                      composed_law(std::move(law)));
+  const Index material =
+      add_material(b, first, std::move(title), "MAT_ANISOTROPIC_VISCOPLASTIC", composed_law(std::move(law)));
   b.part_checks[material] = [rate](Builder& later, const Part& part, const auto&) { check_shape(later, part, rate); };
 }
 

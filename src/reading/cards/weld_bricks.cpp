@@ -87,7 +87,9 @@ void read_assembly(Builder& b, const Block& block, const Options& options) {
   int wanted = 0;
   for (const int n : {4, 8, 16})
     if (options.contains(std::to_string(n))) wanted = n;
-  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  while (!at_end(cursor)) {
     const auto head = cursor.read(assembly_card);
     std::vector<RowOf<BricksCard>> rows{cursor.read(bricks_card)};
     if (wanted == 16) rows.push_back(cursor.read(more_bricks_card));
@@ -173,7 +175,7 @@ void read_weld_beam(Builder& b, const Block& block, const Options&) {
 std::vector<Keyword> weld_brick_keywords() {
   return {
       {.name = "DEFINE_HEX_SPOTWELD_ASSEMBLY",
-       .options = {"4", "8", "16"},
+       .options = {"4", "8", "16", "TITLE"},
        .layout = {{"", &assembly_card}, {"", &bricks_card}, {"with _16", &more_bricks_card}},
        .read = read_assembly},
       {.name = "CONTROL_SPOTWELD_BEAM", .layout = {{"", &weld_beam_card}}, .read = read_weld_beam},

@@ -414,6 +414,7 @@ std::vector<Keyword> weld_table_keywords() {
                   {"repeated with the last", &connection_material_more_card}},
        .read = read_connection_add},
       {.name = "DEFINE_SPOTWELD_RUPTURE_PARAMETER",
+       .options = {"TITLE"},
        .status = KeywordStatus::refused,
        .why = "data of OPT 9 of *MAT_SPOTWELD, the formula of which is not public; use OPT 0, 1, 6 or 7"},
   };

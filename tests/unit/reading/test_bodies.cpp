@@ -58,6 +58,18 @@ TEST(RigidBodies, MergersAndExtraNodes) {
   EXPECT_EQ(built.model.parts[2].rigid_body, 0);
 }
 
+TEST(RigidBodies, MergersOfASet) {
+  // The set holds the lead body too.
+  const Built built(small_deck("*CONSTRAINED_RIGID_BODIES_SET\n         3         7\n*SET_PART_LIST\n7\n2,3\n"));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  ASSERT_EQ(built.model.rigid_bodies.size(), 1u);
+  EXPECT_EQ(built.model.rigid_bodies[0].id, 3);
+  EXPECT_THAT(built.model.rigid_bodies[0].parts, ElementsAre(2, 1));
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_RIGID_BODIES_SET\n3,7\n*SET_PART_LIST\n7\n1,2\n"))
+                  .error("part 1 of the set is no rigid body", "pidc"));
+  EXPECT_TRUE(Built(small_deck("*CONSTRAINED_RIGID_BODIES_SET\n3,8\n")).error("part set 8 is not defined", "pidc"));
+}
+
 TEST(RigidBodies, NodalBodiesWithInertiaInLocalAxes) {
   const Built built(small_deck(R"(*CONSTRAINED_NODAL_RIGID_BODY_SPC_INERTIA_TITLE
 bracket
