@@ -9,9 +9,13 @@
 
 #include "app/audit_table.hpp"
 #include "app/command.hpp"
+#include "app/frf.hpp"
+#include "app/linear_job.hpp"
 #include "app/load_cases.hpp"
+#include "app/preload.hpp"
 #include "app/run_log.hpp"
 #include "impact/simulation/simulation.hpp"
+#include "nvh/statics/statics.hpp"
 #include "weld/tie/disc.hpp"
 #include "weld/tie/joints.hpp"
 
@@ -80,12 +84,24 @@ class NoResults final : public impact::Recorder {
 /// Many faults of a model show in the first forces: an element inside out, a contact that throws, a step of nothing.
 /// What ends a run there is an error of the check. A dynamic relaxation is not tried: it is a whole run.
 void try_first_cycles(const model::Model& model, impact::Simulation& simulation, Findings& findings) {
-  if (model.implicit.active || model.control.relaxation.on()) return;
+  if (model.control.relaxation.on()) return;
   NoResults nothing;
   const impact::Outcome outcome = simulation.run({.max_cycles = 2}, nothing, {});
   if (outcome.termination == impact::Termination::error)
     findings.error({model.deck, 0, 0}, {}, "a run ends at its start: " + outcome.message,
                    "look at this place of the model, and at what was reported above");
+}
+
+/// What the linear analysis that the deck asks for refuses; its equations are set up, not solved.
+void try_linear_setup(const fs::path& directory, const RunArguments& arguments, const PreparedDeck& p,
+                      Analysis analysis, Findings& findings) {
+  if (analysis == Analysis::statics) nvh::check_statics(p.model, findings);
+  LinearJob job(directory, arguments, p, findings);
+  const model::Model& model = job.deck().model;
+  if (job.assembled() && analysis == Analysis::modes_and_responses)
+    nvh::report_fixed_motions(job.matrices().equations, model, findings);
+  if (job.assembled() && analysis != Analysis::statics) check_responses(job.matrices(), model, findings);
+  if (analysis != Analysis::statics) check_preload(model, nullptr, findings);
 }
 
 ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
@@ -96,7 +112,10 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   warn_of_response_in_explicit_run(p.model, findings);
   Log log(directory / "check.log");
   // Faults of ties, of the system and of what acts in it are told together.
-  if (p.is_tied) {
+  const Analysis analysis = analysis_of(p.model);
+  if (p.is_tied && analysis != Analysis::explicit_dynamics) {
+    try_linear_setup(directory, arguments.deck, p, analysis, findings);
+  } else if (p.is_tied) {
     system::System system(p.model, p.ties, findings);
     impact::Simulation simulation(system, findings);
     if (findings.errors() == 0) try_first_cycles(p.model, simulation, findings);

@@ -334,16 +334,6 @@ ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, c
   return modes_of(folder, modes, prepared, findings, {}, &run);
 }
 
-/// What the deck asks for (*CONTROL_IMPLICIT_GENERAL, _EIGENVALUE, *FREQUENCY_DOMAIN_...).
-enum class Analysis { explicit_dynamics, direct_response, modes_and_responses, statics };
-
-Analysis analysis_of(const model::Model& model) {
-  if (!model.implicit.active) return Analysis::explicit_dynamics;
-  if (model.implicit.modes != 0) return Analysis::modes_and_responses;
-  if (all_direct(model)) return Analysis::direct_response;
-  return model.frequency_response || model.steady_state ? Analysis::modes_and_responses : Analysis::statics;
-}
-
 /// What is wrong with the command for such an analysis; empty: nothing.
 std::string wrong_command(Analysis analysis, const RunArguments& arguments, const Findings& findings) {
   const bool is_explicit = analysis == Analysis::explicit_dynamics;

@@ -182,6 +182,13 @@ bool all_direct(const model::Model& model) {
          (!model.steady_state || model.steady_state->direct);
 }
 
+Analysis analysis_of(const model::Model& model) {
+  if (!model.implicit.active) return Analysis::explicit_dynamics;
+  if (model.implicit.modes != 0) return Analysis::modes_and_responses;
+  if (all_direct(model)) return Analysis::direct_response;
+  return model.frequency_response || model.steady_state ? Analysis::modes_and_responses : Analysis::statics;
+}
+
 ExitCode direct_responses(const fs::path& directory, const RunArguments& arguments, PreparedDeck prepared,
                           Findings& findings) {
   LinearJob job(directory, arguments, std::move(prepared), findings);

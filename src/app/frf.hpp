@@ -25,6 +25,10 @@ void check_responses(const nvh::Matrices& matrices, const model::Model& model, F
 /// Whether all responses that a deck asks for are solved directly, without modes.
 bool all_direct(const model::Model& model);
 
+/// What the deck asks for (*CONTROL_IMPLICIT_GENERAL, _EIGENVALUE, *FREQUENCY_DOMAIN_...).
+enum class Analysis { explicit_dynamics, direct_response, modes_and_responses, statics };
+Analysis analysis_of(const model::Model& model);
+
 /// Responses over frequency by direct solution, into a folder whose old results are gone.
 ExitCode direct_responses(const std::filesystem::path& directory, const RunArguments& arguments, PreparedDeck prepared,
                           Findings& findings);

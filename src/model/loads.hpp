@@ -81,16 +81,29 @@ struct PressureLoad {
   double arrival = 0.0;
 };
 
+/// Traction on segments along a fixed direction, on their present area: force over area, linear between the corners.
+struct TractionLoad {
+  std::string keyword;
+  Place place;
+  std::vector<Segment> segments;
+  std::vector<std::array<double, 4>> factor;  ///< of each segment's corners
+  Vec3d direction;                            ///< unit vector
+  Index curve = none;
+  double scale = 1.0;
+  double birth = 0.0, death = forever;  ///< the curve begins at `birth`
+};
+
 /// The loads of a model, a list for each kind. A new kind is a list here and a name in `kinds`; impact and linear
 /// statics go through these, and do not compile, or refuse the load by name, where they lack it.
 struct LoadLists {
   std::vector<NodalLoad> nodal_loads;
   std::vector<PressureLoad> pressure_loads;
+  std::vector<TractionLoad> traction_loads;
   std::vector<ControlVolume> control_volumes;
   std::vector<BodyLoad> body_loads;
 
   /// All lists, in the order in which they act.
-  auto kinds() const { return std::tie(nodal_loads, pressure_loads, control_volumes, body_loads); }
+  auto kinds() const { return std::tie(nodal_loads, pressure_loads, traction_loads, control_volumes, body_loads); }
 };
 static_assert(sizeof(LoadLists) == std::tuple_size_v<decltype(LoadLists{}.kinds())> * sizeof(std::vector<NodalLoad>),
               "kinds() lacks a list");

@@ -51,6 +51,20 @@ class Statics(CommandTest):
         run = self.run_statics(statics(("*CONTROL_IMPLICIT_SOLUTION\n         1\n", "*CONTROL_IMPLICIT_SOLUTION\n        12\n")), expect=1)
         self.assertIn("nonlinear implicit solutions are not built", run.stderr)
 
+    def test_a_check_says_what_the_run_refuses(self):
+        """Sabotage: the check of a linear deck looks at it as at an explicit run, and finds nothing."""
+        spin = "*LOAD_BODY_RX\n         1       1.0\n*SET_NODE_LIST\n         1\n"
+        tracted = ("*LOAD_SEGMENT_NONUNIFORM\n1,1.0,,,,1.0\n101,102,106,105\n1.,1.,1.,1.\n")
+        text = statics(("*SET_NODE_LIST\n         1\n", tracted + spin))
+        for command in ("run", "check"):
+            with self.subTest(command):
+                self.write(text)
+                said = self.nugget(command, "model.k", "-o", command, expect=1).stderr
+                self.assertIn("centrifugal forces (*LOAD_BODY_RX, _RY, _RZ) are not built in linear statics", said)
+                self.assertIn("*LOAD_SEGMENT_NONUNIFORM: this load is not built in linear statics", said)
+        self.write(statics())
+        self.assertIn("linear statics: materials are elastic", self.nugget("check", "model.k", "-o", "sound").stderr)
+
     def test_directions_without_resistance_are_counted(self):
         """A weld beam of discrete-beam kind is not needed: a brick's lone node does it."""
         node = "*NODE\n     900             1.0             1.0            50.0\n*ELEMENT_MASS\n     900     900          1.0e-6\n"

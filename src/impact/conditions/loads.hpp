@@ -8,6 +8,7 @@
 #include "impact/conditions/gas_volume.hpp"
 #include "impact/conditions/nodal_load.hpp"
 #include "impact/conditions/pressure_load.hpp"
+#include "impact/conditions/traction_load.hpp"
 #include "impact/energy/energy.hpp"
 
 namespace nugget::impact {

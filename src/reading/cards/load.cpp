@@ -403,6 +403,86 @@ void read_segment(Builder& builder, const Block& block, const Options& options) 
   }
 }
 
+// ---- traction
+
+struct TractionCards {
+  int lcid = 0, cid = 0;
+  double sf = 0, at = 0, dt = 0, v1 = 0, v2 = 0, v3 = 0;
+  std::array<int, 8> n{};
+  std::array<double, 8> p{};
+};
+const CardOf<TractionCards> traction_card{
+    {&TractionCards::lcid, id("lcid", IdSpace::function, required, "curve of the traction over time")},
+    {&TractionCards::sf, real("sf", dimension::number, 1, any_value, "scale of the curve")},
+    {&TractionCards::at, real("at", dimension::time, 0, at_least(0), "arrival time: the curve starts then")},
+    {&TractionCards::dt, real("dt", dimension::time, 1e28, at_least(0), "death time; 0: none")},
+    {&TractionCards::cid, id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes")},
+    {&TractionCards::v1,
+     real("v1", dimension::number, 0, any_value, "direction of the traction; its length is nothing")},
+    {&TractionCards::v2, real("v2", dimension::number, 0, any_value, "second component")},
+    {&TractionCards::v3, real("v3", dimension::number, 0, any_value, "third component")},
+};
+/// The fields of eight corners.
+template <class Make>
+CardOf<TractionCards> card_of_corners(Make field) {
+  CardOf<TractionCards> card;
+  for (std::size_t i = 0; i < 8; ++i) card.add(field(i));
+  return card;
+}
+constexpr std::array<std::string_view, 8> traction_nodes{"n1", "n2", "n3", "n4", "n5", "n6", "n7", "n8"},
+    traction_factors{"p1", "p2", "p3", "p4", "p5", "p6", "p7", "p8"};
+const CardOf<TractionCards> traction_nodes_card = card_of_corners([](std::size_t i) -> FieldOf<TractionCards> {
+  return {at(&TractionCards::n, i), id(traction_nodes[i], IdSpace::node, i < 3 ? required : 0,
+                                       i < 3    ? "corner of the segment"
+                                       : i == 3 ? "fourth corner; 0 or n3: a triangle"
+                                                : "mid-side node, which is not built")};
+});
+const CardOf<TractionCards> traction_factors_card = card_of_corners([](std::size_t i) -> FieldOf<TractionCards> {
+  return {at(&TractionCards::p, i), real(traction_factors[i], dimension::number, 0, any_value,
+                                         i < 4 ? "share of the traction at this corner" : "at a mid-side node")};
+});
+
+void read_traction(Builder& builder, const Block& block, const Options& options) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    read_heading(cursor, options.contains("ID"));
+    TractionCards cards;
+    const auto row = cursor.read(traction_card, cards);
+    const auto nodes = cursor.read(traction_nodes_card, cards);
+    const auto factors = cursor.read(traction_factors_card, cards);
+    for (std::size_t i = 4; i < 8; ++i)
+      refuse_nonzero(builder, nodes[at(&TractionCards::n, i)], "segments of quadratic elements are not built",
+                     "give three or four corners");
+    const Vec3d written{cards.v1, cards.v2, cards.v3};
+    if (norm(written) == 0.0) {
+      refuse(builder, row[&TractionCards::v1], "the direction has no length", "give V1 to V3");
+      continue;
+    }
+    const std::size_t corners = cards.n[3] == 0 || cards.n[3] == cards.n[2] ? 3 : 4;
+    for (std::size_t i = 0; i < corners; ++i)
+      if (const deck::Entry p = factors[at(&TractionCards::p, i)]; p.blank)
+        refuse(builder, p, "must be given for each corner of the segment", "write 0 where no traction acts");
+    builder.defer(Phase::conditions, [row, nodes, cards, v = direction(block, written)](Builder& b) {
+      TractionLoad load;
+      load.keyword = "LOAD_SEGMENT_NONUNIFORM";
+      load.place = row.place();
+      Segment segment{};
+      for (std::size_t i = 0; i < 4; ++i)
+        segment[i] = i == 3 && cards.n[3] == 0 ? segment[2] : b.node(nodes[at(&TractionCards::n, i)]);
+      load.curve = b.curve(row[&TractionCards::lcid]);
+      const Index system = b.system(row[&TractionCards::cid]);
+      if (std::ranges::find(segment, none) != segment.end() || (cards.cid != 0 && system == none)) return;
+      load.direction = unit(system == none ? v : b.model.systems[system].axes.global({cards.v1, cards.v2, cards.v3}));
+      load.segments = {segment};
+      load.factor = {{cards.p[0], cards.p[1], cards.p[2], cards.p[3]}};
+      load.scale = cards.sf;
+      load.birth = cards.at;
+      load.death = cards.dt;
+      b.model.traction_loads.push_back(std::move(load));
+    });
+  }
+}
+
 void read_segment_set(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
@@ -461,6 +541,13 @@ std::vector<Keyword> load_keywords() {
        .read = read_body_vector},
       simple("LOAD_BODY_PARTS", body_parts_card, read_body_parts),
       with_heading("LOAD_SEGMENT", load_segment_card, read_segment),
+      {.name = "LOAD_SEGMENT_NONUNIFORM",
+       .options = {"ID"},
+       .layout = {{"with _ID", &heading_card},
+                  {{}, &traction_card},
+                  {{}, &traction_nodes_card},
+                  {{}, &traction_factors_card}},
+       .read = read_traction},
       with_heading("LOAD_SEGMENT_SET", segment_set_card, read_segment_set),
       with_heading("LOAD_SHELL_ELEMENT", load_shell_card, read_shell_pressure<false>),
       with_heading("LOAD_SHELL_SET", shell_set_card, read_shell_pressure<true>),

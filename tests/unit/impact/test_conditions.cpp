@@ -125,6 +125,52 @@ TEST(Loads, PressurePushesOntoTheFace) {
   EXPECT_LT(run.worst, 1e-14);
 }
 
+// A traction t (1 + 2 x) along (0, 0.6, 0.8) on a unit square in the plane of x and y: 2 t in all, of which the edge
+// x = 0 takes the integral of (1 - x)(1 + 2 x), 5/6, and x = 1 that of x (1 + 2 x), 7/6.
+// Sabotage to be caught: each corner taking its own factor of a quarter of the area (1/2 and 3/2).
+TEST(Loads, TractionBetweenCorners) {
+  const std::string square =
+      "*NODE\n1,0.0,0.0,0.0\n2,1.0,0.0,0.0\n3,1.0,1.0,0.0\n4,0.0,1.0,0.0\n*ELEMENT_MASS\n1,1,1e6\n2,2,1e6\n3,3,1e6\n"
+      "4,4,1e6\n*DEFINE_CURVE\n1\n0.0,1.0\n10.0,1.0\n";
+  const std::string card = "*LOAD_SEGMENT_NONUNIFORM\n1,12.0,,,0,0.0,3.0,4.0\n";
+  Trial run(until_one + square + card + "1,2,3,4\n1.0,3.0,3.0,1.0\n");
+  std::array<Vec3d, 4> v;
+  run.run([&](const Snapshot& now) {
+    for (int i = 0; i < 4; ++i) v[i] = now.velocity(run.node(i + 1));
+  });
+  // The masses of 1e6 hardly move, so the square keeps its area.
+  for (const auto& [node, edge] : {std::pair{0, 5.0 / 6.0}, {3, 5.0 / 6.0}, {1, 7.0 / 6.0}, {2, 7.0 / 6.0}}) {
+    EXPECT_NEAR(v[node].x, 0.0, 1e-12);
+    EXPECT_NEAR(1e6 * v[node].y, 0.6 * 6.0 * edge, 1e-3) << node;
+    EXPECT_NEAR(v[node].z / v[node].y, 0.8 / 0.6, 1e-9) << node;
+  }
+  EXPECT_LT(run.worst, 1e-12);
+}
+
+TEST(Loads, LoadedAreasOfFaces) {
+  const auto expect = [](const std::array<double, 4>& areas, const std::array<double, 4>& expected) {
+    for (std::size_t a = 0; a < 4; ++a) EXPECT_NEAR(areas[a], expected[a], 1e-12) << a;
+  };
+  const std::array<Vec3d, 4> square{{{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}}};
+  expect(loaded_areas(square, {1, 1, 1, 1}, false), {1.5, 1.5, 1.5, 1.5});
+  // Integral of N_a N_b over a rectangle: area / 36 times 4, 2, 1, 2.
+  expect(loaded_areas(square, {1, 0, 0, 0}, false), {4.0 / 6.0, 2.0 / 6.0, 1.0 / 6.0, 2.0 / 6.0});
+  const std::array<Vec3d, 4> triangle{{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {0, 3, 0}}};
+  expect(loaded_areas(triangle, {1, 1, 1, 1}, true), {2, 2, 2, 0});
+  expect(loaded_areas(triangle, {0, 6, 0, 0}, true), {3, 6, 3, 0});
+}
+
+// It acts from AT to DT, and its curve begins at AT.
+TEST(Loads, TractionForATime) {
+  Trial run(until_one +
+            "*NODE\n1,0.0,0.0,0.0\n2,1.0,0.0,0.0\n3,0.0,1.0,0.0\n*ELEMENT_MASS\n1,1,1.0\n2,2,1.0\n3,3,1.0\n"
+            "*DEFINE_CURVE\n1\n0.0,0.0\n10.0,10.0\n*LOAD_SEGMENT_NONUNIFORM_ID\n5,heading\n"
+            "1,6.0,0.25,0.75,0,0.0,0.0,2.0\n1,2,3\n1.0,1.0,1.0\n");
+  Vec3d v;
+  run.run([&](const Snapshot& now) { v = now.velocity(run.node(3)); });
+  EXPECT_NEAR(v.z, 0.5 * 0.5 * 0.5, 0.01);  // traction 6 t' on a third of the area of 1/2, for a time of 1/2
+}
+
 // A mass that is driven from rest at once: the support does 1/2 m v^2, no more.
 // Sabotage to be caught: the impulse of the first half step times the full velocity (twice the energy).
 TEST(Supports, DrivenFromRestAtOnceCostsItsKineticEnergy) {

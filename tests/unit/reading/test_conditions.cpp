@@ -490,5 +490,24 @@ TEST(Load, Pressures) {
                   .error("blast", "lcid"));
 }
 
+TEST(Load, Traction) {
+  const std::string system = "*DEFINE_COORDINATE_VECTOR\n3,0.,1.,0.,-1.,0.,0.\n", card = "*LOAD_SEGMENT_NONUNIFORM\n";
+  const Built built(small_deck(system + card + "7,2.0,0.1,0.4,3,5.0\n1,2,3,4\n1.,2.,3.,4.\n"));
+  ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
+  ASSERT_EQ(built.model.traction_loads.size(), 1u);
+  const auto& load = built.model.traction_loads[0];
+  const auto index = [&](int id) { return built.model.node_index(id); };
+  EXPECT_THAT(load.segments, ElementsAre(Segment{index(1), index(2), index(3), index(4)}));
+  EXPECT_THAT(load.factor, ElementsAre(std::array<double, 4>{1, 2, 3, 4}));
+  expect_vector(load.direction, 0, 1, 0);
+  EXPECT_EQ(load.scale, 2.0);
+  EXPECT_EQ(load.birth, 0.1);
+  EXPECT_EQ(load.death, 0.4);
+  EXPECT_TRUE(Built(small_deck(card + "7\n1,2,3\n1.,1.,1.\n")).error("no length", "v1"));
+  EXPECT_TRUE(Built(small_deck(card + "7,,,,,1.\n1,2,3\n1.,1.\n")).error("for each corner", "p3"));
+  EXPECT_TRUE(Built(small_deck(card + "7,,,,,1.\n1,2,3,4,5\n1.,1.,1.,1.\n")).error("quadratic", "n5"));
+  EXPECT_TRUE(Built(small_deck(card + "7,,,,9,1.\n1,2,3\n1.,1.,1.\n")).error("system 9 is not defined", "cid"));
+}
+
 }  // namespace
 }  // namespace nugget::reading
