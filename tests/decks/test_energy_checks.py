@@ -19,6 +19,20 @@ def bar(count, velocity, cards, bulk=""):
     return text + "*END\n"
 
 
+class AlternatingVelocities(CommandTest):
+    def test_a_square_shell_alone_at_the_default_step(self):
+        """Both directions of a free square swell together, by c sqrt(1 + nu) over its side: 0.877 of the formula's step is its limit. The
+        velocities alternate, and a kinetic energy of -4e53 balances an internal one of 4e53. Sabotage: only what is made is looked at."""
+        text = ("*KEYWORD\n*CONTROL_TERMINATION\n1e-3\n*CONTROL_TIMESTEP\n0,{}\n*SECTION_SHELL\n1,{}\n1.\n*MAT_ELASTIC\n1,7.8e-9,2.1e5,0.3\n"
+                "*PART\np\n1,1,1\n*NODE\n1,0,0,0\n2,10,0,0\n3,10,10,0\n4,0,10,0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+                "*INITIAL_VELOCITY_NODE\n1,10.,5.,100.\n*END\n")
+        for elform in (2, 16):
+            self.write(text.format(0.9, elform))
+            self.assertIn("the run is unstable", self.nugget("run", "model.k", "--quiet", expect=3).stderr)
+            self.write(text.format(0.85, elform))
+            self.nugget("run", "model.k", "--quiet")
+
+
 class BulkViscosity(CommandTest):
     def test_all_that_a_bar_loses_goes_against_it(self):
         """An elastic bar without anything else that damps comes to rest: at TSSFAC 0.9 and from velocities at random, whose vibrations take
