@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives report.html in a headless Chromium, offline: node drive.mjs KIND FOLDER [PICTURE.png]
-// KIND: impact, modes, responses; without_webgl, of an impact; compare or compare_modes, of compare.html. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
+// KIND: impact, damage, modes, responses; without_webgl, of an impact; compare or compare_modes, of compare.html. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
 // 77 where there is no Chromium.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -83,9 +83,11 @@ async function impact() {
   assert.deepEqual(shear, [...shear].sort((a, b) => a - b), "sorted by shear force");
   const csv = await saved(page.locator(".tools button").first());
   assert.equal(csv.trim().split("\r\n").length, 1 + shear.length, "the table as CSV");
-  for (const what of ["0", "displacement", "part"]) {
+  const named = await page.locator("#colour-by option").evaluateAll((all) => all.map((option) => option.value));
+  for (const what of named) {
     await page.selectOption("#colour-by", what);
     assert.ok((await colours()) > 2, `coloured by ${what}`);
+    if (what !== "part") assert.match(await text(".legend-3d"), new RegExp(`^${what}`), "the legend says what it is");
   }
   await page.selectOption("select[aria-label='cut plane']", "x");
   await page.selectOption("select[aria-label='cut plane']", "no cut");
@@ -97,6 +99,28 @@ async function impact() {
   await page.reload();
   await page.waitForSelector("#weld-panel:not([hidden])");
   assert.equal(await page.evaluate(() => window.nugget.panel.view.place), 0, "the link leads to its time");
+}
+
+/** What colours the view, and whether "damage" colours the first weld by its row of welds.csv. */
+async function damage() {
+  const options = page.locator("#colour-by option");
+  measured.fields = await options.evaluateAll((all) => all.map((option) => option.value));
+  measured.weld = null;
+  if (!measured.fields.includes("damage")) return;
+  await page.selectOption("#colour-by", "damage");
+  assert.match(await text(".legend-3d"), /^damage\n/, "the legend says what it is");
+  assert.ok((await colours()) > 2, "the model is drawn");
+  const [weld, byFailure, byDamage, ends] = await page.evaluate(() => {
+    const { panel, welds } = window.nugget, { view } = panel, weld = welds[0];
+    if (!weld) return [null];
+    const byDamage = view.weldColour(weld);
+    panel.colourBy("part");
+    return [weld.damage, view.weldColour(weld), byDamage, [weld.failed]];
+  });
+  if (weld === null) return;
+  assert.ok(weld > 0 && weld < 1 && !ends[0], "the weld is damaged and holds");
+  assert.notDeepEqual(byDamage, byFailure);
+  measured.weld = "damage";
 }
 
 async function modes() {
@@ -170,7 +194,7 @@ async function compareModes() {
 }
 
 try {
-  await { impact, modes, responses, without_webgl: withoutWebgl, compare, compare_modes: compareModes }[kind]();
+  await { impact, damage, modes, responses, without_webgl: withoutWebgl, compare, compare_modes: compareModes }[kind]();
   if (picture) {
     await page.waitForTimeout(1500); // until the page has scrolled to what a link named
     await page.screenshot({ path: picture });

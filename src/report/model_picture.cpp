@@ -148,17 +148,25 @@ struct FacetValues {
   std::string name;  ///< with its unit
   std::vector<double> values;
   double low = 0.0, high = 0.0, largest = 0.0;
+  bool of_damage = false;  ///< welds have it too
 };
 
 bool has_yielded(const Scene& s) {
   return std::any_of(s.facets.begin(), s.facets.end(),
-                     [&](const Facet& f) { return colour_fields[0].of(f, s.state, s.geometry().layers) > 0.0; });
+                     [&](const Facet& f) { return colour_fields[0].of(f, s.state, s.geometry()) > 0.0; });
 }
 
 std::string asked_field(const Scene& s) {
   if (!s.options.field.empty()) return s.options.field;
   if (s.modes) return "displacement";
   return has_yielded(s) ? "plastic_strain" : "part";
+}
+
+bool is_damaged_at_the_end(const Scene& s) {
+  if (std::any_of(s.welds.begin(), s.welds.end(), [](const ShownWeld& w) { return w.is_damaged(); })) return true;
+  const D3plotState last = s.file.read(s.file.times().size() - 1);
+  return std::any_of(s.facets.begin(), s.facets.end(),
+                     [&](const Facet& f) { return damage_field.of(f, last, s.geometry()) > 0.0; });
 }
 
 double displacement_of(const Facet& facet, const Scene& s) {
@@ -180,10 +188,19 @@ std::optional<FacetValues> values_of(const Scene& s) {
                           in_units(s.run.summary, field ? field->dimension : dimension::length);
   std::vector<double> sorted;
   for (const Facet& f : s.facets) {
-    of.values.push_back(field ? field->of(f, s.state, s.geometry().layers) : displacement_of(f, s));
+    of.values.push_back(field ? field->of(f, s.state, s.geometry()) : displacement_of(f, s));
     if (std::isfinite(of.values.back())) sorted.push_back(of.values.back());
   }
+  const bool of_damage = field && field->name == damage_field.name;
+  if (of_damage && std::none_of(of.values.begin(), of.values.end(), [](double value) { return value > 0.0; })) {
+    if (!is_damaged_at_the_end(s))
+      throw std::runtime_error(
+          "nothing that is shown has damage: d3plot has that of elements where NEIPH and NEIPS of "
+          "*DATABASE_EXTENT_BINARY are 2 or more, welds.csv that of welds");
+    sorted.assign({0.0, 1.0});
+  }
   if (sorted.empty()) throw std::runtime_error(fmt::format("nothing that is shown has {}", name));
+  of.of_damage = of_damage;
   std::sort(sorted.begin(), sorted.end());
   of.low = sorted.front();
   of.largest = sorted.back();
@@ -392,13 +409,23 @@ class FailureValues {
   std::map<std::string, std::vector<double>> of_;
 };
 
-std::string drawn_welds(const Scene& s, const Camera& camera, const DrawnFacets& sheets, const FailureValues& failure) {
+/// By the colours of the sheets where these show damage and the weld has some, else by its failure value.
+Colour colour_of(const ShownWeld& weld, const Scene& s, const std::optional<FacetValues>& of,
+                 const FailureValues& failure) {
+  if (s.modes) return colour_of_failure(0.0);
+  if (!of || !of->of_damage) return colour_of_failure(failure.of(weld));
+  const std::optional<double> damage = weld.has_failed_by(s.state.time) ? 1.0 : weld.damage;
+  return damage && of->high > of->low ? ramp((*damage - of->low) / (of->high - of->low)) : colour_of_failure(0.0);
+}
+
+std::string drawn_welds(const Scene& s, const Camera& camera, const DrawnFacets& sheets,
+                        const std::optional<FacetValues>& values, const FailureValues& failure) {
   constexpr double least_radius = 3.5;
   std::string text;
   for (const ShownWeld& weld : s.welds) {
     const PicturePoint p = camera(s.place_of(weld));
     const bool hidden = sheets.hide(p, weld.diameter);
-    const std::string colour = css(s.modes ? colour_of_failure(0.0) : colour_of_failure(failure.of(weld)));
+    const std::string colour = css(colour_of(weld, s, values, failure));
     text += fmt::format(
         "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\">"
         "<title>weld {}</title></circle>\n",
@@ -447,6 +474,7 @@ std::string colour_bar(const Scene& s, const FacetValues& of) {
   }
   std::string largest;
   if (!s.modes && of.largest > of.high) largest = fmt::format(" (largest {:.4g})", of.largest);
+  if (of.of_damage) largest += "; 1: failed; welds as at the end of the run";
   return fmt::format(
       "<defs><linearGradient id=\"ramp\">{}</linearGradient></defs>\n<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" "
       "height=\"{:.0f}\" fill=\"url(#ramp)\"/>\n{}{}",
@@ -527,7 +555,7 @@ std::string drawn(const Scene& scene, const Camera& camera, const std::optional<
       "paint-order: stroke; }}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}{3}{4}{5}{6}{7}{8}{9}</svg>\n",
       options.width, options.height, options.shapes ? sheets.as_shapes() : sheets.as_pixels(),
-      drawn_beams(scene, camera), drawn_welds(scene, camera, sheets, failure),
+      drawn_beams(scene, camera), drawn_welds(scene, camera, sheets, values, failure),
       text_at(margin, 22.0, title, " style=\"font-weight: bold\""), text_at(margin, 40.0, caption(scene)),
       values ? colour_bar(scene, *values) : part_list(scene), weld_legend(scene), triad(scene, camera));
 }

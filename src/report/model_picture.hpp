@@ -28,7 +28,7 @@ struct PictureOptions {
   int width = 1440, height = 960;
 };
 
-/// plastic_strain, von_mises_stress, thickness, displacement, part.
+/// plastic_strain, von_mises_stress, thickness, damage, displacement, part.
 const std::vector<std::string>& picture_fields();
 
 /// The model of a run at a state of d3plot, or a natural mode of d3eigv, as an SVG document: shells and the skin of

@@ -34,6 +34,7 @@ std::vector<ShownWeld> shown_welds(const RunData& run, const output::D3plotGeome
     weld.failure_time = number("failure_time");
     weld.peak_failure = number("peak_failure");
     weld.peak_failure_time = number("peak_failure_time");
+    if (!cell(row, "damage").empty()) weld.damage = number("damage");
     for (int end = 1;; ++end) {
       const std::string node = cell(row, fmt::format("node{}", end));
       if (node.empty()) break;

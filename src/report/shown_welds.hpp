@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "output/d3plot.hpp"
@@ -14,10 +15,12 @@ struct ShownWeld {
   double diameter = 0.0, failure_time = 0.0;
   bool tied = false, failed = false;
   double peak_failure = 0.0, peak_failure_time = 0.0;
+  std::optional<double> damage;      ///< at the end of the run, 0 to 1, where its law has one
   std::vector<std::size_t> nodes;    ///< its own, as positions in D3plotGeometry::node_ids
   std::vector<std::size_t> segment;  ///< those of the segment that its first end is tied to
 
   bool has_failed_by(double time) const { return failed && failure_time <= time; }
+  bool is_damaged() const { return damage.value_or(0.0) > 0.0; }
 };
 
 /// Those that have nodes in the file.

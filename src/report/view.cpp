@@ -48,9 +48,9 @@ ShownState shown_state(const D3plotGeometry& g, const D3plotState& s, bool modes
   ShownState shown{s.x, s.shell_alive, s.solid_alive, s.beam_alive, {}, {}};
   for (std::size_t f = 0; !modes && f < std::size(colour_fields); ++f) {
     for (std::size_t e = 0; e < g.shells.size(); ++e)
-      shown.of_shells[f].push_back(static_cast<float>(colour_fields[f].of_shell(e, s, g.layers)));
+      shown.of_shells[f].push_back(static_cast<float>(colour_fields[f].of_shell(e, s, g)));
     for (std::size_t e = 0; e < g.solids.size(); ++e)
-      shown.of_solids[f].push_back(static_cast<float>(colour_fields[f].of_solid(e, s)));
+      shown.of_solids[f].push_back(static_cast<float>(colour_fields[f].of_solid(e, s, g)));
   }
   return shown;
 }

@@ -13,6 +13,7 @@
 #include "output/d3plot_reader.hpp"
 #include "output/history_reader.hpp"
 #include "output/vtu_file.hpp"
+#include "report/colour_field.hpp"
 #include "report/quantity.hpp"
 #include "report/shown_welds.hpp"
 #include "report/stress.hpp"
@@ -83,31 +84,34 @@ class CellFields {
   std::map<std::string, std::vector<std::int32_t>> ids_;
 };
 
-void put_solid(CellFields& fields, const output::SolidRecord& r, bool strains) {
+void put_solid(CellFields& fields, const output::SolidRecord& r, const D3plotGeometry& g) {
   fields.put_all("stress", r.stress);
   fields.put("von_mises_stress", von_mises(r.stress));
   fields.put("plastic_strain", r.plastic_strain);
-  if (strains) fields.put_all("strain", r.strain);
+  if (g.solid_histories > 0) fields.put("damage", damage_of(r));
+  if (g.strains) fields.put_all("strain", r.strain);
 }
 
 void put_shell(CellFields& fields, const output::ShellRecord& r, std::span<const output::StressRecord> layers,
-               bool strains) {
-  double plastic = 0.0, equivalent = 0.0;
+               const D3plotGeometry& g) {
+  double plastic = 0.0, equivalent = 0.0, damage = 0.0;
   std::array<double, 6> mean{};
   for (const output::StressRecord& layer : layers) {
     plastic = std::max(plastic, layer.plastic_strain);
     equivalent = std::max(equivalent, von_mises(layer.stress));
+    damage = std::max(damage, damage_of(layer));
     for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += layer.stress[i] / static_cast<double>(layers.size());
   }
   fields.put_all("stress", mean);
   fields.put("von_mises_stress", equivalent);
   fields.put("plastic_strain", plastic);
+  if (g.shell_histories > 0) fields.put("damage", damage);
   fields.put("thickness", r.thickness);
   fields.put("internal_energy_density", r.internal_energy);
   fields.put("membrane_forces", {r.nx, r.ny, r.nxy});
   fields.put("bending_moments", {r.mx, r.my, r.mxy});
   fields.put("transverse_shear", {r.qx, r.qy, 0.0});
-  if (strains) {
+  if (g.strains) {
     fields.put_all("strain_inner", r.inner_strain);
     fields.put_all("strain_outer", r.outer_strain);
   }
@@ -148,14 +152,13 @@ VtuGrid grid_of(const D3plotGeometry& g, const D3plotState& s) {
     if (s.solid_alive[e] == 0) continue;
     add_solid(grid, g.solids[e].nodes);
     begin(g.solids[e].id, g.solids[e].part);
-    if (!modes) put_solid(fields, s.solids[e], g.strains);
+    if (!modes) put_solid(fields, s.solids[e], g);
   }
   for (std::size_t e = 0; e < g.shells.size(); ++e) {
     if (s.shell_alive[e] == 0) continue;
     add_shell(grid, g.shells[e].nodes);
     begin(g.shells[e].id, g.shells[e].part);
-    if (!modes)
-      put_shell(fields, s.shells[e], std::span(s.shell_layers).subspan(e * at(g.layers), at(g.layers)), g.strains);
+    if (!modes) put_shell(fields, s.shells[e], std::span(s.shell_layers).subspan(e * at(g.layers), at(g.layers)), g);
   }
   for (std::size_t e = 0; e < g.beams.size(); ++e) {
     if (s.beam_alive[e] == 0) continue;

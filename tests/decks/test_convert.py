@@ -3,6 +3,7 @@
 import csv
 import unittest
 
+import damaged
 from lap_joint import deck
 from nugget_command import CommandTest
 from test_mode_studies import strips
@@ -51,6 +52,17 @@ class Convert(CommandTest):
                         self.assertEqual(strain[ours][0], max(block["cell_arrays"][n][c][0] for n in names))
                         seen += 1
             self.assertGreater(seen, 0)
+
+    def test_damage_where_it_was_recorded(self):
+        for histories in (3, 0):
+            self.write(damaged.sheets(histories))
+            self.nugget("run", "model.k", "--quiet")
+            self.nugget("convert", ".", "--to", "vtk")
+            cells = read_vtu(self, self.folder / "state0004.vtu").GetCellData()
+            self.assertEqual(cells.HasArray("damage"), int(histories > 0))
+            if histories:
+                strain, damage = array(cells, "plastic_strain")[0][0], array(cells, "damage")[0][0]
+                self.assertAlmostEqual(damage, (strain / 0.4) ** 2, delta=5e-3)
 
     def test_welds_are_lines_with_their_histories(self):
         self.run_deck()

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """nugget plot and nugget picture: what they draw stands in the files of the run; what cannot be drawn is refused."""
+import csv
+import io
 import re
 import struct
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+import damaged
 from lap_joint import deck
 from nugget_command import SOURCE, CommandTest
 from test_mode_studies import strips
@@ -152,6 +155,41 @@ class Picture(Pictures):
             self.nugget("picture", ".", "-o", "a.svg", "--state", state)
             circle, = (c for c in self.svg("a.svg").iter(SVG + "circle") if c.find(SVG + "title") is not None)
             self.assertEqual("#c62828" in (circle.get("fill"), circle.get("stroke")), red)
+
+    def fills(self, *arguments):
+        """(colours of facets, of welds, words)"""
+        self.nugget("picture", ".", "-o", "a.svg", *arguments)
+        root = self.svg("a.svg")
+        welds = [c for c in root.iter(SVG + "circle") if c.find(SVG + "title") is not None]
+        return ({p.get("fill") for p in root.iter(SVG + "path")}, [c.get("stroke") if c.get("fill") == "none" else c.get("fill") for c in welds],
+                " ".join(t.text for t in root.iter(SVG + "text")))
+
+    def test_damage_of_elements(self):
+        self.run_deck(damaged.sheets())
+        _, _, words = self.fills("--field", "damage")
+        self.assertIn("damage", words)
+        self.assertIn("1: failed", words)
+        largest = self.fills("--field", "damage", "--range", "0,1", "--state", 4)[0]
+        self.assertNotEqual(largest, self.fills("--field", "damage", "--range", "0,1", "--state", 1)[0])
+
+    def test_damage_of_a_weld(self):
+        """Colours of the ramp by welds.csv, whose damage grows with (t - t_f) / 1e-4."""
+        self.run_deck(damaged.weld())
+        rows = list(csv.DictReader(io.StringIO(self.read("welds.csv"))))
+        share = float(rows[0]["damage"])
+        self.assertGreater(share, 0.05)
+        self.assertEqual(rows[0]["failed"], "no")
+        _, (half,), words = self.fills("--field", "damage", f"--range=0,{2 * share}")
+        self.assertEqual(half, "#96c85a")  # the middle of the ramp, [150, 200, 90]
+        self.assertIn("damage", words)
+        _, (plain,), _ = self.fills("--field", "part")
+        self.assertNotEqual(plain, half)
+
+    def test_damage_that_is_not_there(self):
+        self.run_deck()
+        refused = self.nugget("picture", ".", "-o", "a.svg", "--field", "damage", expect=2).stderr
+        for words in ("nothing that is shown has damage", "NEIPH", "welds.csv"):
+            self.assertIn(words, refused)
 
     def test_modes(self):
         self.write(strips())

@@ -7,6 +7,7 @@ import struct
 import unittest
 import zlib
 
+import damaged
 from lap_joint import deck
 from nugget_command import CommandTest
 
@@ -97,6 +98,25 @@ class Viewer(CommandTest):
         self.assertIn("von Mises stress", names)
         stress = arrays[f"field{names.index('von Mises stress')}_0"]
         self.assertEqual(set(stress), {0}, "the model starts without stresses")
+
+    def field(self, about, name):
+        return next((field for field in about["view"]["fields"] if field["name"] == name), None)
+
+    def test_damage_is_a_field_where_it_was_recorded(self):
+        """D = (p / 0.4)^2 of the deck's own law. Sabotage: the instability in its place; the field where nothing is damaged."""
+        for histories, law, there in ((3, True, True), (0, True, False), (3, False, False)):
+            with self.subTest(histories=histories, law=law):
+                self.write(damaged.sheets(histories, law))
+                self.nugget("run", "model.k", "--quiet")
+                about, _ = self.packed()
+                field = self.field(about, "damage")
+                self.assertEqual(field is not None, there)
+                if there:
+                    strain = self.field(about, "plastic strain")["high"]
+                    self.assertGreater(strain, 0.2)
+                    lost = max((strain / 0.4) ** 2, ((strain / 0.4) ** 2 - 0.25) / 0.75)
+                    self.assertAlmostEqual(field["high"], lost, delta=5e-3)
+                    self.assertEqual(field["dimension"], "")
 
     def test_welds_and_units(self):
         about, _ = self.run_deck()

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import unittest
 
+import damaged
 from lap_joint import deck
 from nugget_command import CommandTest, SOURCE
 from test_mode_studies import strips
@@ -30,6 +31,17 @@ class InBrowser(CommandTest):
         self.write(deck())
         self.nugget("run", "model.k", "--quiet")
         self.assertGreater(self.drive("impact")["colours"], 20)
+
+    def test_damage_of_elements_and_of_welds(self):
+        for text, value in ((damaged.sheets(), None), (damaged.weld(), "damage")):
+            self.write(text)
+            self.nugget("run", "model.k", "--quiet")
+            found = self.drive("damage")
+            self.assertIn("damage", found["fields"])
+            self.assertEqual(found["weld"], value)
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        self.assertNotIn("damage", self.drive("damage")["fields"])
 
     def test_a_run_without_webgl(self):
         self.write(deck())

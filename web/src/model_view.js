@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { ofFailure, ofPart, ramp } from "./colours.js";
+import { PLAIN, ofFailure, ofPart, ramp } from "./colours.js";
 
-const NO_VALUE = 255; // of a field in 8 bits
+export const NO_VALUE = 255; // of a field in 8 bits
 const GREY = [150, 156, 164];
 
 /** Corners of a facet's two triangles, and its sides. */
@@ -261,8 +261,12 @@ export class ModelView {
     this.discs.computeBoundingSphere();
   }
 
+  /** By the ramp of the elements where these show damage, else by its failure value. */
   weldColour(weld) {
-    return ofFailure(this.weldValue(weld));
+    const { field, low, high } = this.colouring, value = this.weldValue(weld);
+    if (field?.name !== "damage") return ofFailure(value);
+    const damage = value >= 1 ? 1 : weld.damage;
+    return damage === null ? PLAIN : ramp((damage - low) / (high - low || 1));
   }
 
   // ---- camera

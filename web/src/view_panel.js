@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 import { element, number, withUnit } from "./format.js";
 import { FAILED, NEAR, PLAIN, SAFE, css, ofPart, rampGradient } from "./colours.js";
-import { ModelView, VIEWS } from "./model_view.js";
+import { ModelView, NO_VALUE, VIEWS } from "./model_view.js";
 
 const PLAY_SECONDS = 4; // for all states
+const DAMAGE = "damage"; // the field that welds have too
 
 /** The three-dimensional view with its controls. `onplace(time)` is told when another state is shown. */
 export class ViewPanel {
@@ -20,11 +21,12 @@ export class ViewPanel {
     this.legend = element("div", { class: "legend-3d" });
     canvas.append(this.readout, this.legend);
     parent.append(canvas);
+    this.#addDamageOfWelds(welds);
     this.view = new ModelView(canvas, shape, welds, (hit) => this.#picked(hit));
     parent.append(this.#stateBar(), this.#toolBar());
     canvas.addEventListener("keydown", (event) => this.#key(event));
     if (modes) this.mode = this.#firstElasticMode();
-    this.colourBy(modes ? "displacement" : this.shape.fields.length ? "0" : "part");
+    this.colourBy(modes ? "displacement" : this.shape.fields[0]?.name ?? "part");
     if (modes) this.showMode(this.mode);
     else this.showPlace(shape.states - 1);
   }
@@ -53,7 +55,7 @@ export class ViewPanel {
 
   #toolBar() {
     const colours = element("select", { "aria-label": "colour by", id: "colour-by" }, element("option", { value: "part" }, "parts"),
-      ...this.shape.fields.map((f, i) => element("option", { value: i }, f.name)), element("option", { value: "displacement" }, "displacement"));
+      ...this.shape.fields.map((f) => element("option", { value: f.name }, f.name)), element("option", { value: "displacement" }, "displacement"));
     colours.addEventListener("change", () => this.colourBy(colours.value));
     this.colourList = colours;
     this.view.edges = this.shape.facets < 100000;
@@ -98,14 +100,15 @@ export class ViewPanel {
 
   // ---- what is shown
 
-  /** By part, by displacement, or by the field of that number. */
+  /** "part", "displacement" or the name of a field; by parts where the model does not have it. */
   colourBy(what, range = null) {
+    const field = this.shape.fields.find((f) => f.name === what);
+    if (!field && what !== "displacement") what = "part";
     this.colourList.value = what;
-    const field = this.shape.fields[what];
     if (field) this.view.colouring = { kind: "field", field, low: field.low, high: this.#usualHigh(field), ...range };
     else if (what === "displacement") this.view.colouring = { kind: what, low: 0, high: this.#largestDisplacement(), ...range };
     else this.view.colouring = { kind: "part" };
-    this.#drawLegend(field ? field.name : what, field ? this.units[field.dimension] : this.units.length);
+    this.#drawLegend(field ?? { name: what, dimension: "length" });
     this.view.show();
     const { low, high } = this.view.colouring;
     for (const follow of this.colourFollowers) follow(what, low === undefined ? null : { low, high });
@@ -113,16 +116,24 @@ export class ViewPanel {
 
   /** What all but a few facets stay below in the last state: one torn element does not take the colours from the others. */
   #usualHigh(field) {
-    const last = Array.from(field.values.at(-1)).filter((v) => v !== 255).sort((a, b) => a - b);
+    const last = Array.from(field.values.at(-1)).filter((v) => v !== NO_VALUE).sort((a, b) => a - b);
     const steps = last[Math.floor(0.995 * (last.length - 1))] || 254;
     return field.low + (steps / 254) * (field.high - field.low);
   }
 
-  #drawLegend(name, unit) {
-    const { kind, low, high } = this.view.colouring;
+  /** Elements may have no damage while welds do: then they are grey beside them. */
+  #addDamageOfWelds(welds) {
+    const { fields, times, facets } = this.shape;
+    if (this.modes || fields.some((f) => f.name === DAMAGE) || !welds.some((weld) => weld.damage > 0)) return;
+    fields.push({ name: DAMAGE, dimension: "", low: 0, high: 1, values: times.map(() => new Uint8Array(facets).fill(NO_VALUE)) });
+  }
+
+  #drawLegend({ name, dimension, low, high }) {
+    const { kind } = this.view.colouring, unit = this.units[dimension];
     const weld = (colour, words) => element("span", {}, element("i", { style: `background:${css(colour)}` }), words);
     const welds = this.view.welds.length === 0 ? [] : [element("div", { class: "weld-legend" }, "welds: ", ...(this.modes
       ? [weld(SAFE, "little strain energy"), weld(FAILED, "most")]
+      : name === DAMAGE ? ["as at the end of the run; 1: failed ", weld(PLAIN, "law without damage")]
       : [weld(SAFE, "holds"), weld(NEAR, "0.8"), weld(FAILED, "failed"), weld(PLAIN, "no value")]))];
     if (kind === "part") return this.legend.replaceChildren(...welds);
     const edit = (side) => {
@@ -141,7 +152,7 @@ export class ViewPanel {
     }
     this.legend.replaceChildren(element("div", {}, unit ? `${name} [${unit}]` : name), element("div", { class: "ramp", style: `background:${rampGradient}` }),
       element("div", { class: "ends" }, edit("low"), edit("high")),
-      ...(kind === "field" ? [element("div", {}, `all states: ${number(this.shape.fields.find((f) => f.name === name).low)} to ${number(this.shape.fields.find((f) => f.name === name).high)}`)] : []), ...welds);
+      ...(kind === "field" ? [element("div", {}, `all states: ${number(low)} to ${number(high)}`)] : []), ...welds);
   }
 
   #largestDisplacement() {
@@ -223,7 +234,7 @@ export class ViewPanel {
     if (!hit) return (this.readout.textContent = "");
     const f = hit.facet, part = this.shape.parts[this.shape.facetParts[f]];
     const { kind, field } = this.view.colouring;
-    const value = kind === "field" && field.values[this.view.state][f] !== 255
+    const value = kind === "field" && field.values[this.view.state][f] !== NO_VALUE
       ? `, ${field.name} about ${withUnit(field.low + (field.values[this.view.state][f] / 254) * (field.high - field.low), this.units[field.dimension])}` : "";
     this.readout.textContent = `element ${this.shape.facetElements[f]}, part ${part.id} ${part.title}${value}`;
   }

@@ -11,7 +11,7 @@ export function readWelds(table, shape) {
     return {
       id: cells.id, cells, failed, entity: `weld ${cells.id}`, part: partIndex.get(cells.part),
       diameter: Number(cells.diameter), length: Number(cells.length), failureTime: failed ? Number(cells.failure_time) : Infinity,
-      peak: Number(cells.peak_failure) || 0,
+      peak: Number(cells.peak_failure) || 0, damage: cells.damage ? Number(cells.damage) : null, // at the end, 0 to 1
       nodes: nodes(nodeColumns.map((name) => cells[name]).filter(Boolean)),
       segment: nodes((cells.segment1 ?? "").split(" ").filter(Boolean)),
       verdict: verdictOf(cells), kindOfVerdict: failed ? "failed" : cells.tied !== "yes" ? "untied" : cells.peak_failure >= 0.8 ? "near" : "holds",

@@ -379,10 +379,10 @@ class Results:
                 range: tuple[float, float] | None = None, edges: bool = True, shapes: bool = False,
                 width: int = 1440, height: int = 960) -> Picture:
         """The model at a state of d3plot, or a natural mode. `state`: from 1, or the mode; `time`: the state nearest to
-        it; neither: the last. `field`: plastic_strain, von_mises_stress, thickness, displacement or part. `weld`: the
-        id of one to look at from near. `view`: from the model to the eye. `scale`: of displacements. `range`: of the
-        colours. `shapes`: facets as shapes that can be scaled, as `nugget picture` writes to an .svg, instead of
-        pixels. LookupError for what is not there."""
+        it; neither: the last. `field`: plastic_strain, von_mises_stress, thickness, damage, displacement or part.
+        `weld`: the id of one to look at from near. `view`: from the model to the eye. `scale`: of displacements.
+        `range`: of the colours. `shapes`: facets as shapes that can be scaled, as `nugget picture` writes to an .svg,
+        instead of pixels. LookupError for what is not there."""
         if field and field not in _nugget.picture_fields():
             raise ValueError(f"field '{field}', expected {', '.join(_nugget.picture_fields())}")
         if state is not None and time is not None:
