@@ -16,6 +16,7 @@
 #include "app/run_log.hpp"
 #include "impact/simulation/simulation.hpp"
 #include "nvh/statics/statics.hpp"
+#include "output/column_units.hpp"
 #include "weld/tie/disc.hpp"
 #include "weld/tie/joints.hpp"
 
@@ -138,6 +139,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
       fmt::format("\nSeconds: read {:.2f}, tie {:.2f}, audit {:.2f}\n", p.read_seconds, p.tie_seconds, p.audit_seconds);
   log.add(log_model(p.model) + log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties) + audit);
   output::write_welds(directory, p.welds);
+  output::write_column_units(directory, model::units_of(p.model));
   fmt::print("{}{}{}", log_model(p.model), log_ties(p.model, p.ties, most_on_terminal), audit);
   return findings.errors() > 0 ? ExitCode::refused : ExitCode::normal;
 }

@@ -409,7 +409,8 @@ int nugget::app::command_line(int argc, char** argv) {
   convert_command->add_option("directory", convert.directory, "folder with summary.json")->required();
   convert_command
       ->add_option("--to", convert.to,
-                   "vtk: states, modes and welds as .vtu and .pvd for ParaView; csv: all histories as one table")
+                   "vtk: states, modes and welds as .vtu and .pvd for ParaView; csv: all histories as one table; "
+                   "hdf5: histories, welds and responses as results.h5")
       ->required()
       ->check(CLI::IsMember(nugget::app::conversion_names()));
   convert_command->add_option("-o,--output", convert.target, "folder for them (default: the results' own)");

@@ -30,6 +30,7 @@
 #include "impact/recording/weld_results.hpp"
 #include "impact/simulation/simulation.hpp"
 #include "nvh/matrices/ranks.hpp"
+#include "output/column_units.hpp"
 #include "output/results.hpp"
 #include "reading/describe.hpp"
 #include "report/page.hpp"
@@ -401,6 +402,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   impact::add_weld_results(simulation->system(), simulation->components(), p.welds);
   const output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
   output::write_welds(directory, p.welds);
+  output::write_column_units(directory, model::units_of(p.model));
   output::write_summary(directory, summary);
   remove_status(directory);
   report_end(arguments, directory, *simulation, outcome, summary, log);

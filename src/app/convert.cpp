@@ -6,13 +6,14 @@
 #include "app/command.hpp"
 #include "app/commands.hpp"
 #include "report/run_data.hpp"
+#include "report/run_hdf5.hpp"
 #include "report/tidy_table.hpp"
 #include "report/vtk.hpp"
 
 namespace nugget::app {
 
 const std::vector<std::string>& conversion_names() {
-  static const std::vector<std::string> names{"vtk", "csv"};
+  static const std::vector<std::string> names{"vtk", "csv", "hdf5"};
   return names;
 }
 
@@ -25,6 +26,11 @@ ExitCode convert(const ConvertArguments& arguments) {
           if (arguments.to == "csv") {
             const std::size_t rows = report::write_tidy_table(directory, target / "histories.csv", run.summary);
             fmt::print("{}: {} rows\n", (target / "histories.csv").string(), rows);
+            return ExitCode::normal;
+          }
+          if (arguments.to == "hdf5") {
+            const std::vector<std::string> groups = report::write_hdf5(directory, target / "results.h5", run);
+            fmt::print("{}: {}\n", (target / "results.h5").string(), fmt::join(groups, ", "));
             return ExitCode::normal;
           }
           for (const std::string& file : report::write_vtk(directory, target, run))

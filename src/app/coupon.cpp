@@ -54,8 +54,7 @@ ExitCode test_card(const CouponArguments& arguments, const fs::path& directory) 
   if (const ExitCode code = run_coupons(runs, arguments.threads); code != ExitCode::normal) return code;
 
   const Surface surface(*prepared);
-  report::CouponStudy study{
-      arguments.card, std::move(taken.notes), std::string(taken.card.units.description), {}, {}, {}};
+  report::CouponStudy study{arguments.card, std::move(taken.notes), taken.card.units, {}, {}, {}};
   for (int angle = 0; angle <= 90; ++angle) {
     study.angle.push_back(angle);
     study.surface.push_back(surface(angle));

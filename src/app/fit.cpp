@@ -5,12 +5,14 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "app/command.hpp"
 #include "app/coupon_card.hpp"
 #include "app/coupon_runs.hpp"
 #include "app/measured_curves.hpp"
+#include "output/column_units.hpp"
 #include "weld/coupon/strength_fit.hpp"
 
 namespace nugget::app {
@@ -110,6 +112,7 @@ class Fit {
     tests_ = tests_of(curves_);
     const TakenCard taken = take_card(coupon_, directory_);
     if (!card_is_sound(taken)) return ExitCode::refused;
+    units_ = taken.card.units;
     const std::array<double, 4> start = strengths_of(taken, arguments_.card);
     for (const std::string& note : taken.notes) fmt::print("{}\n", note);
     if (const ExitCode code = run_with({}, taken, "unbroken"); code != ExitCode::normal) return code;
@@ -182,6 +185,7 @@ class Fit {
                          curve.at, predicted, now.peak, now.at);
     }
     output::write_whole_file(directory_ / "fit.csv", csv);
+    output::write_column_units(directory_, units_);
     fmt::print("\n scatter of a force about its strength: {:.2g} %\n {}; runs and fit.csv in {}\n", 100.0 * fit.scatter,
                arguments_.output, directory_.string());
   }
@@ -190,6 +194,7 @@ class Fit {
   fs::path directory_;
   CouponArguments coupon_;
   std::vector<MeasuredCurve> curves_;
+  std::optional<model::Units> units_;
   std::vector<weld::CouponTest> tests_;
 };
 

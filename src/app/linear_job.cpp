@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "nvh/matrices/linear_model.hpp"
 #include "nvh/matrices/ranks.hpp"
+#include "output/column_units.hpp"
 
 namespace nugget::app {
 namespace {
@@ -95,6 +96,7 @@ output::Summary LinearJob::summary() const {
 
 void LinearJob::write(const output::Summary& summary) const {
   output::write_welds(directory_, summary.welds);
+  output::write_column_units(directory_, model::units_of(deck_.model));  // of the tables that are there by now
   output::write_summary(directory_, summary);
 }
 

@@ -17,6 +17,7 @@
 #include "app/status.hpp"
 #include "base/parallel.hpp"
 #include "model/history_files.hpp"
+#include "output/column_units.hpp"
 #include "report/run_data.hpp"
 
 namespace nugget::app {
@@ -222,6 +223,7 @@ ExitCode compare_runs(const fs::path& directory, const RunArguments& arguments) 
   std::stable_sort(results.begin() + 1, results.end(),
                    [&](const Result& a, const Result& b) { return worth(a, whole) > worth(b, whole); });
   write_results(directory, pairs, results);
+  output::write_column_units(directory, model::units_of(p.model));
   fmt::print("{}\n{}\n", drop_table(pairs, results), (directory / "weld_drop.csv").string());
   if (whole.exit_code != 0) return static_cast<ExitCode>(whole.exit_code);
   return std::all_of(runs.begin(), runs.end(), [](const ChildRun& r) { return r.exit_code == 0; })

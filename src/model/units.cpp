@@ -71,7 +71,13 @@ std::string symbol(const Units& units, const Dimension& d) {
   if (d == dimension::stress) return std::string(units.stress);
   // What is a force times something is told in forces: moments, energies, stiffnesses.
   if (d.mass == 1 && d.time == -2) return product({{units.force, 1}, {length, d.length - 1}});
+  if (d.mass == -1 && d.time == 2) return product({{length, d.length + 1}, {units.force, -1}});  // flexibilities
   return product({{mass, d.mass}, {length, d.length}, {time, d.time}});
+}
+
+std::string frequency_symbol(const Units& units) {
+  if (units.microsecond == 1e-6) return "Hz";
+  return units.microsecond == 1e-3 ? "kHz" : symbol(units, dimension::rate);
 }
 
 std::optional<Units> recognise_units(const Model& model) {

@@ -34,6 +34,9 @@ std::optional<Units> units_named(std::string_view name);
 /// A quantity's unit in that set, in the words of the field: `MPa`, `N mm`, `mm/s2`. Empty for a number.
 std::string symbol(const Units& units, const Dimension& dimension);
 
+/// Of frequencies, in cycles a unit of time: `Hz`, `kHz`.
+std::string frequency_symbol(const Units& units);
+
 /// The units of a deck, from density and Young's modulus of most of its sheets: those in which they are a metal between
 /// magnesium (0.23 and 0.21 of steel's) and lead or tungsten (1.5 and 2 of steel's). Nothing where none fits or there
 /// are no sheets: a deck does not say its units.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/column_units.hpp"
 #include "output/result_file.hpp"
 #include "report/page.hpp"
 #include "report/plot.hpp"
@@ -69,7 +70,7 @@ std::string result_rows(const CouponStudy& study) {
 
 std::string coupon_html(const CouponStudy& study) {
   std::string body = fmt::format("<h1>Coupons of {}</h1>\n<p class=\"sub\">units {}</p>\n<ul>", escaped(study.card),
-                                 escaped(study.units));
+                                 escaped(std::string(study.units.description)));
   for (const std::string& note : study.notes) body += fmt::format("<li>{}</li>\n", escaped(note));
   body +=
       "</ul>\n<h2>Force over angle</h2>\n" + to_svg(force_over_angle(study)) +
@@ -134,13 +135,16 @@ std::string coupon_table(const CouponStudy& study) {
     s += fmt::format(" {:<18} {:>6g} {:>11} {:>11} {:>11} {:>8}  {:<17} {:>10} {:>10} {:>10}\n", r.title, r.angle,
                      table_cell(r.peak), table_cell(r.at), table_cell(r.surface), table_cell(r.peak / r.surface, 3),
                      ending(r), table_cell(r.axial), table_cell(r.shear), table_cell(r.bending));
-  return s;
+  const auto unit = [&](const Dimension& d) { return model::symbol(study.units, d); };
+  return s + fmt::format(" forces in {}, lengths in {}, moments in {}\n", unit(dimension::force),
+                         unit(dimension::length), unit(dimension::moment));
 }
 
 void write_coupon_study(const std::filesystem::path& directory, const CouponStudy& study) {
   output::write_whole_file(directory / "coupon.csv", result_csv(study));
   output::write_whole_file(directory / "curves.csv", curve_csv(study));
   output::write_whole_file(directory / "surface.csv", surface_csv(study));
+  output::write_column_units(directory, study.units);
   output::write_whole_file(directory / "coupon.svg", to_svg_file({{force_over_angle(study)}}));
   output::write_whole_file(directory / "curves.svg", to_svg_file({{force_over_displacement(study)}}));
   output::write_whole_file(directory / "coupon.html", coupon_html(study));

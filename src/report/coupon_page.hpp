@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/units.hpp"
+
 // What `nugget coupon` says of a weld's card: tables, pictures and a page (docs/manual/coupon.md#what-comes-out).
 namespace nugget::report {
 
@@ -27,17 +29,17 @@ struct CouponResult {
 };
 
 struct CouponStudy {
-  std::string card;                    ///< its file
-  std::vector<std::string> notes;      ///< what was taken from the card and what was added
-  std::string units;                   ///< e.g. `mm t s (N, MPa)`
+  std::string card;                ///< its file
+  std::vector<std::string> notes;  ///< what was taken from the card and what was added
+  model::Units units;
   std::vector<double> angle, surface;  ///< the card's own surface by its failure function
   std::vector<CouponResult> results;
 };
 
 /// Table for the terminal.
 std::string coupon_table(const CouponStudy& study);
-/// coupon.csv (a row a test), curves.csv (test, angle, displacement, force), surface.csv, coupon.svg (force over
-/// angle), curves.svg, coupon.html. Throws output::WriteError.
+/// coupon.csv (a row a test), curves.csv (test, angle, displacement, force), surface.csv, units.csv, coupon.svg
+/// (force over angle), curves.svg, coupon.html. Throws output::WriteError.
 void write_coupon_study(const std::filesystem::path& directory, const CouponStudy& study);
 
 }  // namespace nugget::report

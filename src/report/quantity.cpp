@@ -19,9 +19,7 @@ std::string in_units(const nlohmann::json& summary, const Dimension& dimension) 
 
 std::string frequency_unit(const nlohmann::json& summary) {
   const auto units = model::units_named(summary.value("units", ""));
-  if (!units) return " cycles a unit of time";
-  if (units->microsecond == 1e-6) return " Hz";
-  return units->microsecond == 1e-3 ? " kHz" : unit_of(summary, dimension::rate);
+  return ' ' + (units ? model::frequency_symbol(*units) : std::string("cycles a unit of time"));
 }
 
 }  // namespace nugget::report

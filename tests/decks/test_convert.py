@@ -7,6 +7,7 @@ import damaged
 from lap_joint import deck
 from nugget_command import CommandTest
 from test_mode_studies import strips
+from test_responses import fields, frf, strip
 
 
 def read_vtu(case, path):
@@ -96,15 +97,86 @@ class Convert(CommandTest):
         self.assertEqual({r["unit"] for r in shear}, {"N"})
         self.assertEqual({r["entity"] for r in shear}, {f"weld {w['id']}" for w in self.json("summary.json")["weld"]})
 
+    def hdf5(self, name="results.h5"):
+        try:
+            import h5py
+        except ImportError:
+            self.skipTest("this Python has no h5py")
+        file = h5py.File(self.folder / name, "r")
+        self.addCleanup(file.close)
+        return file
+
+    def test_hdf5_has_what_the_tidy_table_has(self):
+        """Every value of histories.csv at its time, entity and unit. Sabotage: columns and rows swapped; an entity off by one."""
+        self.write(deck(("*DATABASE_HISTORY_NODE\n       216\n", "*DATABASE_HISTORY_NODE\n       216       113\n")))
+        self.nugget("run", "model.k", "--quiet")
+        self.nugget("convert", ".", "--to", "csv")
+        said = self.nugget("convert", ".", "--to", "hdf5", "-o", "out").stdout
+        self.assertIn("glstat, matsum, nodout, swforc, welds", said)
+        file = self.hdf5("out/results.h5")
+        self.assertEqual(file.attrs["units"], "mm, t, s")
+        self.assertEqual(file.attrs["title"], "lap joint of two sheets and one weld")
+        times = {name: file[name]["time"][:].tolist() for name in ("glstat", "matsum", "nodout", "swforc")}
+        self.assertEqual({file[name]["time"].attrs["unit"] for name in times}, {"s"})
+        with open(self.folder / "histories.csv", newline="", encoding="utf-8") as table:
+            rows = list(csv.DictReader(table))
+        self.assertGreater(len(rows), 500)
+        for row in rows:
+            values = file[row["file"]][row["quantity"]]
+            self.assertEqual(values.attrs["unit"], row["unit"])
+            at = times[row["file"]].index(float(row["time"]))
+            if row["entity"]:
+                entities = [name.decode() for name in file[row["file"]]["entity"][:]]
+                self.assertEqual(values[at, entities.index(row["entity"])], float(row["value"]))
+            else:
+                self.assertEqual(values[at], float(row["value"]))
+        self.assertEqual(file["swforc"]["axial"].shape, (len(times["swforc"]), 1))
+        self.assertEqual(file["nodout"]["x_displacement"].shape[1], 2)
+
+    def test_hdf5_has_the_welds_with_units(self):
+        self.run_deck()
+        self.nugget("convert", ".", "--to", "hdf5")
+        welds = self.hdf5()["welds"]
+        with open(self.folder / "welds.csv", newline="", encoding="utf-8") as table:
+            row, = csv.DictReader(table)
+        self.assertEqual(set(welds), {name.replace("/", "_") for name in row})
+        self.assertEqual(welds["id"][:].tolist(), [int(row["id"])])
+        self.assertEqual(welds["peak_shear"][0], float(row["peak_shear"]))
+        self.assertEqual((welds["peak_shear"].attrs["unit"], welds["peak_bending"].attrs["unit"]), ("N", "N mm"))
+        self.assertEqual(welds["tied"][0].decode(), "yes")
+        self.assertTrue(welds["damage"][0] != welds["damage"][0], "an empty cell is not a number")
+
+    def test_hdf5_of_a_response(self):
+        self.write(strip(lambda tip: "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(5) +
+                         frf((tip, 0, 3, 3), (0.02,), (tip, 0, 3, 2), (0.0, 300.0, 100)), 20, 2))
+        self.nugget("frf", "model.k", "--quiet")
+        self.nugget("convert", ".", "--to", "hdf5")
+        response, = self.hdf5()["frf"].values()
+        with open(self.folder / "frf.csv", newline="", encoding="utf-8") as table:
+            rows = list(csv.DictReader(table))
+        for name in ("frequency", "amplitude", "phase"):
+            self.assertEqual(response[name][:].tolist(), [float(row[name]) for row in rows])
+        self.assertEqual(response["frequency"].attrs["unit"], "Hz")
+        self.assertEqual(len(self.hdf5()["modes"]["frequency"]), 5)
+
+    def test_hdf5_twice_is_the_same_bytes(self):
+        self.run_deck()
+        self.nugget("convert", ".", "--to", "hdf5", "-o", "a")
+        self.nugget("convert", ".", "--to", "hdf5", "-o", "b")
+        self.assertEqual((self.folder / "a" / "results.h5").read_bytes(), (self.folder / "b" / "results.h5").read_bytes())
+        self.write("", "full")
+        self.assertIn("full", self.nugget("convert", ".", "--to", "hdf5", "-o", "full/x", expect=4).stderr)
+
     def test_what_cannot_be_converted_is_told(self):
         self.assertIn("holds no results", self.nugget("convert", ".", "--to", "vtk", expect=2).stderr)
         self.run_deck()
-        self.assertIn("--to", self.nugget("convert", ".", "--to", "hdf5", expect=2).stderr)
+        self.assertIn("--to", self.nugget("convert", ".", "--to", "parquet", expect=2).stderr)
         for path in self.folder.iterdir():
             if path.name != "summary.json":
                 path.unlink()
         self.assertIn("*DATABASE_BINARY_D3PLOT", self.nugget("convert", ".", "--to", "vtk", expect=2).stderr)
-        self.assertIn("*DATABASE_GLSTAT", self.nugget("convert", ".", "--to", "csv", expect=2).stderr)
+        for form in ("csv", "hdf5"):
+            self.assertIn("*DATABASE_GLSTAT", self.nugget("convert", ".", "--to", form, expect=2).stderr)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,8 @@ import unittest
 from lap_joint import deck, edited
 from nugget_command import CommandTest
 
-RESULTS = ["d3plot", "d3plot01", "findings.json", "glstat", "matsum", "nodout", "report.html", "run.log", "summary.json", "swforc", "welds.csv"]
+RESULTS = ["d3plot", "d3plot01", "findings.json", "glstat", "matsum", "nodout", "report.html", "run.log", "summary.json", "swforc", "units.csv",
+           "welds.csv"]
 
 NUMBER, COUNT, TEXT, FLAG = float, int, str, bool
 PROJECTION = {"node": COUNT, "segment": [COUNT], "xi": NUMBER, "eta": NUMBER, "moved": NUMBER, "case": COUNT, "reason": TEXT}
@@ -225,7 +226,7 @@ class RunFiles(CommandTest):
     def test_check_audits_and_runs_nothing(self):
         self.write(deck(("     302          9.0000          9.0000          1.2000", "     302         11.0000          9.0000          1.2000")))
         run = self.nugget("check", "model.k", "-o", "audit")
-        self.assertEqual(self.files("audit"), ["check.log", "findings.json", "welds.csv"])
+        self.assertEqual(self.files("audit"), ["check.log", "findings.json", "units.csv", "welds.csv"])
         self.assertIn("degrees off the normal of its first sheet", run.stderr)
         self.assertRegex(run.stdout, r"(?m)^ angle +degrees to normal +59 +59 +! +1 +31: 59$")
         self.assertRegex(run.stdout, r"(?m)^ +31 +beam +3 +6 +\S+ +yes  1\+2 +angle: its axis is ")
@@ -241,7 +242,7 @@ class RunFiles(CommandTest):
         before = {name: (self.folder / name).read_bytes() for name in self.files()}
         run = self.nugget("check", "model.k")
         self.assertIn("holds the results of a run and was left as it is", run.stderr)
-        self.assertEqual(self.files("check"), ["check.log", "findings.json", "welds.csv"])
+        self.assertEqual(self.files("check"), ["check.log", "findings.json", "units.csv", "welds.csv"])
         self.assertEqual({name: (self.folder / name).read_bytes() for name in self.files() if name != "check"}, before)
         # A run clears away what a check left, as it does with what a run left.
         self.nugget("check", "model.k", "-o", "other")
