@@ -248,17 +248,27 @@ std::pair<std::string, std::string_view> elements_and_remedy(const model::Model&
   return {"its elements", "*HOURGLASS with IHQ 4 and QM 0.05"};
 }
 
+/// The part that has most of the hourglass energy, and what to change there.
+std::optional<output::Summary::Hourglass> most_hourglass(const impact::Simulation& run) {
+  const std::vector<impact::PartEnergy>& parts = run.part_energies();
+  const auto worst = std::ranges::max_element(parts, {}, &impact::PartEnergy::hourglass);
+  if (worst == parts.end() || !(worst->hourglass > 0.0)) return std::nullopt;
+  const model::Model& model = run.system().model;
+  const model::Part& part = model.parts[static_cast<std::size_t>(worst - parts.begin())];
+  const auto [elements, remedy] = elements_and_remedy(model, part);
+  return output::Summary::Hourglass{part.id, worst->hourglass, elements, std::string(remedy)};
+}
+
 /// Hourglass energy is work that no material did. Where all flies or swings and little is internal, it says little.
 std::string hourglass_warning(const impact::Simulation& run, const output::Summary& summary) {
   const output::Summary::Energies& e = summary.energy;
   const std::vector<impact::PartEnergy>& parts = run.part_energies();
-  if (summary.termination == "error" || parts.empty() || e.hourglass <= output::EnergyLimits::hourglass * e.internal ||
+  if (summary.termination == "error" || !summary.hourglass ||
+      e.hourglass <= output::EnergyLimits::hourglass * e.internal ||
       e.hourglass <= 0.01 * std::abs(e.initial + e.external))
     return {};
   const auto worst = std::ranges::max_element(parts, {}, &impact::PartEnergy::hourglass);
-  const model::Model& model = run.system().model;
-  const model::Part& part = model.parts[static_cast<std::size_t>(worst - parts.begin())];
-  const auto [elements, remedy] = elements_and_remedy(model, part);
+  const output::Summary::Hourglass& most = *summary.hourglass;
   return fmt::format(
       "warning: the hourglass energy, {:.3g}, is more than a tenth of the internal energy, {:.3g}; 5 % is usual: "
       "elements fold in patterns in which their material has no stress, and hourglass control alone resists, so that "
@@ -266,7 +276,7 @@ std::string hourglass_warning(const impact::Simulation& run, const output::Summa
       "of the forces is none of the material's; most of it, {:.3g}, in part {} ({}), beside an internal energy of "
       "{:.3g} "
       "there [{}; matsum has all parts]",
-      e.hourglass, e.internal, worst->hourglass, part.id, elements, worst->internal, remedy);
+      e.hourglass, e.internal, most.energy, most.part, most.elements, worst->internal, most.remedy);
 }
 
 /// A run in which nothing happens looks sound.
@@ -400,7 +410,8 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
       simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, log);
 
   impact::add_weld_results(simulation->system(), simulation->components(), p.welds);
-  const output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
+  output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
+  summary.hourglass = most_hourglass(*simulation);
   output::write_welds(directory, p.welds);
   output::write_column_units(directory, model::units_of(p.model));
   output::write_summary(directory, summary);

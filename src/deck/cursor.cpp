@@ -96,6 +96,7 @@ Entry Row::entry_at(std::size_t field) const {
   entry.text = cell.text;
   entry.value = cell.value;
   entry.blank = cell.blank;
+  entry.refused = cell.refused;
   entry.place = {place_.file, place_.line, cell.column};
   return entry;
 }
@@ -133,7 +134,8 @@ Entry& Entry::operator=(Entry&&) noexcept = default;
 Entry::~Entry() = default;
 
 void Entry::report(Findings& findings, Severity severity, std::string_view what, std::string_view remedy) const {
-  findings.add({severity, place, keyword, std::string(field), text, std::string(what), std::string(remedy)});
+  if (!refused)
+    findings.add({severity, place, keyword, std::string(field), text, std::string(what), std::string(remedy)});
 }
 
 // ---- Cursor
@@ -221,6 +223,7 @@ void Cursor::fill_missing(Row& row) {
   for (std::size_t i = 0; i < row.cells_.size(); ++i) {
     const Field& field = row.card_->fields[i];
     row.cells_[i].value = std::isnan(field.fallback) ? 0.0 : field.fallback;
+    row.cells_[i].refused = std::isnan(field.fallback);
     if (!std::isnan(field.fallback) || reported) continue;
     reported = true;
     findings_.add({Severity::error,
@@ -246,6 +249,7 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
   cell.value = needed ? 0.0 : field.fallback;
   const auto report = [&](Fault fault) {
     row.entry_at(i).report(findings_, Severity::error, fault.text, fault.remedy);
+    cell.refused = true;
   };
   if (cell.blank) {
     if (needed) report({with_meaning(field, "must be given"), "write its value there"});

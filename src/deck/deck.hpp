@@ -114,10 +114,12 @@ struct Entry {
   std::string text;        ///< as written, trimmed
   double value = 0.0;      ///< of a number
   bool blank = true;       ///< the field is blank (or the line ended before it, or the card is missing)
+  bool refused = false;    ///< it could not be read, which was said: further errors about it are not
   Place place;             ///< with its column
 
   int integer() const { return static_cast<int>(value); }
-  /// Writes a finding: `keyword` field = text: what is wrong [remedy].
+  /// Writes a finding: `keyword` field = text: what is wrong [remedy]. Not where the field could not be read: the value
+  /// that stands for it is none of the deck's.
   void report(Findings& findings, Severity severity, std::string_view what, std::string_view remedy = {}) const;
 };
 
@@ -148,7 +150,7 @@ class Row {
   struct Cell {
     double value = 0.0;
     std::string text;
-    bool blank = true;
+    bool blank = true, refused = false;
     int column = 1;
   };
   Entry entry_at(std::size_t field) const;

@@ -118,6 +118,11 @@ Json to_json(const Summary& s) {
                           {"at_rest", s.relaxation->at_rest}};
   json["mass"] = {{"physical", s.mass.physical}, {"added", s.mass.added}, {"added_to_welds", s.mass.added_to_welds}};
   json["energy"] = to_json(s.energy);
+  if (s.hourglass)
+    json["hourglass"] = {{"part", s.hourglass->part},
+                         {"energy", s.hourglass->energy},
+                         {"elements", s.hourglass->elements},
+                         {"remedy", s.hourglass->remedy}};
   json["seconds"] = to_json(s.seconds);
   json["ns_per_element_cycle"] = s.ns_per_element_cycle;
   json["threads"] = s.threads;

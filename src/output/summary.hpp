@@ -138,6 +138,13 @@ struct Summary {
     double read = 0.0, setup = 0.0, solve = 0.0, output = 0.0;
     std::vector<std::pair<std::string, double>> phases;  ///< of the time loop, in its order
   } seconds;
+  struct Hourglass {
+    int part = 0;          ///< with the most of the hourglass energy
+    double energy = 0.0;   ///< of that part
+    std::string elements;  ///< `shells of ELFORM 2`
+    std::string remedy;    ///< what keeps such elements from it
+  };
+  std::optional<Hourglass> hourglass;  ///< nothing where there is none of that energy
   double ns_per_element_cycle = 0.0;
   int threads = 0, ranks = 1;
   int lanes = 1;  ///< elements that the kernels took at a time

@@ -15,6 +15,7 @@
 #include "output/history.hpp"
 #include "output/result_file.hpp"
 #include "output/summary.hpp"
+#include "report/force_plots.hpp"
 #include "report/model_picture.hpp"
 #include "report/packed_arrays.hpp"
 #include "report/page_data.hpp"
@@ -144,34 +145,61 @@ double largest_internal(const RunData& run) {
 struct Check {
   std::string_view id, what;
   double share, limit;
-  bool passes() const { return share <= limit; }
+  std::string remedy;
+  bool trifle = false;  ///< next to nothing of what came into the model: where all flies, little is internal
+  bool passes() const { return share <= limit || trifle; }
 };
+
+constexpr const char* energy_remedy =
+    "see in glstat when the total energy leaves its level, and in the view what happened then; a smaller TSSFAC shows "
+    "whether the step is too long";
+constexpr const char* contact_remedy =
+    "sleout and run.log have each contact: move sheets that lie in each other at the start apart, or give IGNORE; "
+    "finer "
+    "elements where they meet, SOFT = 1 or 2";
+
+/// What a run knows of its parts, or what holds for any.
+std::string hourglass_remedy(const Json& summary) {
+  const auto of_run = summary.find("hourglass");
+  if (of_run == summary.end())
+    return "matsum has the energy of each part: *HOURGLASS with IHQ 4 and QM 0.05 for shells, IHQ 6 and QM 1 for "
+           "bricks, "
+           "or elements without such modes (ELFORM 16 of shells, 2 of bricks)";
+  return fmt::format("most of it is in part {} ({}): {}", of_run->value("part", 0), of_run->value("elements", ""),
+                     of_run->value("remedy", ""));
+}
 
 /// None where summary.json does not say.
 std::vector<Check> checks_of(const RunData& run) {
   if (!run.summary.contains("energy") || !run.summary.contains("mass")) return {};
   const Json &energy = run.summary["energy"], &mass = run.summary["mass"];
-  std::vector<Check> checks{
-      {"energy", "total energy made or lost, of what came in", std::abs(number_of(energy, "ratio") - 1.0), 0.02}};
+  std::vector<Check> checks{{"energy", "total energy made or lost, of what came in",
+                             std::abs(number_of(energy, "ratio") - 1.0), 0.02, energy_remedy}};
+  // As on the terminal (app/commands.cpp).
+  const double input = std::abs(number_of(energy, "initial") + number_of(energy, "external"));
   if (const double internal = largest_internal(run); internal != 0.0) {
-    checks.push_back({"hourglass", "largest hourglass energy, of the largest internal energy",
-                      range(run, "hourglass energy", "hourglass").second / internal, output::EnergyLimits::hourglass});
-    checks.push_back(
-        {"energy-of-internal", "total energy made or lost, of the largest internal energy",
-         std::abs((number_of(energy, "ratio") - 1.0) * (number_of(energy, "initial") + number_of(energy, "external"))) /
-             internal,
-         output::EnergyLimits::error_of_internal});
-    checks.push_back({"contact", "energy that contact gave, of the largest internal energy",
-                      std::max(0.0, -range(run, "sliding interface energy", "contact").first) / internal, 0.01});
+    const double hourglass = range(run, "hourglass energy", "hourglass").second,
+                 error = std::abs(number_of(energy, "ratio") - 1.0) * input,
+                 given = std::max(0.0, -range(run, "sliding interface energy", "contact").first);
+    checks.push_back({"hourglass", "largest hourglass energy, of the largest internal energy", hourglass / internal,
+                      output::EnergyLimits::hourglass, hourglass_remedy(run.summary), hourglass <= 1e-2 * input});
+    checks.push_back({"energy-of-internal", "total energy made or lost, of the largest internal energy",
+                      error / internal, output::EnergyLimits::error_of_internal, energy_remedy, error <= 1e-3 * input});
+    checks.push_back({"contact", "energy that contact gave, of the largest internal energy", given / internal, 0.01,
+                      contact_remedy, given <= 1e-3 * input});
   }
   // Where all is rigid nothing is internal, and what came in is the measure.
-  const double input = std::abs(number_of(energy, "initial") + number_of(energy, "external"));
   if (const double lost = number_of(energy, "contact_lost"), internal = largest_internal(run);
       internal != 0.0 || (input != 0.0 && lost != 0.0))
     checks.push_back({"contact-lost", "energy that contact lost with springs, of the largest internal energy",
-                      lost / (internal != 0.0 ? internal : input), output::EnergyLimits::lost_in_contact});
+                      lost / (internal != 0.0 ? internal : input), output::EnergyLimits::lost_in_contact,
+                      "run.log says where springs were dropped under load: look there in the view; stiffer with SFSA, "
+                      "SFSB, SLSFAC or SOFT = 1 or 2, finer elements where bodies meet",
+                      internal != 0.0 && lost <= 1e-3 * input});
   if (const double physical = number_of(mass, "physical"); physical > 0.0)
-    checks.push_back({"mass", "mass added for the time step, of the mass", number_of(mass, "added") / physical, 0.05});
+    checks.push_back(
+        {"mass", "mass added for the time step, of the mass", number_of(mass, "added") / physical, 0.05,
+         "run.log has the mass added by part; a smaller DT2MS, or larger elements where they are smallest"});
   return checks;
 }
 
@@ -179,13 +207,14 @@ std::string soundness(const std::vector<Check>& checks) {
   if (checks.empty()) return "<p>summary.json does not say.</p>\n";
   std::string s =
       "<table id=\"checks\"><tr><th class=\"text\">looked at</th><th>found</th><th>passes up to</th><th "
-      "class=\"text\"></th></tr>\n";
+      "class=\"text\"></th><th class=\"text\"></th></tr>\n";
   for (const Check& c : checks) {
     const bool good = c.passes();
     s += fmt::format(
         "<tr class=\"check\"><td class=\"text\">{}</td><td>{:.3g} %</td><td>{:g} %</td><td class=\"text {}\" "
-        "id=\"check-{}\">{}</td></tr>\n",
-        c.what, 100.0 * c.share, 100.0 * c.limit, good ? "holds" : "near", c.id, good ? "in order" : "look at it");
+        "id=\"check-{}\">{}</td><td class=\"text\">{}</td></tr>\n",
+        c.what, 100.0 * c.share, 100.0 * c.limit, good ? "holds" : "near", c.id, good ? "in order" : "look at it",
+        good ? std::string() : escaped(c.remedy));
   }
   return s + "</table>\n";
 }
@@ -229,8 +258,10 @@ void conclude_checks(const RunData& run, std::vector<std::string>& lines) {
     if (c.passes())
       ++passed;
     else
-      lines.push_back(fmt::format("<span class=\"near\">Look at this first:</span> {}: {:.3g} %, passes up to {:g} %.",
-                                  c.what, 100.0 * c.share, 100.0 * c.limit));
+      lines.push_back(
+          fmt::format("<span class=\"near\">Look at this first:</span> {}: {:.3g} %, passes up to {:g} "
+                      "%. <em>{}.</em>",
+                      c.what, 100.0 * c.share, 100.0 * c.limit, escaped(c.remedy)));
   if (!checks.empty() && passed == checks.size())
     lines.push_back(fmt::format("<span class=\"holds\">All {} checks of energy and mass are in order.</span>", passed));
 }
@@ -293,7 +324,8 @@ std::string html_page(const std::string& title, const std::string& body) {
       escaped(title), style, body);
 }
 
-std::string page(const RunData& run, const std::string& packed, const std::vector<std::string>& pictures) {
+std::string page(const RunData& run, const std::string& packed, const std::vector<std::string>& pictures,
+                 const std::string& forces) {
   const bool linear = of_linear_analysis(run.summary), alive = !packed.empty() && !viewer_script().empty();
   std::string s = head(run.summary) + conclusions(run) + stills(pictures, alive);
   if (alive) s += "<section id=\"view\"></section>\n<section id=\"weld-panel\" hidden></section>\n";
@@ -303,7 +335,7 @@ std::string page(const RunData& run, const std::string& packed, const std::vecto
   } else {
     s += "<h2>Welds</h2>\n" + welds_part(run);
     if (alive) s += "<h2>Histories</h2>\n<section id=\"histories\"></section>\n";
-    s += "<div class=\"only-static\"><h2>Energies over time</h2>\n" + energy_curves(run) +
+    s += "<div class=\"only-static\"><h2>Energies over time</h2>\n" + energy_curves(run) + forces +
          "</div>\n<h2>Is the run sound?</h2>\n" + soundness(checks_of(run));
   }
   s += facts(run.summary) + "<h2>Findings</h2>\n" + finding_list(run.findings);
@@ -316,7 +348,8 @@ std::string page(const RunData& run, const std::string& packed, const std::vecto
 void write_report(const std::filesystem::path& directory) {
   const RunData run = read_run(directory);
   const std::string packed = viewer_script().empty() ? std::string() : page_data(directory, run).text();
-  output::write_whole_file(directory / "report.html", page(run, packed, pictures_of(directory)));
+  output::write_whole_file(directory / "report.html",
+                           page(run, packed, pictures_of(directory), force_plots(directory, run.summary)));
 }
 
 }  // namespace nugget::report

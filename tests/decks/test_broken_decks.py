@@ -68,6 +68,17 @@ class BrokenDecks(CommandTest):
             "the deck is refused; nothing was run",
         ])
 
+    def test_a_bad_number_is_told_once(self):
+        """No number for the side of a contact: not that it must be given, too."""
+        self.check(1, [
+            ("*CONTACT_SPOTWELD\n         3         1", "*CONTACT_SPOTWELD\n       3;5         1"),
+        ], [
+            "model.k:49:8: error: *CONTACT_SPOTWELD surfa = 3;5: is not a whole number (tracked side (SSID); 0 in a single surface "
+            "contact: all parts) [keep the number whole inside its columns, or separate the fields by commas]",
+            "1 error, 0 warnings",
+            "the deck is refused; nothing was run",
+        ])
+
     def test_unknown_ids(self):
         """Ids of nothing: section, material, node set, node of a shell."""
         self.check(1, [

@@ -123,6 +123,59 @@ class Report(CommandTest):
             for value, limit in zip(found, (2.0, 10.0, 10.0, 1.0, 1.0, 5.0)):
                 self.assertAlmostEqual(value, limit * share, delta=1e-3 * limit)
 
+    def test_hourglass_energy_has_a_remedy(self):
+        """Shells of ELFORM 2 of the upper sheet bend in their hourglass modes: the page names part and remedy, as the terminal does."""
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        told = self.json("summary.json")["hourglass"]
+        self.assertIn(told["part"], (1, 2))
+        self.assertEqual(told["elements"], "shells of ELFORM 2")
+        energies = {int(m[1]): float(m[2]) for m in re.finditer(r"mat\.#= *(\d+).*?hgeng= *(\S+)", self.read("matsum").split(" time =")[-1], re.S)}
+        self.assertAlmostEqual(told["energy"] / max(energies.values()), 1.0, 4)
+        self.assertEqual(energies[told["part"]], max(energies.values()))
+        summary = self.json("summary.json")
+        summary["energy"].update(internal=1.0, hourglass=1.0)
+        (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+        (self.folder / "glstat").unlink()
+        self.nugget("report", ".")
+        page, text = self.page()
+        row, = (row for row, kind in zip(page.rows, page.classes) if kind == "check" and row[0].startswith("largest hourglass"))
+        self.assertIn(f"part {told['part']} (shells of ELFORM 2): ELFORM 16", row[4])
+        self.assertIn("look at it", row[3])
+        first = text.split('id="conclusions"')[1].split("</ul>")[0]
+        self.assertIn("ELFORM 16", first)
+
+    def test_forces_of_walls_and_contacts_without_scripts(self):
+        """Their largest values with unit and time, by the files themselves. Sabotage: a component left out; the last for the largest."""
+        self.write(deck(("*DATABASE_GLSTAT\n", "*DATABASE_RWFORC\n  1.00e-06\n*DATABASE_RCFORC\n  1.00e-06\n*DATABASE_GLSTAT\n"),
+                        ("*BOUNDARY_PRESCRIBED_MOTION_SET\n         2         1         0         1\n*BOUNDARY_SPC_SET\n         1         0         1         1         1         1         1         1\n",
+                         "*INITIAL_VELOCITY\n         0\n    5000.0\n*RIGIDWALL_PLANAR_ID\n         7stop\n         0\n     18.01       0.0       0.0      17.0       0.0       0.0\n")))
+        self.nugget("run", "model.k", "--quiet")
+        page, text = self.page()
+        still = text.split('class="only-static"')[1].split("Is the run sound?")[0]
+        self.assertIn("Forces on walls over time", still)
+        rows = [line.split() for line in self.read("rwforc").splitlines() if re.match(r" +\S+E[-+]\d+ +7 ", line)]
+        sizes = [(sum(float(v) ** 2 for v in row[3:6]) ** 0.5, float(row[0])) for row in rows]
+        self.assertGreater(max(sizes)[0], 0.0)
+        size, unit, time, second = re.search(r'id="forces-rwforc">\s*<li>wall 7[^:]*: largest (\S+) (\S+) at (\S+) (\S+)</li>', still).groups()
+        self.assertAlmostEqual(float(size) / max(sizes)[0], 1.0, 4)
+        self.assertAlmostEqual(float(time) / max(sizes)[1], 1.0, 4)
+        self.assertEqual((unit, second), ("N", "s"))
+
+    def test_a_model_that_only_flies_is_sound(self):
+        """Next to nothing is internal in the first cycles of an impact: shares of that are no reason to look first at them."""
+        self.write(deck())
+        self.nugget("run", "model.k", "--quiet")
+        (self.folder / "glstat").unlink()
+        summary = self.json("summary.json")
+        for part, word in ((1e-4, "in order"), (1e-1, "look at it")):
+            summary["energy"].update(internal=1e-9, hourglass=part * 1e3, contact=-part * 1e3, contact_lost=part * 1e3,
+                                     ratio=1.0 - part, initial=1000.0, external=0.0)
+            (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+            self.nugget("report", ".")
+            page, _ = self.page()
+            self.assertEqual({page.by_id[f"check-{name}"] for name in ("hourglass", "energy-of-internal", "contact", "contact-lost")}, {word})
+
     def test_a_run_that_diverged_has_a_report(self):
         """Its energies are null in summary.json. Sabotage: null read as a number, which ends the command."""
         self.write(deck())

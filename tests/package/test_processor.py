@@ -39,6 +39,25 @@ class Processor(unittest.TestCase):
             self.skipTest("nugget-avx512 was not built")
         self.assertEqual(self.lacks(self.on("Haswell", "nugget-avx512"), "x86-64-v4"), [f"AVX512{part}" for part in ("F", "DQ", "CD", "BW", "VL")])
 
+    def import_on(self, processor):
+        package = pathlib.Path(os.environ["NUGGET_BUILD"], "python")
+        if not (package / "nugget").is_dir():
+            self.skipTest("no module of Python was built: no pybind11 or no headers of Python")
+        return subprocess.run([QEMU, "-cpu", processor, "/usr/bin/python3", "-c", "import nugget; print(nugget.__version__)"], capture_output=True,
+                              text=True, timeout=240, env=dict(os.environ, PYTHONPATH=str(package), PYTHONDONTWRITEBYTECODE="1"))
+
+    def test_import_without_avx(self):
+        """An ImportError with the same words. Sabotage: the compiled half imported first (signal 4)."""
+        run = self.import_on("qemu64")
+        self.assertEqual((run.returncode, run.stdout), (1, ""), run.stderr)
+        self.assertIn("ImportError: nugget: this processor, or the machine that shows it to us, lacks SSE4.2, AVX, AVX2", run.stderr)
+        self.assertIn("the program is compiled for x86-64-v3. Take a newer", run.stderr)
+
+    def test_import_with_all(self):
+        run = self.import_on("Haswell")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertRegex(run.stdout, r"^\d")
+
     def test_with_all(self):
         run = self.on("Haswell")
         self.assertEqual(run.returncode, 0, run.stderr)

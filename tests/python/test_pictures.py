@@ -57,6 +57,20 @@ class Pictures(CommandTest):
         self.assertFalse(r.picture(state=4, **options).svg == picture.svg)
         self.assertIn("data:image/png", r.picture().svg)
 
+    def test_a_notebook_shows_the_run(self):
+        """Results as the last line of a cell: how it ended, the model, its energies; after `nugget modes` no energies."""
+        r = self.run_deck()
+        shown = r._repr_html_()
+        self.assertIn("lap joint of two sheets and one weld", shown)
+        self.assertIn("normal termination; 1 welds", shown)
+        self.assertEqual(shown.count("<svg"), 2)
+        self.assertIn(r.picture(width=900, height=600).svg, shown)
+        self.assertIn(r.plot("glstat/kinetic_energy", "glstat/internal_energy", "glstat/total_energy").svg, shown)
+        for path in (self.folder / "out").iterdir():
+            if path.name != "summary.json":
+                path.unlink()
+        self.assertNotIn("<svg", nugget.results(self.folder / "out")._repr_html_())
+
     def test_refusals(self):
         r = self.run_deck()
         for what, text in ((lambda: r.plot("swforc/31/force"), "no channel 'swforc/31/force', expected FILE/ENTITY/QUANTITY"),

@@ -11,6 +11,11 @@
 
 Lengths, masses and times are in the deck's own units.
 """
+from ._processor import complaint as _complaint
+
+if _complaint:  # all else would end Python by an illegal instruction
+    raise ImportError(_complaint)
+
 from ._changes import Cards, Parameters
 from ._deck import Deck, Part, read
 from ._elements import Elements

@@ -5,10 +5,11 @@ from __future__ import annotations
 import csv
 import dataclasses
 import functools
+import html
 import json
 import os
 import pathlib
-from typing import Any, Iterator, Sequence, overload
+from typing import Any, Callable, Iterator, Sequence, overload
 
 import numpy as np
 
@@ -411,6 +412,20 @@ class Results:
     def __repr__(self) -> str:
         return f"<results in {self.directory}: {self.termination} termination, time {self.summary['time']:g}, " \
                f"{self.summary['cycles']} cycles>"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: how the run ended, the model, its energies or its responses, as far as they are there."""
+        shown = [f"<p><b>{html.escape(self.summary.get('title') or self.summary['deck'])}</b>: {self.termination} termination"
+                 f"{'; ' + html.escape(self.summary['message']) if self.summary['message'] else ''}; {self.welds.count} welds</p>"]
+        energies = ("glstat/kinetic_energy", "glstat/internal_energy", "glstat/total_energy")
+        pictures: tuple[Callable[[], Picture], ...] = (lambda: self.picture(width=900, height=600),
+                                                       lambda: self.plot(*energies), lambda: self.plot("frf"))
+        for make in pictures:
+            try:
+                shown.append(make().svg)
+            except LookupError:
+                continue
+        return "\n".join(shown)
 
 
 def results(directory: str | os.PathLike[str]) -> Results:

@@ -202,8 +202,12 @@ class RefusedCell : public testing::TestWithParam<Refused> {};
 
 TEST_P(RefusedCell, NamesPlaceFieldExpectationAndRemedy) {
   Reading r = material(GetParam().line);
-  r.row("MAT_ELASTIC", elastic);
+  const Row row = r.row("MAT_ELASTIC", elastic);
   EXPECT_ONE_FINDING(r.findings, GetParam().printed);
+  // What stands for it is not the deck's: nothing more is said about that field.
+  for (const char* field : {"mid", "ro", "e", "pr", "nip"})
+    row.entry(field).report(r.findings, Severity::error, "must not be 0");
+  EXPECT_EQ(r.findings.errors(), 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(
