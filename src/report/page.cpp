@@ -147,7 +147,7 @@ struct Check {
   double share, limit;
   std::string remedy;
   bool trifle = false;  ///< next to nothing of what came into the model: where all flies, little is internal
-  bool passes() const { return share <= limit || trifle; }
+  bool passes() const { return share <= limit || (trifle && std::isfinite(share)); }
 };
 
 constexpr const char* energy_remedy =
