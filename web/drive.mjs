@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drives report.html in a headless Chromium, offline: node drive.mjs KIND FOLDER [PICTURE.png]
-// KIND: impact, damage, modes, responses; without_webgl, of an impact; compare or compare_modes, of compare.html. Prints what it measured as JSON; exits with 1 and a word where something does not work, with
-// 77 where there is no Chromium.
+// KIND: impact, damage, modes, responses; without_webgl, of an impact; compare or compare_modes, of compare.html. Prints
+// what it measured as JSON; exits with 1 and a word where something does not work, with 77 where there is no Chromium.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { closeBrowser, openPage, openWindow } from "./browser.mjs";

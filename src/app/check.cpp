@@ -112,7 +112,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   if (!p.has_text) return refuse_missing(findings);
   warn_of_response_in_explicit_run(p.model, findings);
   Log log(directory / "check.log");
-  // Faults of ties, of the system and of what acts in it are told together.
+  // Faults of ties, of the system and of what acts in it are reported together.
   const Analysis analysis = analysis_of(p.model);
   if (p.is_tied && analysis != Analysis::explicit_dynamics) {
     try_linear_setup(directory, arguments.deck, p, analysis, findings);

@@ -248,10 +248,15 @@ std::pair<std::string, std::string_view> elements_and_remedy(const model::Model&
   return {"its elements", "*HOURGLASS with IHQ 4 and QM 0.05"};
 }
 
+using OnePart = std::vector<impact::PartEnergy>::const_iterator;
+OnePart part_with_most_hourglass(const impact::Simulation& run) {
+  return std::ranges::max_element(run.part_energies(), {}, &impact::PartEnergy::hourglass);
+}
+
 /// The part that has most of the hourglass energy, and what to change there.
 std::optional<output::Summary::Hourglass> most_hourglass(const impact::Simulation& run) {
   const std::vector<impact::PartEnergy>& parts = run.part_energies();
-  const auto worst = std::ranges::max_element(parts, {}, &impact::PartEnergy::hourglass);
+  const OnePart worst = part_with_most_hourglass(run);
   if (worst == parts.end() || !(worst->hourglass > 0.0)) return std::nullopt;
   const model::Model& model = run.system().model;
   const model::Part& part = model.parts[static_cast<std::size_t>(worst - parts.begin())];
@@ -262,12 +267,10 @@ std::optional<output::Summary::Hourglass> most_hourglass(const impact::Simulatio
 /// Hourglass energy is work that no material did. Where all flies or swings and little is internal, it says little.
 std::string hourglass_warning(const impact::Simulation& run, const output::Summary& summary) {
   const output::Summary::Energies& e = summary.energy;
-  const std::vector<impact::PartEnergy>& parts = run.part_energies();
   if (summary.termination == "error" || !summary.hourglass ||
       e.hourglass <= output::EnergyLimits::hourglass * e.internal ||
       e.hourglass <= 0.01 * std::abs(e.initial + e.external))
     return {};
-  const auto worst = std::ranges::max_element(parts, {}, &impact::PartEnergy::hourglass);
   const output::Summary::Hourglass& most = *summary.hourglass;
   return fmt::format(
       "warning: the hourglass energy, {:.3g}, is more than a tenth of the internal energy, {:.3g}; 5 % is usual: "
@@ -276,7 +279,8 @@ std::string hourglass_warning(const impact::Simulation& run, const output::Summa
       "of the forces is none of the material's; most of it, {:.3g}, in part {} ({}), beside an internal energy of "
       "{:.3g} "
       "there [{}; matsum has all parts]",
-      e.hourglass, e.internal, most.energy, most.part, most.elements, worst->internal, most.remedy);
+      e.hourglass, e.internal, most.energy, most.part, most.elements, part_with_most_hourglass(run)->internal,
+      most.remedy);
 }
 
 /// A run in which nothing happens looks sound.
@@ -387,7 +391,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   Clock clock;
   std::optional<system::System> system;
   std::optional<impact::Simulation> simulation;
-  // Faults of ties, of the system and of what acts in it are told together.
+  // Faults of ties, of the system and of what acts in it are reported together.
   if (p.is_tied) system.emplace(p.model, p.ties, findings);
   if (system) simulation.emplace(*system, findings);
   if (from != nullptr) {

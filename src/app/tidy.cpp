@@ -31,7 +31,7 @@ ExitCode write_tidied(const TidyArguments& arguments) {
   if (deck.bytes == 0) return refuse_missing(findings);
   deck::TidiedText tidied(deck);
   deck.card_read = [&](const deck::Block& block, std::size_t line, const Card& card) { tidied.add(block, line, card); };
-  deck.tells_bulk_lines = true;
+  deck.reports_bulk_lines = true;
   reading::build(deck, findings);
   deck.card_read = {};
   tidied.write(findings);

@@ -92,7 +92,7 @@ class CarefulLines {
   CarefulLines(const Deck& deck, const Block& bulk, Findings& findings)
       : block_{bulk.keyword, bulk.place, bulk.format, bulk.transform, bulk.file, bulk.scope, {}, {}, 0},
         cursor_(deck, block_, findings),
-        are_told_(deck.tells_bulk_lines) {}
+        reads_every_line_(deck.reports_bulk_lines) {}
   CarefulLines(const CarefulLines&) = delete;
   CarefulLines& operator=(const CarefulLines&) = delete;
 
@@ -101,13 +101,13 @@ class CarefulLines {
     block_.lines.push_back({line, number});
     return cursor_.read(card);
   }
-  /// Every line is to be read here, since somebody is told of each.
-  bool are_all() const { return are_told_; }
+  /// Every line is to be read here, since each is reported (Deck::card_read).
+  bool reads_every_line() const { return reads_every_line_; }
 
  private:
   Block block_;
   Cursor cursor_;
-  bool are_told_;
+  bool reads_every_line_;
 };
 
 /// Ids of a bulk block moved by its transform.

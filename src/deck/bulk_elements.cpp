@@ -121,7 +121,8 @@ class ElementReader {
       for (int i = 0; i < 4; ++i) nothing_released = cells.integer(width_) == 0 && nothing_released;
       cells.integer(width_);
     }
-    if (!careful_.are_all() && cells.good() && nothing_released && row_.id > 0 && row_.part > 0 && offsets_fit())
+    if (!careful_.reads_every_line() && cells.good() && nothing_released && row_.id > 0 && row_.part > 0 &&
+        offsets_fit())
       return true;
     if (trimmed(line).empty()) return false;
     row_ = *careful_.read(card, line, lines_.number());
@@ -132,7 +133,7 @@ class ElementReader {
   void read_nodes_line(std::string_view line, const ElementCard& card, std::size_t count) {
     PlainColumns cells(line);
     read_plain_nodes(cells, 0, count);
-    if (!careful_.are_all() && cells.good() && apply_node_offsets()) return;
+    if (!careful_.reads_every_line() && cells.good() && apply_node_offsets()) return;
     row_.node = careful_.read(card, line, lines_.number())->node;
   }
 
@@ -319,7 +320,7 @@ class ShellReader : ElementReader {
     for (double& v : t) v = cells.real(wide_cell);
     if (!mcid && !trimmed(columns(line, 4 * wide_cell, wide_cell)).empty()) angle = cells.real(wide_cell);
     const bool positive = t[0] >= 0.0 && t[1] >= 0.0 && t[2] >= 0.0 && t[3] >= 0.0;
-    if (careful_.are_all() || !cells.good() || !positive || block_.transform != nullptr) {
+    if (careful_.reads_every_line() || !cells.good() || !positive || block_.transform != nullptr) {
       const auto row =
           careful_.read(mcid ? thickness_and_system_card() : thickness_and_angle_card(), line, lines_.number());
       t = row->thickness;

@@ -83,7 +83,7 @@ void read_nodes(const Deck& deck, const Block& block, NodeTable& out, Findings& 
   std::string_view line;
   while (lines.next(line)) {
     NodeRow node;
-    if (careful.are_all() || !read_plain(line, block, offset, node)) {
+    if (careful.reads_every_line() || !read_plain(line, block, offset, node)) {
       if (trimmed(line).empty()) continue;
       node = read_carefully(careful, line, lines.number(), block);
       if (node.id == 0) continue;

@@ -80,10 +80,10 @@ class Deck {
   std::vector<Inclusion> inclusions;  ///< in reading order
   std::vector<Case> cases;            ///< *CASE, all of them
 
-  /// Is told of each data line as it is read by a card's table: its block, its index in Block::lines, the card. A line
-  /// of a bulk table comes in a block of the reader's own. Empty: nobody is told.
+  /// Called for each data line as it is read by a card's table: its block, its index in Block::lines, the card. A line
+  /// of a bulk table comes in a block of the reader's own. Empty: not called.
   std::function<void(const Block&, std::size_t, const Card&)> card_read;
-  bool tells_bulk_lines = false;  ///< of lines of bulk tables too, which are read slowly then
+  bool reports_bulk_lines = false;  ///< of lines of bulk tables too, which are read slowly then
 
   /// *DEFINE_TRANSFORMATION by its id (id_offset and unit factors of the result say nothing); null where there is none.
   const Transform* transformation(int id) const;

@@ -18,7 +18,7 @@ namespace nugget::deck {
 /// The text of a deck as it was understood: each line that was read by a card's table with its values between commas,
 /// below a comment that names its fields. Every value keeps its text: parameters stay parameters. What no table read
 /// (titles, parameters, keywords that are not supported) stays as it is. Comments begin with `$#`, as pre-processors
-/// write them; those that stand above such a line already give way.
+/// write them; those that stand above such a line already are replaced.
 class TidiedText {
  public:
   /// `deck` must outlive it.

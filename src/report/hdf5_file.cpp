@@ -81,7 +81,7 @@ Handle text_type() {
 }  // namespace
 
 Hdf5File::Hdf5File() {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is told by exceptions
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are reported by exceptions
   constexpr std::size_t growth = 1 << 20;       // bytes
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "a file"),
       made(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "a file");

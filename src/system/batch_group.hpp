@@ -56,9 +56,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   using R = NativeBatch;
   static constexpr int width = native_width;
   static constexpr int line = 8;  ///< doubles in a cache line
-  /// Elements are padded to a multiple of it whatever the width, so that slots and restart files do not depend on it.
-  static constexpr std::size_t padded_to = 8;
-  static_assert(padded_to % width == 0);
+  static_assert(widest_block % width == 0);
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
   /// A step that moves nothing.
@@ -105,7 +103,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     }
   }
 
-  std::size_t blocks() const override { return (size() + padded_to - 1) / padded_to * padded_to / width; }
+  std::size_t blocks() const override { return (size() + widest_block - 1) / widest_block * widest_block / width; }
   std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
 
@@ -533,7 +531,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   /// Values that stand block by block, field by field, lane by lane: in the file the fields of an element follow each
   /// other, so that programs of every width read it.
   static void archive_by_element(Archive& a, AlignedReals& values, std::size_t fields) {
-    constexpr std::size_t at_a_time = 512 * padded_to;
+    constexpr std::size_t at_a_time = 512 * widest_block;
     std::size_t size = values.size();
     a(size);
     values.resize(size);

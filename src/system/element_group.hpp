@@ -21,6 +21,10 @@ namespace nugget::system {
 /// System nodes of an element, as many as its group's nodes_per_element.
 using ElementNodes = std::array<int, 10>;
 
+/// Elements of the widest block there is (AVX-512). Groups are padded to a multiple of it, and what is chosen by blocks
+/// is chosen so many at a time, whatever the width: results, slots and restart files must not depend on that.
+inline constexpr std::size_t widest_block = 8;
+
 /// How many elements the kernels of this program take at a time: the doubles that one of its registers holds.
 int elements_at_a_time();
 

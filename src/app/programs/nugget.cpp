@@ -53,7 +53,10 @@ int main(int argc, char** argv) {
     return refuse(fmt::format("NUGGET_LANES is '{}', expected 4 (AVX2) or 8 (AVX-512)", lanes));
   if (lanes == "8" || (lanes.empty() && has_avx512())) {
     const std::string program = become("nugget-avx512", argv);
-    if (lanes == "8") return refuse(fmt::format("NUGGET_LANES=8 needs {}: {}", program, std::strerror(errno)));
+    if (lanes == "8")
+      return refuse(
+          fmt::format("NUGGET_LANES=8 needs {}: {} [./dev build makes it; without NUGGET_LANES this one runs]", program,
+                      std::strerror(errno)));
   }
   nugget::app::guard_terminal();
   return nugget::app::code_after_terminal(nugget::app::command_line(argc, argv));

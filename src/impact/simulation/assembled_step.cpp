@@ -345,11 +345,9 @@ void AssembledStep::choose_blocks() {
   for (std::size_t g = 0; g < system_.groups.size(); ++g) {
     const system::ElementGroup& group = *system_.groups[g];
     const std::size_t width = group.block_width();
-    // As many at a time as the widest block holds: which elements count must not depend on the width.
-    constexpr std::size_t at_a_time = 8;
-    for (std::size_t first = 0; first < group.size(); first += at_a_time) {
+    for (std::size_t first = 0; first < group.size(); first += system::widest_block) {
       bool meets = false;
-      const std::size_t end = std::min(group.size(), first + at_a_time);
+      const std::size_t end = std::min(group.size(), first + system::widest_block);
       for (std::size_t e = first; e < end && !meets; ++e)
         each_node(group, e, [&](int k) { meets = meets || touched[k] != 0; });
       if (!meets) continue;

@@ -418,7 +418,7 @@ const CardOf<TractionCards> traction_card{
     {&TractionCards::dt, real("dt", dimension::time, 1e28, at_least(0), "death time; 0: none")},
     {&TractionCards::cid, id("cid", IdSpace::define, 0, "coordinate system of the direction; 0: global axes")},
     {&TractionCards::v1,
-     real("v1", dimension::number, 0, any_value, "direction of the traction; its length is nothing")},
+     real("v1", dimension::number, 0, any_value, "direction of the traction; its length does not count")},
     {&TractionCards::v2, real("v2", dimension::number, 0, any_value, "second component")},
     {&TractionCards::v3, real("v3", dimension::number, 0, any_value, "third component")},
 };
@@ -477,7 +477,7 @@ void read_traction(Builder& builder, const Block& block, const Options& options)
       load.factor = {{cards.p[0], cards.p[1], cards.p[2], cards.p[3]}};
       load.scale = cards.sf;
       load.birth = cards.at;
-      load.death = cards.dt;
+      if (cards.dt > 0.0) load.death = cards.dt;
       b.model.traction_loads.push_back(std::move(load));
     });
   }

@@ -418,20 +418,16 @@ void check_hourglass(Builder& b) {
     Hourglass h = card == none ? m.control.hourglass : m.hourglass[card];
     const int highest = kind == ElementKind::shell ? 5 : kind == ElementKind::solid ? 6 : 10;
     if (h.type <= highest) continue;
-    const bool is_shell = kind == ElementKind::shell, is_assumed_strain = !is_shell && (h.type == 7 || h.type == 9),
-               stands_in = is_assumed_strain || (card == none && (is_shell || h.type == 8));
-    const std::string_view instead =
-        is_assumed_strain ? ": they get type 6, assumed strain in the brick's own directions, with the same QM"
-                          : ": they get type 1, viscosity, as with IHQ 0";
+    const bool is_shell = kind == ElementKind::shell, stands_in = card == none && (is_shell || h.type == 8);
     b.findings.add({stands_in ? Severity::warning : Severity::error, h.place,
                     card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq", std::to_string(h.type),
                     fmt::format("part{} {} {} {}, for which types 1 to {} are built{}", ids.size() == 1 ? "" : "s",
                                 fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids",
-                                highest, stands_in ? instead : ""),
+                                highest, stands_in ? ": they get type 1, viscosity, as with IHQ 0" : ""),
                     is_shell ? "write 4, or give the shells ELFORM 16"
                              : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
     if (!stands_in) continue;
-    h.type = is_assumed_strain ? 6 : 1;
+    h.type = 1;
     const auto index = static_cast<Index>(m.hourglass.size());
     m.hourglass.push_back(h);
     for (const int id : ids) m.parts[m.part_index(id)].hourglass = index;

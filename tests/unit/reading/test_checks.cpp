@@ -297,15 +297,7 @@ TEST(Checks, HourglassTypesByElement) {
   EXPECT_EQ(b.findings.errors(), 0);  // the bricks of part 2 have type 6
   EXPECT_EQ(type_of_part(b, 1), 1);
   EXPECT_EQ(type_of_part(b, 2), 6);
-  for (const std::string type : {"7", "9"}) {  // stand by type 6, named
-    const Built six(
-        sheet_deck(std::string(brick_part) + "*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n*CONTROL_HOURGLASS\n" + type));
-    EXPECT_TRUE(six.warning("part 2 has solids, for which types 1 to 6 are built: they get type 6", "ihq"));
-    EXPECT_EQ(six.findings.errors(), 0);
-    EXPECT_EQ(type_of_part(six, 2), 6);
-    EXPECT_EQ(type_of_part(six, 1), 1);
-  }
-  EXPECT_NE(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n10\n"))
+  EXPECT_NE(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n7\n"))
                 .find(Severity::error, "part 2 has solids, for which types 1 to 6 are built", "ihq"),
             nullptr);
   EXPECT_EQ(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n2\n")).findings.errors(), 0);

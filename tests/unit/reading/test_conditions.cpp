@@ -503,6 +503,9 @@ TEST(Load, Traction) {
   EXPECT_EQ(load.scale, 2.0);
   EXPECT_EQ(load.birth, 0.1);
   EXPECT_EQ(load.death, 0.4);
+  const Built never_ends(small_deck(card + "7,1.0,0.0,0.0,,5.0\n1,2,3,4\n1.,2.,3.,4.\n"));  // DT 0: no death time
+  ASSERT_EQ(never_ends.model.traction_loads.size(), 1u) << never_ends.all_findings();
+  EXPECT_GT(never_ends.model.traction_loads[0].death, 1e20);
   EXPECT_TRUE(Built(small_deck(card + "7\n1,2,3\n1.,1.,1.\n")).error("no length", "v1"));
   EXPECT_TRUE(Built(small_deck(card + "7,,,,,1.\n1,2,3\n1.,1.\n")).error("for each corner", "p3"));
   EXPECT_TRUE(Built(small_deck(card + "7,,,,,1.\n1,2,3,4,5\n1.,1.,1.,1.\n")).error("quadratic", "n5"));
