@@ -239,12 +239,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       };
       std::array<double, width> stiffer;
       stiffer.fill(1.0);
-      if (kind != model::ElementKind::solid) {
+      const bool solid = kind == model::ElementKind::solid;
+      if (!solid && !compresses_viscously()) {
         add(forces(kernel_, 1.0, 0.5 * dt), 1.0, stiffer);
         return;
       }
       const auto out = forces(kernel_, 1.0, dt);
-      for (int l = 0; l < width; ++l) {
+      for (int l = 0; solid && l < width; ++l) {
         const double ratio = nugget::lane(out.stable_step, l) / step_[b * width + at(l)];
         if (ratio > 0.0 && std::isfinite(ratio)) stiffer[l] = ratio * ratio;
       }
@@ -368,6 +369,11 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
 
  private:
+  /// A shell with bulk viscosity, which acts under compression only, as that of solids does.
+  bool compresses_viscously() const {
+    if constexpr (requires { kernel_.shell.bulk_linear; }) return kernel_.shell.bulk_linear > 0.0;
+    return false;
+  }
   static int lane(std::size_t e) { return static_cast<int>(e % width); }
   std::size_t node_index(std::size_t e, int a) const { return e / width * width * corners + at(a * width + lane(e)); }
   double* state(std::size_t e) { return &state_[e / width * width * at(kernel_.state_size())]; }

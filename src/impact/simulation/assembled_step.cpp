@@ -2,9 +2,11 @@
 #include "impact/simulation/assembled_step.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -20,6 +22,73 @@ bool steps_like_a_plane_wave(const system::System& system, const system::Element
   return group.kind == model::ElementKind::solid && group.nodes_per_element == 8 &&
          !model::bond_of(system.model, system.model.parts[group.part]);
 }
+
+template <class Visit>
+void each_node(const system::ElementGroup& group, std::size_t e, const Visit& visit) {
+  const system::ElementNodes node = group.nodes(e);
+  for (int a = 0; a < group.nodes_per_element; ++a)
+    if (node[a] >= 0) visit(node[a]);
+}
+
+/// Which shells can vibrate faster than the formula of their step knows. Inside a sheet and at its edges none does;
+/// alone or beside a single neighbour one that swells and shrinks does, and thick ones do with nodes off the
+/// mid-surface or as triangles. The formula of ISDO 2 goes by the shortest side of slanted ones, too.
+class DoubtfulShells {
+ public:
+  DoubtfulShells(const system::System& system, const std::vector<Row>& x)
+      : model_(system.model), x_(x), angle_(system.all_nodes(), 0.0) {
+    for (const auto& group : system.groups) {
+      if (group->kind != model::ElementKind::shell) continue;
+      for (std::size_t e = 0; e < group->size(); ++e) {
+        const Shape s = shape(*group, e);
+        for (int a = 0; a < s.corners; ++a) angle_[s.node[a]] += s.angle[a];
+      }
+    }
+  }
+
+  bool free(const system::ElementGroup& group, std::size_t e) const {
+    const Shape s = shape(group, e);
+    bool all = true;
+    for (int a = 0; a < s.corners; ++a) all = all && angle_[s.node[a]] < hardly_surrounded;
+    return all;
+  }
+  bool slanted_or_thick(const system::ElementGroup& group, std::size_t e) const {
+    const Shape s = shape(group, e);
+    const double longest = *std::max_element(s.side.begin(), s.side.begin() + s.corners),
+                 shortest = *std::min_element(s.side.begin(), s.side.begin() + s.corners);
+    if (model_.control.length_basis == 2 && shortest * longest > 1.001 * (s.corners == 3 ? 2.0 : 1.0) * s.area)
+      return true;
+    const bool off = model_.shells.offset[group.element[e]] != 0.0;
+    return (off || s.corners == 3) && model_.shells.thickness[group.element[e]] > thick * std::sqrt(s.area);
+  }
+
+ private:
+  struct Shape {
+    int corners;
+    system::ElementNodes node;
+    std::array<double, 4> side{}, angle{};
+    double area;
+  };
+  Shape shape(const system::ElementGroup& group, std::size_t e) const {
+    Shape s{group.nodes_per_element, group.nodes(e), {}, {}, 0.0};
+    const auto place = [&](int a) { return vec(x_[s.node[a % s.corners]]); };
+    for (int a = 0; a < s.corners; ++a) {
+      const Vec3d next = place(a + 1) - place(a), last = place(a + s.corners - 1) - place(a);
+      s.side[a] = norm(next);
+      s.angle[a] = std::atan2(norm(cross(next, last)), dot(next, last));
+    }
+    s.area = 0.5 * norm(s.corners == 3 ? cross(place(1) - place(0), place(2) - place(0))
+                                       : cross(place(2) - place(0), place(3) - place(1)));
+    return s;
+  }
+
+  // Of angles at a node [rad]: in the middle of a sheet a whole turn, at its edge a half. Closed boxes of six count.
+  static constexpr double hardly_surrounded = 0.76 * 2.0 * std::numbers::pi;
+  static constexpr double thick = 0.3;  ///< of the root of the area
+  const model::Model& model_;
+  const std::vector<Row>& x_;
+  std::vector<double> angle_;  ///< of the shells around each node
+};
 
 /// Between -1 and 1, without a symmetry that the fastest vibration could lack (the mixing of splitmix64).
 double scattered(std::uint64_t i) {
@@ -305,8 +374,9 @@ class AssembledStep::Vibration {
   std::vector<double> values_;
 };
 
-AssembledStep::AssembledStep(system::System& system, const Supports& supports) : system_(system), supports_(supports) {
-  choose_blocks();
+AssembledStep::AssembledStep(system::System& system, const Supports& supports, const std::vector<Row>& x)
+    : system_(system), supports_(supports) {
+  choose_blocks(x);
   if (blocks_.empty()) return;
   link_slots();
   std::vector<char> chosen(system.groups.size(), 0);
@@ -315,19 +385,26 @@ AssembledStep::AssembledStep(system::System& system, const Supports& supports) :
     if (chosen[g]) system.groups[g]->store_reference_state();
 }
 
-void AssembledStep::choose_blocks() {
+void AssembledStep::choose_blocks(const std::vector<Row>& x) {
   std::vector<char> touched(system_.all_nodes(), 0);
   bool any = false;
-  const auto each_node = [](const system::ElementGroup& group, std::size_t e, const auto& visit) {
-    const system::ElementNodes node = group.nodes(e);
-    for (int a = 0; a < group.nodes_per_element; ++a)
-      if (node[a] >= 0) visit(node[a]);
-  };
+  const DoubtfulShells doubtful(system_, x);
+  std::size_t shells = 0, inside_sheets = 0;
   for (const auto& group : system_.groups) {
-    if (!steps_like_a_plane_wave(system_, *group)) continue;
-    any = any || group->size() > 0;
-    for (std::size_t e = 0; e < group->size(); ++e) each_node(*group, e, [&](int k) { touched[k] = 1; });
+    const bool bricks = steps_like_a_plane_wave(system_, *group);
+    if (!bricks && group->kind != model::ElementKind::shell) continue;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      if (!bricks) {
+        const bool free = doubtful.free(*group, e), inside = !free && doubtful.slanted_or_thick(*group, e);
+        ++shells;
+        inside_sheets += inside ? 1 : 0;
+        if (!free && !inside) continue;
+      }
+      any = true;
+      each_node(*group, e, [&](int k) { touched[k] = 1; });
+    }
   }
+  sheets_ = 10 * inside_sheets > shells;
   if (!any) return;
   // Nodes that theirs follow, and nodes that follow theirs. A rigid body's other nodes do not count: what hangs on them
   // only holds it.

@@ -25,11 +25,13 @@ constexpr double between_reports = 0.2;  // seconds
 
 const char* volatile interrupted_by = nullptr;  ///< by whom; null: not at all
 
-// TSSFAC is a share of the stable step. Where the formula's step goes beyond what the bricks allow as they are
-// assembled, it is a share of that; a run that is stable by a little keeps its step.
+// TSSFAC is a share of the stable step. Where the formula's step goes beyond what the elements allow as they
+// are assembled, it is a share of that; a run that is stable by a little keeps its step.
 constexpr double default_step_scale = 0.9, bearable_share = 0.98;
-// A look at what is assembled costs some 70 cycles of the bricks: 1.5 % of a long run at most.
+// A look at what is assembled costs some 70 cycles of the chosen elements: 1.5 % of a long run at most.
 constexpr long cycles_between_looks = 100, looks_at_first = 20, cycles_of_a_look = 5000;
+// One at whole sheets costs some 400: less often.
+constexpr long looks_at_sheets_at_first = 3, cycles_of_a_look_at_sheets = 20000;
 constexpr double bearable_opening = 1e-3;  // of a joint, of the size of its bodies
 
 /// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
@@ -59,7 +61,7 @@ Simulation::Simulation(system::System& system, Findings& findings)
     : system_(system),
       state_(system.initial_state()),
       components_(system, state_.x, findings),
-      assembled_step_(system, components_.supports) {
+      assembled_step_(system, components_.supports, state_.x) {
   history_rotation_.resize(system.model.requests.history_nodes.size() + system.bodies.size());
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
@@ -100,7 +102,7 @@ void Simulation::bound_step_at_start(Findings& findings) {
   const model::Control& control = system_.model.control;
   const double most = control.step_scale * limit.step / step;
   step_notes_ +=
-      fmt::format("bricks as they are assembled allow a step of {:.6e}: TSSFAC {:.3f} at most\n", limit.step, most);
+      fmt::format("elements as they are assembled allow a step of {:.6e}: TSSFAC {:.3f} at most\n", limit.step, most);
   if (step <= bearable_share * limit.step) {
     remember_bound(step, limit.step);
     return;
@@ -140,7 +142,9 @@ void Simulation::bound_step_again() {
   const double step = step_of_elements();
   // Nodes keep the mass of elements that are deleted, so that nothing vibrates faster without them.
   if (!masses_changed_ && !(std::abs(step / bounded_step_ - 1.0) > bearable_change_)) return;
-  if (looks_ >= looks_at_first + state_.cycle / cycles_of_a_look) return;
+  if (looks_ >= (assembled_step_.sheets() ? looks_at_sheets_at_first + state_.cycle / cycles_of_a_look_at_sheets
+                                          : looks_at_first + state_.cycle / cycles_of_a_look))
+    return;
   const AssembledStep::Limit limit = assembled_step_.limit(state_, step);
   const double before = step_factor_;
   if (limit.step > 0.0 && std::isfinite(limit.step))

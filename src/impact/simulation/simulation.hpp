@@ -82,8 +82,8 @@ class Simulation {
   void report_weak_ties(Findings& findings);
   /// Stable steps and scaled masses of the undeformed mesh, before the run.
   void find_steps_at_rest();
-  /// What bricks allow as they are assembled: a finding, and a shorter step where the deck leaves TSSFAC to the
-  /// program.
+  /// What bricks and doubtful shells allow as they are assembled: a finding, and a shorter step where the deck leaves
+  /// TSSFAC to the program.
   void bound_step_at_start(Findings& findings);
   std::string describe(const AssembledStep::Limit& limit) const;
   void remember_bound(double step, double limit);
@@ -141,7 +141,7 @@ class Simulation {
   AssembledStep assembled_step_;
   bool at_rest_ = false;          ///< find_steps_at_rest has been there
   double advised_scale_ = 0.0;    ///< TSSFAC that the deck should give; 0: none
-  double step_factor_ = 1.0;      ///< on the step of the elements, by what the bricks allow as they are assembled
+  double step_factor_ = 1.0;      ///< on the step of the elements, by what elements allow as they are assembled
   double bounded_step_ = 0.0;     ///< the elements' step when it was found
   double bearable_change_ = 0.0;  ///< of that step, as a share, until it is found anew
   long looks_ = 0;                ///< how often it was found
