@@ -394,13 +394,23 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   // Faults of ties, of the system and of what acts in it are reported together.
   if (p.is_tied) system.emplace(p.model, p.ties, findings);
   if (system) simulation.emplace(*system, findings);
+  std::string refused;
   if (from != nullptr) {
     log.read();
     log.add(log_resumption(from->head(), today()));
   } else {
+    if (findings.errors() > 0) refused = report_refused_welds(p, findings);
     start_log(log, arguments, p, findings);
   }
-  if (findings.errors() > 0) return refuse(directory, log, findings);
+  if (findings.errors() > 0) {
+    // What the welds say beside the errors, as `nugget check` does: one look at all that is to be mended.
+    if (!p.welds.empty() && from == nullptr) {
+      refused += audit_table(p.model, p.ties, p.audit);
+      log.add(refused);
+      fmt::print("{}", refused);
+    }
+    return refuse(directory, log, findings);
+  }
   if (from == nullptr) {
     print_findings(findings);
     output::write_findings(directory, findings.all());

@@ -35,7 +35,7 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings);
 void warn_of_response_in_explicit_run(const model::Model& model, Findings& findings);
 
 /// Ties and audits what there is of the welds of a deck that has errors, unless that was done before they came, for
-/// `nugget check`: the account of them, empty where there are none.
+/// `nugget check` and a run that is refused: the account of them, empty where there are none.
 std::string report_refused_welds(PreparedDeck& prepared, Findings& findings);
 
 }  // namespace nugget::app

@@ -218,6 +218,20 @@ class RefusedDecks(CommandTest):
         self.assertIn(" sheets      each on two sheets\n", run.stdout)
         self.assertTrue([f for f in found if f["text"] == "1 weld, each on two sheets"], found)
 
+    def test_a_run_that_is_refused_says_of_the_welds_what_a_check_says(self):
+        """Findings and account. Sabotage: the run that is refused at its first error."""
+        for change in (("*PART\nlower sheet", "*AIRBAG_WANG_NEFSKE\n1\n*PART\nlower sheet"),
+                       ("         3         1         3         2\n", "         3        77         3         2\n")):
+            with self.subTest(change):
+                self.write(lap_joint(change))
+                check, _, found = self.refused("model.k")
+                run = self.nugget("run", "model.k", "-o", "run", expect=1)
+                self.assertEqual(self.json("run/findings.json"), found)
+                account = run.stdout[run.stdout.index("The deck is refused; what can be said"):].rstrip()
+                self.assertIn(account, check.stdout)
+                self.assertIn(account, self.read("run/run.log"))
+                self.assertIn("the deck is refused; nothing was run", run.stderr)
+
     def test_a_sheet_of_a_refused_material_still_carries_its_weld(self):
         self.write(lap_joint(("*MAT_PIECEWISE_LINEAR_PLASTICITY", "*MAT_SOIL_AND_FOAM")))
         _, welds, _ = self.refused("model.k")
