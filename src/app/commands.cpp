@@ -407,9 +407,10 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     if (!p.welds.empty() && from == nullptr) {
       refused += audit_table(p.model, p.ties, p.audit);
       log.add(refused);
-      fmt::print("{}", refused);
     }
-    return refuse(directory, log, findings);
+    const ExitCode code = refuse(directory, log, findings);
+    if (!arguments.quiet) fmt::print(stderr, "{}", refused);
+    return code;
   }
   if (from == nullptr) {
     print_findings(findings);
