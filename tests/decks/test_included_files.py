@@ -245,8 +245,9 @@ class IncludedFiles(CommandTest):
 
 class Moves(CommandTest):
     def deck(self, line):
-        self.write("*KEYWORD\n*CONTROL_TERMINATION\n1e-9\n" + BAR.replace("*MAT_RIGID\n1,7.85e-9,210000.,0.3\n\n\n",
-                   "*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n") + "*PART\nbar\n1,1,1\n*SET_NODE_GENERAL\n1\nALL\n"
+        self.write("*KEYWORD\n*CONTROL_TERMINATION\n1e-9\n*CONTROL_TIMESTEP\n0,0.8\n" +
+                   BAR.replace("*MAT_RIGID\n1,7.85e-9,210000.,0.3\n\n\n", "*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n") +
+                   "*PART\nbar\n1,1,1\n*SET_NODE_GENERAL\n1\nALL\n"
                    f"*NODE_TRANSFORM\n1,1\n*DEFINE_TRANSFORMATION\n1\n{line}\n*END\n")
         return self.nugget("check", "model.k").stderr
 
