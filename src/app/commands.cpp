@@ -394,22 +394,21 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   // Faults of ties, of the system and of what acts in it are reported together.
   if (p.is_tied) system.emplace(p.model, p.ties, findings);
   if (system) simulation.emplace(*system, findings);
-  std::string refused;
+  std::string welds;  // of a deck that is refused, as `nugget check` reports them: all that is to be mended, at once
   if (from != nullptr) {
     log.read();
     log.add(log_resumption(from->head(), today()));
   } else {
-    if (findings.errors() > 0) refused = report_refused_welds(p, findings);
+    if (findings.errors() > 0) {
+      welds = report_refused_welds(p, findings);
+      welds += audit_table(p.model, p.ties, p.audit);
+    }
     start_log(log, arguments, p, findings);
+    log.add(welds);
   }
   if (findings.errors() > 0) {
-    // What the welds say beside the errors, as `nugget check` does: one look at all that is to be mended.
-    if (!p.welds.empty() && from == nullptr) {
-      refused += audit_table(p.model, p.ties, p.audit);
-      log.add(refused);
-    }
     const ExitCode code = refuse(directory, log, findings);
-    if (!arguments.quiet) fmt::print(stderr, "{}", refused);
+    if (!arguments.quiet) fmt::print(stderr, "{}", welds);
     return code;
   }
   if (from == nullptr) {

@@ -205,6 +205,14 @@ class RefusedDecks(CommandTest):
         text = (self.folder / "audit" / "welds.csv").read_text(encoding="utf-8")
         return run, list(csv.DictReader(io.StringIO(text))), self.json("audit/findings.json")
 
+    def test_a_sheet_of_a_refused_section_has_no_thickness_to_remark_on(self):
+        """The thickness is not known: 0 mm is not what the deck says. Sabotage: 0 taken as the thickness."""
+        self.write(lap_joint(("*SECTION_SHELL\n         1         2", "*SECTION_SHELL\n        1x         2")))
+        run, welds, found = self.refused("model.k")
+        self.assertTrue(any("section 1 is not defined" in f["text"] for f in found))
+        self.assertFalse([f for f in found if "too thin" in f["text"] or "usual for sheets" in f["text"]])
+        self.assertEqual(welds[0]["tied"], "yes")
+
     def test_a_deck_refused_for_something_else_is_audited_whole(self):
         """An airbag refuses the deck; its weld is tied, measured and told as without it."""
         self.write(lap_joint())

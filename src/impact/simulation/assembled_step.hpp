@@ -11,17 +11,17 @@ namespace nugget::impact {
 
 /// The longest stable step of bricks, and of shells that may vibrate faster than the formula of their step knows (free
 /// ones, thick ones off the mid-surface, thick triangles, slanted ones with ISDO 2), as they are assembled, with all
-/// elements that share nodes with them, ties and
-/// rigid bodies followed (docs/theory/time_step.md#elements-as-they-are-assembled). V / A_max over the speed of a plane
-/// wave is longer than that where bricks have free sides.
+/// elements that share nodes with them, ties and rigid bodies followed
+/// (docs/theory/time_step.md#elements-as-they-are-assembled). V / A_max over the speed of a plane wave is longer than
+/// that where bricks have free sides.
 ///
 /// Central differences with viscous forces of the velocity half a step before are stable while no eigenvalue of
 /// M^-1 (dt^2 K + 2 dt C) exceeds 4. The largest one comes from the method of Lanczos (J. Res. Nat. Bur. Standards 45,
 /// 1950) without a matrix: K and C act through the elements' own kernels, where they are now, free of stress and
 /// elastic; M has all masses. What supports hold during the whole run stands still. Contact, springs of ties and joints
-/// are left out: their stiffness follows the step. Other shells, beams and
-/// tetrahedra away from these are left out, too: their own steps are bounds. Start, order of sums and number of
-/// iterations are fixed: the same bits for any number of threads.
+/// are left out: their stiffness follows the step. Other shells, beams and tetrahedra away from these are left out,
+/// too: their own steps are bounds. Start, order of sums and number of iterations are fixed: the same bits for any
+/// number of threads.
 class AssembledStep {
  public:
   /// Chooses the elements by the places `x` and lets their groups keep their reference state: before there is any

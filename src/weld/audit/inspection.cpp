@@ -85,7 +85,8 @@ double Inspection::area(Index shell) const {
 
 std::optional<double> Inspection::sheet_thickness(const Weld& weld, int end) const {
   const Index shell = shell_at(weld, end);
-  if (shell == none) return std::nullopt;
+  // 0 or not a number where its section was refused: then there is nothing to measure by.
+  if (shell == none || !(model_.shells.thickness[shell] > 0.0)) return std::nullopt;
   return model_.shells.thickness[shell];
 }
 

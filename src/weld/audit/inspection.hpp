@@ -24,9 +24,9 @@ class Inspection {
 
   /// A millimetre in units of the model; nothing if the units are not known [length].
   std::optional<double> millimetre() const;
-  /// Thickness of the sheet at an end; nothing if that end is not on one [length].
+  /// Thickness of the sheet at an end; nothing if that end is not on one, or its section was refused [length].
   std::optional<double> sheet_thickness(const Weld& weld, int end) const;
-  /// Thinnest (first) and thickest of the sheets at the two ends; nothing unless both are on one [length].
+  /// Thinnest (first) and thickest of the sheets at the two ends; nothing unless both are known [length].
   std::optional<std::array<double, 2>> thicknesses(const Weld& weld) const;
   /// Side of a square with the area of the shell that an end is tied to [length].
   std::optional<double> element_size(const Weld& weld, int end) const;
