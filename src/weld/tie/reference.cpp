@@ -206,6 +206,10 @@ NearbySegments Reference::search(const Tracked& tracked) const {
   return nearby;
 }
 
+Candidate Reference::closest_elsewhere(const Tracked& tracked, Index part) const {
+  return closest(tracked, infinity, [part](const ReferenceSegment& s) { return s.part != part; });
+}
+
 double Reference::plane_of_other_sheet(const Tracked& tracked, const NearbySegments& nearby) const {
   const Candidate& best = nearby.within_tolerance.front();
   if (best.foot.gap <= negligible_share * best.tolerance) return infinity;

@@ -65,6 +65,8 @@ class Reference {
   bool empty() const { return segments_.empty(); }
   const std::vector<ReferenceSegment>& segments() const { return segments_; }
   NearbySegments search(const Tracked& tracked) const;
+  /// The closest segment of any part but this one, however far; `contact` is none if there is none.
+  Candidate closest_elsewhere(const Tracked& tracked, Index part) const;
 
  private:
   void add_shell(Index shell);

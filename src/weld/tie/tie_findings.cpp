@@ -19,10 +19,11 @@ namespace {
 /// Weights below this are round-off of a node on an edge or a corner.
 constexpr double no_weight = 1e-10;
 
-std::string move_or_widen(double distance, double tolerance) {
+std::string move_or_widen(double distance, double tolerance, bool faces_sheet = true) {
   if (!std::isfinite(distance)) return "put the sheet's part on the reference side (SURFB) of the contact";
-  // So far off it is hardly this sheet that is meant, and such a reach would tie other welds to wrong ones.
-  if (distance > 5.0 * tolerance)
+  // So far off, or beside it, it is hardly this sheet that is meant, and such a reach would tie other welds to wrong
+  // ones.
+  if (!faces_sheet || distance > 2.0 * tolerance)
     return "move the weld to its sheet, or put the sheet that is meant on the reference side (SURFB) of the contact";
   const double thickness = 1.05 * distance / 1.2;
   return fmt::format("move the weld to its sheet, or give SAST = SBST = {:.3g} in the contact (tolerance {:.3g})",
@@ -175,9 +176,7 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
                        "move the sheets apart to half the sum of their thicknesses");
       return;
     case 5:
-      findings.warning(weld.place, keyword, text + ", not tied",
-                       p.only_sheet_taken ? "put the other sheet's part on the reference side (SURFB) of the contact"
-                                          : move_or_widen(p.distance, p.tolerance));
+      findings.warning(weld.place, keyword, text + ", not tied", move_or_widen(p.distance, p.tolerance, p.faces_sheet));
       return;
     case 6:
       findings.warning(weld.place, keyword, fmt::format("{}, moved {:.4g}", text, p.tie.moved),

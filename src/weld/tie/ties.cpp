@@ -29,6 +29,8 @@ constexpr double crushed_share = 0.05;
 constexpr double crushed_edge_share = 0.5;
 /// Sheets that are closer than touching by more than this share penetrate each other.
 constexpr double penetration_share = 0.01;
+/// Cosine of the largest angle between a weld and the normal of a sheet that it may be meant for: 60 degrees.
+constexpr double across_share = 0.5;
 /// A weld below this share of its diameter has no direction that projection could turn over.
 constexpr double no_length_share = 1e-6;
 
@@ -39,6 +41,7 @@ struct Record {
   bool tied = false;              ///< found, and not released with its weld
   bool only_sheet_taken = false;  ///< its candidates lie on the sheet that holds the weld's other end
   Candidate closest;              ///< `contact` none: there is no segment at all
+  Candidate elsewhere;            ///< where only that sheet is in reach: the closest segment of another part
   Index tie = none;               ///< in Ties::ties
   double plane_of_other_sheet = infinity;
   std::vector<Candidate> within_tolerance;  ///< in the contact that is being worked on
@@ -167,6 +170,7 @@ class Tying {
           return true;
     return false;
   }
+  bool across(const Weld& weld, const Candidate& sheet) const;
   Index sheet_at(Index node) const;
   Vec3d foot(Index node) const;
   Vec3d foot_in_deck(Index node) const;
@@ -224,7 +228,11 @@ void Tying::work_through(Index contact) {
   for (const Tracked& t : tracked)
     if (Record& r = *record(t.node); !r.tied && !r.only_sheet_taken) choose_segment(r, best(r, none));
   free_inner_nodes();
-  for (const Tracked& t : tracked) record(t.node)->within_tolerance.clear();
+  for (const Tracked& t : tracked) {
+    Record& r = *record(t.node);
+    if (r.only_sheet_taken) r.elsewhere = reference.closest_elsewhere(t, r.within_tolerance.front().segment.part);
+    r.within_tolerance.clear();
+  }
   report_loose_nodes(contact, tracked);
 }
 
@@ -590,9 +598,11 @@ Projection Tying::projection(std::size_t w, Index node, const Overlap& overlap) 
     return p;
   }
   p.closest_shell = r->closest.segment.shell;
-  p.distance = r->closest.contact == none ? infinity : r->found ? r->closest.foot.gap : r->closest.foot.distance;
-  p.tolerance = r->closest.tolerance;
   p.only_sheet_taken = !r->found && r->only_sheet_taken;
+  const Candidate& sheet = p.only_sheet_taken ? r->elsewhere : r->closest;
+  p.distance = sheet.contact == none ? infinity : r->found ? sheet.foot.gap : sheet.foot.distance;
+  p.tolerance = sheet.tolerance;
+  p.faces_sheet = sheet.contact != none && sheet.foot.over && across(result_.welds[w], sheet);
   p.tied = r->tied && rejection_[w] == 0;
   if (p.tied) p.tie = result_.ties[r->tie];
   const bool penetrated = overlap.in_deck > 0.0 || overlap.left > 0.0 || sheet_moved(*r) > 0.0;
@@ -615,6 +625,13 @@ int Tying::position_case(const Record& r) const {
   on_first = std::abs(foot.xi) >= 1.0 - edge_margin;
   on_second = std::abs(foot.eta) >= 1.0 - edge_margin;
   return on_first && on_second ? 3 : on_first || on_second ? 2 : 1;
+}
+
+/// Whether a sheet lies across a weld, as sheets do that it joins, and not along it as a web beside it does.
+bool Tying::across(const Weld& weld, const Candidate& sheet) const {
+  const Vec3d axis = face_centre(weld, 1, x_) - face_centre(weld, 0, x_);
+  const std::array<Index, 4>& n = sheet.segment.node;
+  return std::abs(dot(normal({x_[n[0]], x_[n[1]], x_[n[2]], x_[n[3]]}), axis)) >= across_share * norm(axis);
 }
 
 /// How far contact moved the sheet of a tied node there; 0: by nothing worth a word.
@@ -646,7 +663,13 @@ std::string Tying::reason(const Record& r, const Projection& p, const Overlap& o
     case 4: text = fmt::format("{}; over {}, {} away", of_penetration(r, overlap), segment, distance); break;
     case 5:
       if (r.closest.contact == none) return "there is no segment that it may be tied to";
-      if (r.only_sheet_taken) return "the only sheet in reach, with " + segment + ", holds the weld's other end";
+      if (r.only_sheet_taken) {
+        text = "the only sheet in reach, with " + segment + ", holds the weld's other end";
+        if (r.elsewhere.contact == none) return text;
+        return fmt::format("{}; the closest other, {}, is {:.4g} away, tolerance {:.4g}", text,
+                           name_segment(model_, r.elsewhere.segment.shell, r.elsewhere.segment.part), p.distance,
+                           p.tolerance);
+      }
       return fmt::format("no segment in reach: the closest, {}, is {:.4g} away, tolerance {:.4g}", segment, p.distance,
                          p.tolerance);
     case 6: text = "over no segment of its own sheet; the closest is " + segment + ", " + distance + " away"; break;

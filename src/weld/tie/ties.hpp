@@ -78,9 +78,10 @@ struct Projection {
   std::string reason;             ///< one sentence for welds.csv
   Tie tie;                        ///< meaningful if `tied` and `projection_case` is not 0
   Index closest_shell = none;     ///< of the closest segment, tied or not; none: there is none, or it is no shell's
-  double distance = 0.0;          ///< to the closest segment; infinite: there is none [length]
+  double distance = 0.0;          ///< to the closest segment that it may be tied to; infinite: there is none [length]
   double tolerance = 0.0;         ///< within which that segment would be in reach [length]
   bool only_sheet_taken = false;  ///< not tied: what is in reach is the sheet that holds the weld's other end
+  bool faces_sheet = false;       ///< that segment lies over or under the node and across the weld; false: beside it
 };
 
 /// Corners of one face of a brick.

@@ -139,10 +139,26 @@ TEST(ProjectionCase5, NoSegmentInReachIsNotTied) {
   EXPECT_EQ(weld.ends[1].projection_case, 1);
   EXPECT_EQ(ties.ties.size(), 1u);
   EXPECT_EQ(ties.x[weld.ends[0].node].x, 45.0);
-  EXPECT_THAT(text(a.findings),
-              HasSubstr("beam weld 1000: node 33 at (45, 15, 0): no segment in reach: the closest, shell 6 of "
-                        "part 1, is 15 away, tolerance 3.6, not tied [move the weld to its sheet, or give "
-                        "SAST = SBST = -13.1 in the contact"));
+  EXPECT_THAT(
+      text(a.findings),
+      HasSubstr("beam weld 1000: node 33 at (45, 15, 0): no segment in reach: the closest, shell 6 of "
+                "part 1, is 15 away, tolerance 3.6, not tied [move the weld to its sheet, or put the sheet that is "
+                "meant on the reference side (SURFB) of the contact]"));
+}
+
+TEST(ProjectionCase5, OnlyForASheetAcrossTheWeldAndNotFarOffALargerToleranceIsAdvised) {
+  const auto advised = [](const Vec3d& from, const Vec3d& to) {
+    TwoSheets a(20.0);
+    a.beam(a.welds, from, to);
+    a.tied();
+    return text(a.findings);
+  };
+  EXPECT_THAT(advised({15, 15, 5}, {15, 15, 20}),
+              HasSubstr("is 5 away, tolerance 3.6, not tied [move the weld to its sheet, or give "
+                        "SAST = SBST = -4.38 in the contact (tolerance 5.25)]"));
+  EXPECT_THAT(advised({15, 15, 7.5}, {15, 15, 20}), Not(HasSubstr("SAST")));  // twice as far as reach goes
+  EXPECT_THAT(advised({35, 15, 0}, {15, 15, 20}), Not(HasSubstr("SAST")));    // beside its sheet
+  EXPECT_THAT(advised({15, 15, 5}, {17, 15, 5}), Not(HasSubstr("SAST")));     // the sheet lies along the weld
 }
 
 TEST(ProjectionCase5, FarFromAnySheetNoToleranceIsAdvised) {
@@ -336,8 +352,21 @@ TEST(Ties, WithoutASecondSheetTheFartherEndStaysFree) {
   EXPECT_EQ(weld.ends[0].projection_case, 5);
   EXPECT_TRUE(weld.ends[1].tied);
   EXPECT_EQ(weld.sheets, (std::array<Index, 2>{none, a.lower}));
-  EXPECT_THAT(text(a.findings),
-              HasSubstr("the only sheet in reach, with shell 5 of part 1, holds the weld's other end"));
+  EXPECT_THAT(
+      text(a.findings),
+      HasSubstr("the only sheet in reach, with shell 5 of part 1, holds the weld's other end, not tied [put the "
+                "sheet's part on the reference side (SURFB) of the contact]"));
+}
+
+TEST(Ties, WhereOnlyOneSheetIsInReachTheClosestOtherOneIsNamed) {
+  TwoSheets a(5.0);
+  a.beam(a.welds, {15, 15, 0}, {15, 15, 1});
+  a.tied();
+  EXPECT_THAT(
+      text(a.findings),
+      HasSubstr("the only sheet in reach, with shell 5 of part 1, holds the weld's other end; the closest other, "
+                "shell 14 of part 2, is 4 away, tolerance 3.6, not tied [move the weld to its sheet, or give "
+                "SAST = SBST = -3.5 in the contact (tolerance 4.2)]"));
 }
 
 TEST(Ties, ElementBeamPidRestrictsTheParts) {
