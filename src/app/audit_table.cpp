@@ -66,7 +66,7 @@ std::string spots(const std::vector<weld::Report>& reports) {
 }
 
 std::string check_line(const weld::CheckSummary& found, const weld::Ties& ties,
-                       const std::vector<weld::Report>& reports) {
+                       const std::vector<weld::Report>& reports, const std::optional<model::Units>& units) {
   const weld::Check& check = *found.check;
   const auto c = static_cast<std::size_t>(&check - weld::checks().data());
   std::string worst;
@@ -81,11 +81,13 @@ std::string check_line(const weld::CheckSummary& found, const weld::Ties& ties,
   const char* const mark = found.remarks > 0 ? (check.severity == Severity::warning ? "!" : "note")
                            : looked          ? "ok"
                                              : "-";
-  return fmt::format(" {:<10}{:<22}{:>9}{:>10}{:>6}{:>8} {}\n", check.name, check.measure, number(found.least),
+  return fmt::format(" {:<10}{:<22}{:>9}{:>10}{:>6}{:>8} {}\n", check.name,
+                     std::string(check.measure) + model::in_units(units, check.dimension), number(found.least),
                      number(found.most), mark, found.remarks, worst);
 }
 
-std::string cost(const model::Model& model, const std::vector<weld::Report>& reports) {
+std::string cost(const model::Model& model, const std::vector<weld::Report>& reports,
+                 const std::optional<model::Units>& units) {
   double shortest = std::numeric_limits<double>::infinity(), mass = 0.0, by_dt = 0.0, by_dt2ms = 0.0;
   for (const weld::Report& r : reports) {
     shortest = std::min(shortest, r.cost.time_step);
@@ -94,11 +96,12 @@ std::string cost(const model::Model& model, const std::vector<weld::Report>& rep
     by_dt2ms += r.cost.mass_by_dt2ms;
   }
   const double whole = mass_of(model);
+  const std::string unit = model::unit_of(units, dimension::mass);
   return fmt::format(
-      " smallest time step of a weld, as given  {}\n mass of the welds, as given             {:.4g}{}\n"
-      " mass that DT adds to welds              {:.4g}{}\n mass that DT2MS adds to welds           {:.4g}{}\n",
-      number(shortest), mass, percent_of(mass, whole), by_dt, percent_of(by_dt, whole), by_dt2ms,
-      percent_of(by_dt2ms, whole));
+      " smallest time step of a weld, as given  {}{}\n mass of the welds, as given             {:.4g}{}{}\n"
+      " mass that DT adds to welds              {:.4g}{}{}\n mass that DT2MS adds to welds           {:.4g}{}{}\n",
+      number(shortest), model::unit_of(units, dimension::time), mass, unit, percent_of(mass, whole), by_dt, unit,
+      percent_of(by_dt, whole), by_dt2ms, unit, percent_of(by_dt2ms, whole));
 }
 
 /// Of the warnings; 0 where there is none.
@@ -119,12 +122,12 @@ std::string audit_table(const model::Model& model, const weld::Ties& ties, const
   s += fmt::format(" {:<10}{:<22}{:>9}{:>10}{:>14}  {}\n", "check", "measured", "least", "most", "remarks",
                    "worst welds");
   const std::vector<weld::CheckSummary> summary = weld::summarise(reports);
-  for (const weld::CheckSummary& found : summary) s += check_line(found, ties, reports);
+  for (const weld::CheckSummary& found : summary) s += check_line(found, ties, reports, units);
   s += '\n';
   for (const weld::CheckSummary& found : summary)
     if (found.remarks > 0)
       s += fmt::format(" {:<10}expected: {}; {}\n", found.check->name, found.check->rule, found.check->remedy);
-  return s + '\n' + cost(model, reports) + '\n';
+  return s + '\n' + cost(model, reports, units) + '\n';
 }
 
 std::string weld_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports) {
@@ -145,8 +148,9 @@ std::string weld_table(const model::Model& model, const weld::Ties& ties, const 
     return fmt::format("{} welds without a warning{}; welds.csv has a row for each\n", ties.welds.size(),
                        alone == 0 ? "" : fmt::format(", but {} have no sheet: most checks could not be made", alone));
   }
-  std::string s = fmt::format("{:>10} {:>9} {:>8} {:>9} {:>9} {:>5}  {:<9} {}\n", "weld", "kind", "part", "diameter",
-                              "length", "tied", "sheets", "remarks");
+  const std::string length = model::in_units(model::units_of(model), dimension::length);
+  std::string s = fmt::format("{:>10} {:>9} {:>8} {:>13} {:>13} {:>5}  {:<9} {}\n", "weld", "kind", "part",
+                              "diameter" + length, "length" + length, "tied", "sheets", "remarks");
   for (const std::size_t i : order) {
     const weld::Weld& w = ties.welds[i];
     std::vector<int> sheets;
@@ -155,7 +159,7 @@ std::string weld_table(const model::Model& model, const weld::Ties& ties, const 
     std::string remarks;
     for (const weld::Remark& r : reports[i].remarks)
       remarks += fmt::format("{}{}: {}", remarks.empty() ? "" : "; ", r.check->name, r.text);
-    s += fmt::format("{:>10} {:>9} {:>8} {:>9.4g} {:>9.4g} {:>5}  {:<9} {}\n", w.id, weld::to_string(w.kind),
+    s += fmt::format("{:>10} {:>9} {:>8} {:>13.4g} {:>13.4g} {:>5}  {:<9} {}\n", w.id, weld::to_string(w.kind),
                      w.part == model::none ? 0 : model.parts[w.part].id, w.diameter, w.length, w.tied ? "yes" : "no",
                      fmt::format("{}", fmt::join(sheets, "+")), remarks);
   }
@@ -167,6 +171,7 @@ std::string weld_table(const model::Model& model, const weld::Ties& ties, const 
 
 std::string target_table(const model::Model& model, const weld::Ties& ties, const std::vector<weld::Report>& reports,
                          double step) {
+  const auto units = model::units_of(model);
   std::vector<std::size_t> below;
   double total = 0.0;
   for (std::size_t w = 0; w < reports.size(); ++w) {
@@ -174,20 +179,22 @@ std::string target_table(const model::Model& model, const weld::Ties& ties, cons
     below.push_back(w);
     total += weld::cost_of_step(reports[w].cost, step).mass;
   }
-  std::string s =
-      fmt::format("Time step {:.4g}: {} of {} welds have a smaller one\n\n", step, below.size(), ties.welds.size());
+  std::string s = fmt::format("Time step {:.4g}{}: {} of {} welds have a smaller one\n\n", step,
+                              model::unit_of(units, dimension::time), below.size(), ties.welds.size());
   if (below.empty()) return s;
-  s += fmt::format(" by mass (DT = {:.4g} in *MAT_SPOTWELD): {:.4g} more{}\n by stiffness: E as below, no mass\n\n",
-                   step, total, percent_of(total, mass_of(model)));
+  s += fmt::format(" by mass (DT = {:.4g} in *MAT_SPOTWELD): {:.4g}{} more{}\n by stiffness: E as below, no mass\n\n",
+                   step, total, model::unit_of(units, dimension::mass), percent_of(total, mass_of(model)));
   std::stable_sort(below.begin(), below.end(),
                    [&](std::size_t a, std::size_t b) { return reports[a].cost.time_step < reports[b].cost.time_step; });
-  s += fmt::format("{:>10} {:>11} {:>11} {:>11} {:>8}  {:>11} {:>11}\n", "weld", "time step", "mass", "mass added",
-                   "factor", "or E", "instead of");
+  const std::string mass = model::in_units(units, dimension::mass);
+  s += fmt::format("{:>10} {:>14} {:>11} {:>15} {:>8}  {:>11} {:>11}\n", "weld",
+                   "time step" + model::in_units(units, dimension::time), "mass" + mass, "mass added" + mass, "factor",
+                   "or E" + model::in_units(units, dimension::stress), "instead of");
   const std::size_t shown = below.size() <= most_rows ? below.size() : shown_of_many;
   for (std::size_t i = 0; i < shown; ++i) {
     const weld::MassScalingCost& cost = reports[below[i]].cost;
     const weld::StepCost target = weld::cost_of_step(cost, step);
-    s += fmt::format("{:>10} {:>11.4g} {:>11.4g} {:>11.4g} {:>8.4g}  {:>11.4g} {:>11.4g}\n", ties.welds[below[i]].id,
+    s += fmt::format("{:>10} {:>14.4g} {:>11.4g} {:>15.4g} {:>8.4g}  {:>11.4g} {:>11.4g}\n", ties.welds[below[i]].id,
                      cost.time_step, cost.mass, target.mass, std::pow(step / cost.time_step, 2.0), target.young,
                      cost.young);
   }

@@ -12,6 +12,7 @@
 #include "app/coupon_card.hpp"
 #include "app/coupon_runs.hpp"
 #include "app/measured_curves.hpp"
+#include "model/units.hpp"
 #include "output/column_units.hpp"
 #include "weld/coupon/strength_fit.hpp"
 
@@ -186,8 +187,11 @@ class Fit {
     }
     output::write_whole_file(directory_ / "fit.csv", csv);
     output::write_column_units(directory_, units_);
-    fmt::print("\n scatter of a force about its strength: {:.2g} %\n {}; runs and fit.csv in {}\n", 100.0 * fit.scatter,
-               arguments_.output, directory_.string());
+    fmt::print("\n scatter of a force about its strength: {:.2g} %\n", 100.0 * fit.scatter);
+    if (units_)
+      fmt::print(" forces in {}, moments in {}\n", model::symbol(*units_, dimension::force),
+                 model::symbol(*units_, dimension::moment));
+    fmt::print(" {}; runs and fit.csv in {}\n", arguments_.output, directory_.string());
   }
 
   const FitArguments& arguments_;

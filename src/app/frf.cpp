@@ -11,8 +11,10 @@
 #include "app/modes.hpp"
 #include "app/preload.hpp"
 #include "app/status.hpp"
+#include "model/units.hpp"
 #include "nvh/response/radiated_power.hpp"
 #include "nvh/response/response_states.hpp"
+#include "output/column_units.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
 
@@ -30,26 +32,32 @@ struct Response {
   const std::vector<Complex>& value;
 };
 
+/// ` Hz`; nothing where the units are not known.
+std::string behind_frequency(const output::Summary& summary) {
+  const auto units = model::units_named(summary.units);
+  return units ? ' ' + model::frequency_symbol(*units) : std::string();
+}
+
 /// `equations`: of the model; that many modes are all there are.
 std::string describe_method(const nvh::Modes& modes, std::size_t equations, const nvh::SolutionMethod& method,
-                            double highest_asked) {
+                            double highest_asked, const std::string& unit) {
   if (method.direct) return " direct solution at each frequency\n";
   std::string s = " no mode takes part, only the static response";
   double highest = 0.0;
   if (method.last > method.first) {
     highest = modes.frequency(method.last - 1);
-    s = fmt::format(" modes {} to {}, up to {:.6g}", method.first + 1, method.last, highest);
+    s = fmt::format(" modes {} to {}, up to {:.6g}{}", method.first + 1, method.last, highest, unit);
   }
   if (!method.residual.empty())
-    s += fmt::format(", and {} residual vector{} from {:.6g} on for all above", method.residual.size(),
-                     method.residual.size() == 1 ? "" : "s", method.residual.front());
+    s += fmt::format(", and {} residual vector{} from {:.6g}{} on for all above", method.residual.size(),
+                     method.residual.size() == 1 ? "" : "s", method.residual.front(), unit);
   s += '\n';
   const bool all = method.first == 0 && method.last == equations;
   if (method.last > method.first && highest < highest_asked && !all)
     s += fmt::format(
-        " warning: the response is asked for up to {:.6g}, above the last mode: it is doubtful there; raise NEIG of "
+        " warning: the response is asked for up to {:.6g}{}, above the last mode: it is doubtful there; raise NEIG of "
         "*CONTROL_IMPLICIT_EIGENVALUE, FNMAX or MDMAX, or solve directly (nugget frf --direct)\n",
-        highest_asked);
+        highest_asked, unit);
   return s;
 }
 
@@ -69,27 +77,32 @@ std::size_t largest(const std::vector<Complex>& value) {
 std::string peaks(const std::vector<Response>& responses, const std::vector<double>& frequency, const char* file,
                   output::Summary& summary) {
   constexpr std::size_t most = 40;
+  const auto units = model::units_named(summary.units);
   const bool cases = !responses.empty() && responses.back().load_case > 0;
   std::string s =
-      fmt::format("\n{} {:>10} {:>10} {:<20} {:>14} {:>14} {:>10}   {}\n", cases ? fmt::format(" {:>5}", "case") : "",
-                  "node", "direction", "response", "frequency", "amplitude", "phase", "at the largest amplitude");
+      fmt::format("\n{} {:>10} {:>10} {:<30} {:>14} {:>14} {:>15}   {}\n", cases ? fmt::format(" {:>5}", "case") : "",
+                  "node", "direction", "response", "frequency" + model::in_frequency(units), "amplitude",
+                  "phase [degree]", "at the largest amplitude");
   for (std::size_t c = 0; c < responses.size(); ++c) {
     const Response& r = responses[c];
     const std::size_t k = largest(r.value);
     const double amplitude = std::abs(r.value[k]), phase = nvh::degrees(r.value[k]);
     summary.responses.push_back({r.kind, r.node, r.direction, r.quantity, frequency[k], amplitude, phase, r.load_case});
     if (c < most)
-      s += fmt::format("{} {:>10} {:>10} {:<20} {:>14.6g} {:>14.6g} {:>10.2f}\n",
-                       cases ? fmt::format(" {:>5}", r.load_case) : "", r.node, r.direction, r.quantity, frequency[k],
+      s += fmt::format("{} {:>10} {:>10} {:<30} {:>14.6g} {:>14.6g} {:>15.2f}\n",
+                       cases ? fmt::format(" {:>5}", r.load_case) : "", r.node, r.direction,
+                       r.quantity + model::in_units(units, output::dimension_of_response(r.quantity)), frequency[k],
                        amplitude, phase);
   }
   if (responses.size() > most) s += fmt::format(" ... and {} more in {}\n", responses.size() - most, file);
   return s + '\n';
 }
 
-std::string title(const char* what, std::size_t count, const std::vector<double>& frequency) {
-  return fmt::format("{}: {} responses, {} frequencies from {:.6g} to {:.6g}\n\n", what, count, frequency.size(),
-                     frequency.front(), frequency.back());
+std::string title(const char* what, std::size_t count, const std::vector<double>& frequency,
+                  const output::Summary& summary) {
+  return fmt::format("{}: {} response{}, {} frequencies from {:.6g} to {:.6g}{}\n\n", what, count,
+                     count == 1 ? "" : "s", frequency.size(), frequency.front(), frequency.back(),
+                     behind_frequency(summary));
 }
 
 std::string frf_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
@@ -105,8 +118,8 @@ std::string frf_of(const fs::path& directory, const output::Header& header, cons
   if (request.cases.size() > 1)
     for (std::size_t i = 0; i < request.cases.size(); ++i)
       titles += fmt::format(" case {}: {}\n", i + 1, request.cases[i].title);
-  return title("Frequency response", responses.size(), result.frequency) + titles +
-         describe_method(modes, matrices.size(), result.method, result.frequency.back()) +
+  return title("Frequency response", responses.size(), result.frequency, summary) + titles +
+         describe_method(modes, matrices.size(), result.method, result.frequency.back(), behind_frequency(summary)) +
          peaks(responses, result.frequency, "frf.csv", summary);
 }
 
@@ -124,8 +137,8 @@ std::string ssd_of(const fs::path& directory, const output::Header& header, cons
   for (std::size_t i = 0; i < request.cases.size(); ++i)
     if (const auto& c = request.cases[i]; !c.id.empty())
       titles += fmt::format(" case {}: {} {}\n", i + 1, c.id, c.title);
-  return title("Steady state", responses.size(), result.frequency) + titles +
-         describe_method(modes, matrices.size(), result.method, result.frequency.back()) +
+  return title("Steady state", responses.size(), result.frequency, summary) + titles +
+         describe_method(modes, matrices.size(), result.method, result.frequency.back(), behind_frequency(summary)) +
          peaks(responses, result.frequency, "ssd.csv", summary);
 }
 
@@ -135,11 +148,14 @@ std::string power_of(const fs::path& directory, const output::Header& header, co
   const nvh::RadiatedPower result = nvh::radiated_power(matrices, modes, request, progress);
   nvh::write_radiated_power(directory, header, request, result);
   const double reference = request.radiated_power->reference;
+  const auto units = model::units_named(summary.units);
   std::string s = fmt::format(
-      "Equivalent radiated power: {} panels, {} frequencies from {:.6g} to {:.6g}\n\n {:<24} {:>14} {:>14} "
+      "Equivalent radiated power: {} panels, {} frequencies from {:.6g} to {:.6g}{}\n\n {:<24} {:>14} {:>14} "
       "{:>14} {:>10}   at the largest power\n",
       request.radiated_power->panels.size(), result.frequency.size(), result.frequency.front(), result.frequency.back(),
-      "panel", "area", "frequency", "power", "dB");
+      behind_frequency(summary), "panel", "area" + model::in_units(units, dimension::area),
+      "frequency" + model::in_frequency(units),
+      "power" + model::in_units(units, output::dimension_of_response("radiated power")), "dB");
   for (const nvh::RadiatedPower::Panel& panel : result.panels) {
     const std::vector<Complex> value(panel.power.begin(), panel.power.end());
     const std::size_t k = largest(value);

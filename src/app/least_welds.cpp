@@ -115,7 +115,8 @@ class Search {
 }  // namespace
 
 std::string find_least_welds(const std::filesystem::path& directory, const nvh::Matrices& matrices,
-                             const nvh::Modes& modes, double share, const nvh::ProgressCallback& progress) {
+                             const nvh::Modes& modes, double share, const std::optional<model::Units>& units,
+                             const nvh::ProgressCallback& progress) {
   Search search(matrices, modes, share, progress);
   search.run();
   const auto id = [&](std::size_t w) { return matrices.system.ties.welds[w].id; };
@@ -131,11 +132,12 @@ std::string find_least_welds(const std::filesystem::path& directory, const nvh::
   output::write_whole_file(directory / "least_welds.csv", csv);
   const double last = search.steps().empty() ? search.whole_frequency() : search.steps().back().frequency;
   return fmt::format(
-      "Least welds that keep the first frequency, {:.6g}, above {:.6g} (greedy; least_welds.csv)\n\n {} of {} can go, "
-      "in "
-      "this order: {}\n first frequency without them {:.6g}, {:.2f} % lower\n\n",
+      "Least welds that keep the first frequency, {0:.6g}{7}, above {1:.6g}{7} (greedy; least_welds.csv)\n\n {2} of "
+      "{3} can go, in "
+      "this order: {4}\n first frequency without them {5:.6g}{7}, {6:.2f} % lower\n\n",
       search.whole_frequency(), search.least(), out, out + search.left().size(), out == 0 ? "none" : list, last,
-      search.whole_frequency() > 0.0 ? 100.0 * (1.0 - last / search.whole_frequency()) : 0.0);
+      search.whole_frequency() > 0.0 ? 100.0 * (1.0 - last / search.whole_frequency()) : 0.0,
+      units ? ' ' + model::frequency_symbol(*units) : std::string());
 }
 
 }  // namespace nugget::app

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "model/units.hpp"
 #include "nvh/eigen/weld_drop.hpp"
 
 namespace nugget::app {
@@ -13,6 +15,7 @@ namespace nugget::app {
 /// estimates (nvh::drop_welds) of the structure as it has become and is then solved; other welds than these may do, or
 /// fewer. Writes least_welds.csv, returns a table. Throws Factorization::SolverError.
 std::string find_least_welds(const std::filesystem::path& directory, const nvh::Matrices& matrices,
-                             const nvh::Modes& modes, double share, const nvh::ProgressCallback& progress);
+                             const nvh::Modes& modes, double share, const std::optional<model::Units>& units,
+                             const nvh::ProgressCallback& progress);
 
 }  // namespace nugget::app

@@ -7,13 +7,15 @@
 
 namespace nugget::app {
 
-std::string pair_table(const nvh::Modes& modes, const nvh::ModeComparison& c, const std::string& other) {
+std::string pair_table(const nvh::Modes& modes, const nvh::ModeComparison& c, const std::string& other,
+                       const std::optional<model::Units>& units) {
   std::string s = fmt::format("Compared with {} over {} nodes", other, c.nodes);
   if (c.renumbered > 0) s += fmt::format(", {} of them by their places, with other ids", c.renumbered);
   if (c.absent > 0) s += fmt::format("; {} nodes of this run have no node at their place in the other", c.absent);
   s += "\n\n";
   if (c.nodes == 0) return s + " no node in common: nothing can be compared\n\n";
-  s += fmt::format(" {:>6} {:>14} {:>8} {:>14} {:>9} {:>7}\n", "mode", "frequency", "other", "frequency", "shift [%]",
+  const std::string frequency = "frequency" + model::in_frequency(units);
+  s += fmt::format(" {:>6} {:>14} {:>8} {:>14} {:>9} {:>7}\n", "mode", frequency, "other", frequency, "shift [%]",
                    "MAC");
   for (std::size_t i = 0; i < c.partner.size(); ++i) {
     const double f = modes.frequency(i);

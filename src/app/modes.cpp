@@ -15,6 +15,7 @@
 #include "app/run_log.hpp"
 #include "app/status.hpp"
 #include "app/weld_study.hpp"
+#include "model/units.hpp"
 #include "nvh/eigen/mode_files.hpp"
 #include "nvh/matrices/ranks.hpp"
 #include "output/results.hpp"
@@ -70,21 +71,24 @@ std::string missing_modes(const nvh::Modes& modes) {
   return s;
 }
 
-std::string mode_table(const nvh::Modes& modes) {
+std::string mode_table(const nvh::Modes& modes, const std::optional<model::Units>& units) {
+  constexpr Dimension eigenvalue{0, 0, -2};
   std::string s = fmt::format("Modes: {}\n\n {:>6} {:>14} {:>14}   effective mass as a share: {:>7} {:>7} {:>7}\n",
-                              modes.eigenvalue.size(), "mode", "frequency", "omega^2", "x", "y", "z");
+                              modes.eigenvalue.size(), "mode", "frequency" + model::in_frequency(units),
+                              "omega^2" + model::in_units(units, eigenvalue), "x", "y", "z");
   for (std::size_t i = 0; i < modes.eigenvalue.size(); ++i) {
     s += fmt::format(" {:>6} {:>14.6g} {:>14.6g}   {:>26}", i + 1, modes.frequency(i), modes.eigenvalue[i], "");
     for (std::size_t k = 0; k < 3; ++k) {
       const double p = modes.participation[i][k];
       s += fmt::format(" {:>7.4f}", modes.total[k] > 0.0 ? p * p / modes.total[k] : 0.0);
     }
-    s += '\n';
+    s += modes.elastic(i) ? "\n" : "  rigid motion\n";
   }
   const nvh::Modes::Proof& proof = modes.proof;
-  return s + fmt::format("\n Sylvester's count: {} eigenvalues {} {:.6g}; found {}: {}\n\n", proof.counted,
+  return s + fmt::format("\n Sylvester's count: {} eigenvalues {} {:.6g}{}; found {}: {}\n\n", proof.counted,
                          proof.low > 0.0 ? fmt::format("between {:.6g} and", proof.low) : "below", proof.high,
-                         proof.found, proof.complete() ? "no mode was missed" : "MODES ARE MISSING");
+                         units ? ' ' + model::frequency_symbol(*units) : std::string(), proof.found,
+                         proof.complete() ? "no mode was missed" : "MODES ARE MISSING");
 }
 
 /// The parts and welds that hold most of each mode's strain energy.
@@ -178,18 +182,19 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     status("strain energies and files");
     const nvh::EnergyShares shares = nvh::energy_shares(matrices, modes);
     nvh::write_modes(directory, job.header(), matrices, modes, shares);
+    const std::optional<model::Units> units = model::units_of(model);
     std::string more;  // that is reported after the modes
     if (arguments.response) {
       status("frequency response");
       more = responses_of(directory, job.header(), matrices, modes, model, summary, std::ref(status));
     }
     if (arguments.least_welds > 0.0)
-      more += find_least_welds(directory, matrices, modes, arguments.least_welds, std::ref(status));
-    if (drop) more += weld_study(directory, matrices, modes, *drop, summary, std::ref(status));
+      more += find_least_welds(directory, matrices, modes, arguments.least_welds, units, std::ref(status));
+    if (drop) more += weld_study(directory, matrices, modes, *drop, units, summary, std::ref(status));
     if (other) {
       const nvh::ModeComparison comparison = nvh::compare(matrices, modes, *other);
       nvh::write_mac(directory, modes, comparison);
-      more += pair_table(modes, comparison, arguments.compare);
+      more += pair_table(modes, comparison, arguments.compare, units);
     }
     summary.seconds.output = job.seconds();
     impact::Outcome outcome{impact::Termination::normal, {}};
@@ -200,7 +205,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     }
     job.write(summary);
     report::write_report(directory);
-    const std::string table = mode_table(modes);
+    const std::string table = mode_table(modes, units);
     job.add_to_log(preload + table + energy_table(model, job.deck().ties, modes, shares) + more +
                    cost_table(matrices, modes, summary));
     status.clear();

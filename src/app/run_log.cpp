@@ -32,18 +32,21 @@ const char* case_name(int projection_case) {
   return "";
 }
 
-std::string section_name(const model::Model& model, const model::Part& part) {
+std::string section_name(const model::Model& model, const model::Part& part, const std::optional<model::Units>& units) {
+  const std::string length = model::unit_of(units, dimension::length);
   if (part.kind != model::ElementKind::nothing && part.section == model::none) return "none";
   switch (part.kind) {
     case model::ElementKind::shell: {
       const model::SectionShell& s = model.shell_sections[part.section];
-      return fmt::format("shell, ELFORM {}, {} layers, t = {:.4g}", s.elform, s.layers, s.thickness);
+      return fmt::format("shell, ELFORM {}, {} layers, t = {:.4g}{}", s.elform, s.layers, s.thickness, length);
     }
     case model::ElementKind::solid: return fmt::format("solid, ELFORM {}", model.solid_sections[part.section].elform);
     case model::ElementKind::beam: {
       const model::SectionBeam& s = model.beam_sections[part.section];
-      if (s.elform == 6) return fmt::format("discrete beam, ELFORM 6, VOL = {:.4g}, SCOOR = {}", s.volume, s.scoor);
-      return fmt::format("beam, ELFORM {}, d = {:.4g}", s.elform, 0.5 * (s.outer[0] + s.outer[1]));
+      if (s.elform == 6)
+        return fmt::format("discrete beam, ELFORM 6, VOL = {:.4g}{}, SCOOR = {}", s.volume,
+                           model::unit_of(units, dimension::volume), s.scoor);
+      return fmt::format("beam, ELFORM {}, d = {:.4g}{}", s.elform, 0.5 * (s.outer[0] + s.outer[1]), length);
     }
     case model::ElementKind::discrete: {
       const model::SectionDiscrete& s = model.discrete_sections[part.section];
@@ -59,8 +62,9 @@ std::string log_bricks(const model::Model& model, const weld::Ties& ties) {
   std::string s;
   for (const weld::Weld& w : ties.welds) {
     if (!w.of_bricks() || (w.elements.size() == 1 && w.id == model.solids.id[w.element])) continue;
-    s += fmt::format(" weld {:>8} of part {:>8}, A = {:.5g}:", w.id, model.parts[w.part].id,
-                     0.25 * std::numbers::pi * w.diameter * w.diameter);
+    s += fmt::format(" weld {:>8} of part {:>8}, A = {:.5g}{}:", w.id, model.parts[w.part].id,
+                     0.25 * std::numbers::pi * w.diameter * w.diameter,
+                     model::unit_of(model::units_of(model), dimension::area));
     for (model::Index e : w.elements) s += fmt::format(" {}", model.solids.id[e]);
     s += '\n';
   }
@@ -121,8 +125,8 @@ std::string log_model(const model::Model& model) {
     std::string material = part.material == model::none ? "none" : '*' + model.materials[part.material].keyword;
     if (part.material != model::none && std::holds_alternative<kernel::Laminate>(model.materials[part.material].law))
       material += fmt::format(" of {}", model.materials[part.material].title);  // the layers' materials
-    s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", part.id, count[p], section_name(model, part), material,
-                     part.title);
+    s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", part.id, count[p], section_name(model, part, units),
+                     material, part.title);
   }
   return s + '\n';
 }
@@ -161,7 +165,8 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
 
 std::string log_tied_nodes(const model::Model& model, const weld::Ties& ties) {
   if (!model.control.list_ties || ties.ties.empty()) return {};
-  std::string s = "Tied nodes (OUTSEG = 1):\n";
+  std::string s = fmt::format("Tied nodes (OUTSEG = 1), distances{}:\n",
+                              model::in_units(model::units_of(model), dimension::length));
   for (const weld::Tie& t : ties.ties) s += ' ' + weld::describe(model, t) + '\n';
   return s + '\n';
 }
@@ -169,8 +174,9 @@ std::string log_tied_nodes(const model::Model& model, const weld::Ties& ties) {
 std::string log_mass(const system::System& system) {
   const system::System::Masses m = system.masses();
   std::string s = fmt::format(
-      "Mass\n\n physical mass       {:.6e}\n added mass          {:.6e}  ({:.4f} %)\n added to welds      {:.6e}\n",
-      m.physical, m.added, m.physical > 0.0 ? 100.0 * m.added / m.physical : 0.0, m.added_to_welds);
+      "Mass{}\n\n physical mass       {:.6e}\n added mass          {:.6e}  ({:.4f} %)\n added to welds      {:.6e}\n",
+      model::in_units(model::units_of(system.model), dimension::mass), m.physical, m.added,
+      m.physical > 0.0 ? 100.0 * m.added / m.physical : 0.0, m.added_to_welds);
   for (std::size_t p = 0; p < m.added_by_part.size(); ++p)
     if (m.added_by_part[p] != 0.0)
       s += fmt::format("   part {:>8}  {:.6e}\n", system.model.parts[p].id, m.added_by_part[p]);
@@ -178,10 +184,14 @@ std::string log_mass(const system::System& system) {
 }
 
 std::string log_run(const impact::Simulation& run, const output::Summary& summary) {
+  const auto units = model::units_named(summary.units);
+  const std::string in_time = model::unit_of(units, dimension::time);
   std::string s = fmt::format(
-      "Run\n\n first step     {:.6e}\n smallest step  {:.6e}, controlled by {}\n cycles         {}\n time           "
-      "{:.6e}\n",
-      summary.time_step.first, summary.time_step.smallest, summary.time_step.controlling, summary.cycles, summary.time);
+      "Run\n\n first step     {:.6e}{}\n smallest step  {:.6e}{}, controlled by {}\n cycles         {}\n time          "
+      " "
+      "{:.6e}{}\n",
+      summary.time_step.first, in_time, summary.time_step.smallest, in_time, summary.time_step.controlling,
+      summary.cycles, summary.time, in_time);
   for (std::size_t begin = 0, end = 0; begin < run.step_notes().size(); begin = end + 1) {
     end = run.step_notes().find('\n', begin);
     s += ' ' + run.step_notes().substr(begin, end - begin) + '\n';
@@ -189,18 +199,19 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   s += '\n';
   if (const auto& r = summary.relaxation)
     s += fmt::format(
-        "Dynamic relaxation before the run: {} cycles, time {:.6e}, kinetic energy over the largest {:.3e}: {}\n\n",
-        r->cycles, r->time, r->kinetic_energy_ratio, r->at_rest ? "at rest" : "NOT at rest when it ended");
+        "Dynamic relaxation before the run: {} cycles, time {:.6e}{}, kinetic energy over the largest {:.3e}: {}\n\n",
+        r->cycles, r->time, in_time, r->kinetic_energy_ratio, r->at_rest ? "at rest" : "NOT at rest when it ended");
   const output::Summary::Energies& e = summary.energy;
   s += fmt::format(
-      "Energy at the end\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  "
+      "Energy at the end{}\n\n kinetic {:.5e}  internal {:.5e}  hourglass {:.5e}  contact {:.5e}\n external {:.5e}  "
       "eroded "
       "{:.5e}  change of step {:.5e}\n initial {:.5e}  ratio {:.5f}, without change of step {:.5f}\n hourglass / "
       "internal {:.3f} %, of the internal energy by bulk viscosity {:.5e}\n of contact: springs {:.5e}  friction "
       "{:.5e}  damping {:.5e}  lost {:.5e}\n\n",
-      e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded, e.step_change, e.initial, e.ratio,
-      e.ratio_without_step_change, e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0, e.bulk_viscosity,
-      e.contact_springs, e.contact_friction, e.contact_damping, e.contact_lost);
+      model::in_units(units, dimension::energy), e.kinetic, e.internal, e.hourglass, e.contact, e.external, e.eroded,
+      e.step_change, e.initial, e.ratio, e.ratio_without_step_change,
+      e.internal != 0.0 ? 100.0 * e.hourglass / e.internal : 0.0, e.bulk_viscosity, e.contact_springs,
+      e.contact_friction, e.contact_damping, e.contact_lost);
   std::string events;
   run.components().for_each([&](const auto& component) {
     if constexpr (requires { component.events(); })
@@ -209,15 +220,17 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   for (const std::string& event : run.events()) events += ' ' + event + '\n';
   const impact::Joints& joints = run.components().joints;
   if (joints.size() > 0) {
-    s += "Joints: largest distance between the points that they hold together\n\n";
+    s += fmt::format("Joints: largest distance between the points that they hold together{}\n\n",
+                     model::in_units(units, dimension::length));
     for (std::size_t i = 0; i < joints.size(); ++i)
       s += fmt::format(" joint {:>8} {:12.4e}\n", run.system().model.joints[i].id, joints.largest_opening(i));
     s += '\n';
     for (std::size_t i = 0; i < joints.size(); ++i)
       if (joints.failed(i))
-        events += fmt::format(" joint {} fails at {:.6e}\n", run.system().model.joints[i].id, joints.failure_time(i));
+        events += fmt::format(" joint {} fails at {:.6e}{}\n", run.system().model.joints[i].id, joints.failure_time(i),
+                              in_time);
   }
-  if (!events.empty()) s += "Events\n\n" + events + '\n';
+  if (!events.empty()) s += fmt::format("Events, times{}\n\n{}\n", model::in_units(units, dimension::time), events);
   s += fmt::format("Seconds\n\n read {:.3f}  setup {:.3f}  solve {:.3f}  output {:.3f}\n", summary.seconds.read,
                    summary.seconds.setup, summary.seconds.solve, summary.seconds.output);
   for (const auto& [name, seconds] : summary.seconds.phases)
@@ -230,10 +243,11 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
 std::string in_short(const output::Summary& summary) {
   const auto units = model::units_named(summary.units);
   const auto with_unit = [&](double value, const Dimension& dimension) {
-    return fmt::format("{:.4g}{}", value, units ? ' ' + model::symbol(*units, dimension) : std::string());
+    return fmt::format("{:.4g}{}", value, model::unit_of(units, dimension));
   };
-  const auto place = [](const output::WeldReport& weld) {
-    return fmt::format("at ({:.4g}, {:.4g}, {:.4g})", weld.middle.x, weld.middle.y, weld.middle.z);
+  const auto place = [&](const output::WeldReport& weld) {
+    return fmt::format("at ({:.4g}, {:.4g}, {:.4g}){}", weld.middle.x, weld.middle.y, weld.middle.z,
+                       model::unit_of(units, dimension::length));
   };
   const output::Summary::Energies& e = summary.energy;
   std::string text = fmt::format("{} cycles in {:.2f} s to time {}; energy ratio {:.5f}\n", summary.cycles,

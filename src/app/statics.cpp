@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/linear_job.hpp"
+#include "model/units.hpp"
 #include "nvh/statics/static_files.hpp"
 
 namespace nugget::app {
@@ -42,13 +43,17 @@ std::string result_table(const nvh::Matrices& m, const nvh::Statics& s) {
     const bool motion = supports[i].source == nvh::Equations::Support::Source::motion;
     (motion ? driven : held) += s.support_force[i] * supports[i].taken;
   }
+  const auto units = model::units_of(m.system.model);
+  const std::string length = model::unit_of(units, dimension::length), force = model::unit_of(units, dimension::force),
+                    energy = model::unit_of(units, dimension::energy);
   std::string text = "Linear statics at the end time\n\n";
   if (m.system.model.nodes.size() > 0)
-    text += fmt::format(" largest displacement   {:14.6g} at node {}  ({:.6g} {:.6g} {:.6g})\n", norm(largest),
-                        m.system.model.nodes.id[most], largest.x, largest.y, largest.z);
-  text += fmt::format(" forces of supports     {:14.6g} {:14.6g} {:14.6g}\n", held.x, held.y, held.z);
-  text += fmt::format(" of prescribed motions  {:14.6g} {:14.6g} {:14.6g}\n", driven.x, driven.y, driven.z);
-  text += fmt::format(" strain energy          {:14.6g}, half the external work {:.6g}\n", s.energy, s.external);
+    text += fmt::format(" largest displacement   {:14.6g}{} at node {}  ({:.6g} {:.6g} {:.6g})\n", norm(largest),
+                        length, m.system.model.nodes.id[most], largest.x, largest.y, largest.z);
+  text += fmt::format(" forces of supports     {:14.6g} {:14.6g} {:14.6g}{}\n", held.x, held.y, held.z, force);
+  text += fmt::format(" of prescribed motions  {:14.6g} {:14.6g} {:14.6g}{}\n", driven.x, driven.y, driven.z, force);
+  text += fmt::format(" strain energy          {:14.6g}{}, half the external work {:.6g}{}\n", s.energy, energy,
+                      s.external, energy);
   return text +
          fmt::format(" out of balance         {:14.3g} of the largest force\n\n {} equations, factored in {:.2f} s\n\n",
                      s.residual, m.size(), s.cost.seconds);

@@ -10,6 +10,7 @@
 #include "app/command.hpp"
 #include "base/index.hpp"
 #include "deck/moved_nodes.hpp"
+#include "model/units.hpp"
 #include "reading/build.hpp"
 #include "weld/placement/adapt.hpp"
 #include "weld/tie/welds.hpp"
@@ -41,11 +42,13 @@ double shortest(const model::Shells& shells, const std::vector<Vec3d>& x) {
 
 /// A line for each end of a weld.
 std::string table_of(const model::Model& model, const weld::Ties& ties, const weld::Adapted& adapted) {
-  std::string text = fmt::format("{:>18} {:>8} {:>9} {:>6} {:>6} {:>8} {:>8} {:>8} {:>6} {:>8}  {}\n", "weld", "part",
-                                 "shell", "off", "now", "edge", "now", "d", "nodes", "moved", "worst of the patch");
+  const std::string length = model::in_units(model::units_of(model), dimension::length);
+  std::string text =
+      fmt::format("{:>18} {:>8} {:>9} {:>6} {:>6} {:>9} {:>8} {:>8} {:>6} {:>10}  {}\n", "weld", "part", "shell", "off",
+                  "now", "edge" + length, "now", "d" + length, "nodes", "moved" + length, "worst of the patch");
   for (const weld::AdaptedEnd& end : adapted.ends) {
     const auto id = [](model::Index i, auto of) { return i == model::none ? std::string("-") : fmt::to_string(of(i)); };
-    text += fmt::format("{:>18} {:>8} {:>9} {:>6.2f} {:>6.2f} {:>8.4g} {:>8.4g} {:>8.4g} {:>6} {:>8.3g}  ",
+    text += fmt::format("{:>18} {:>8} {:>9} {:>6.2f} {:>6.2f} {:>9.4g} {:>8.4g} {:>8.4g} {:>6} {:>10.3g}  ",
                         weld::name_weld(ties.welds[end.weld]), id(end.part, [&](int p) { return model.parts[p].id; }),
                         id(end.shell, [&](int e) { return model.shells.id[e]; }), end.off_before, end.off_after,
                         end.edge_before, end.edge_after, end.diameter, end.moved.size(), end.farthest);

@@ -17,6 +17,7 @@
 #include "app/status.hpp"
 #include "base/parallel.hpp"
 #include "model/history_files.hpp"
+#include "model/units.hpp"
 #include "output/column_units.hpp"
 #include "report/run_data.hpp"
 
@@ -110,9 +111,12 @@ std::string column_of(double value, double before, bool whole) {
   return fmt::format(" {:>14.6g} {:>+8.2f}%", value, change_in_percent(value, before));
 }
 
-std::string drop_table(const std::vector<NodePair>& pairs, const std::vector<Result>& results) {
-  std::string s = fmt::format("\n{:>10} {:>24} {:>16}", "without", "internal energy", "others failed");
-  for (const NodePair& p : pairs) s += fmt::format(" {:>24}", "intrusion " + p.name());
+std::string drop_table(const std::vector<NodePair>& pairs, const std::vector<Result>& results,
+                       const std::optional<model::Units>& units) {
+  std::string s = fmt::format("\n{:>10} {:>24} {:>16}", "without",
+                              "internal energy" + model::in_units(units, dimension::energy), "others failed");
+  for (const NodePair& p : pairs)
+    s += fmt::format(" {:>24}", "intrusion " + p.name() + model::in_units(units, dimension::length));
   s += '\n';
   const Result& whole = results.front();
   for (const Result& r : results) {
@@ -224,7 +228,7 @@ ExitCode compare_runs(const fs::path& directory, const RunArguments& arguments) 
                    [&](const Result& a, const Result& b) { return worth(a, whole) > worth(b, whole); });
   write_results(directory, pairs, results);
   output::write_column_units(directory, model::units_of(p.model));
-  fmt::print("{}\n{}\n", drop_table(pairs, results), (directory / "weld_drop.csv").string());
+  fmt::print("{}\n{}\n", drop_table(pairs, results, model::units_of(p.model)), (directory / "weld_drop.csv").string());
   if (whole.exit_code != 0) return static_cast<ExitCode>(whole.exit_code);
   return std::all_of(runs.begin(), runs.end(), [](const ChildRun& r) { return r.exit_code == 0; })
              ? ExitCode::normal

@@ -99,20 +99,22 @@ std::vector<RankedWeld> rank_welds(const report::RunData& run, WeldOrder order) 
   return welds;
 }
 
-std::string ranking_table(const std::vector<RankedWeld>& welds, WeldOrder order, std::size_t most) {
+std::string ranking_table(const std::vector<RankedWeld>& welds, WeldOrder order, std::size_t most,
+                          const std::optional<model::Units>& units) {
+  const std::string energy = model::in_units(units, dimension::energy), time = model::in_units(units, dimension::time);
   const auto failed =
       std::count_if(welds.begin(), welds.end(), [](const RankedWeld& w) { return !std::isnan(w.failure_time); });
   std::string s = fmt::format(
-      "{} welds, {} failed; {}\n\n {:>5} {:>10} {:>9} {:>11} {:>11} {:>11} {:>9} {:>11} {:>8} "
-      "{:>11}  {:<20} {}\n",
-      welds.size(), failed, order_words(order), "", "weld", "kind", "sheets", "through it", "into it", "largest f",
-      "at time", "margin", "failed at", "by", "f over time");
+      "{} welds, {} failed; {}\n\n {:>5} {:>10} {:>9} {:>11} {:>17} {:>14} {:>9} {:>11} {:>8} "
+      "{:>13}  {:<20} {}\n",
+      welds.size(), failed, order_words(order), "", "weld", "kind", "sheets", "through it" + energy, "into it" + energy,
+      "largest f", "at time" + time, "margin", "failed at" + time, "by", "f over time");
   const std::size_t shown = lines_shown(welds.size(), most);
   for (std::size_t i = 0; i < shown; ++i) {
     const RankedWeld& w = welds[i];
     const bool has_function = w.failure_value > 0.0;
     s += fmt::format(
-        " {:>5} {:>10} {:>9} {:>11} {:>11} {:>11} {:>9} {:>11} {:>8} {:>11}  {:<20} {}\n", i + 1, w.id, w.kind,
+        " {:>5} {:>10} {:>9} {:>11} {:>17} {:>14} {:>9} {:>11} {:>8} {:>13}  {:<20} {}\n", i + 1, w.id, w.kind,
         w.sheets, ranking_cell(w.passed), ranking_cell(w.taken), has_function ? ranking_cell(w.failure_value, 3) : "-",
         has_function ? ranking_cell(w.at_time) : "-", ranking_cell(w.margin(), 3), ranking_cell(w.failure_time),
         w.failure_mode.empty() ? "-" : w.failure_mode, course_digits(w.course));
@@ -124,8 +126,8 @@ std::string ranking_table(const std::vector<RankedWeld>& welds, WeldOrder order,
   if (timed != welds.end())
     s += fmt::format(
         " f over time: the largest of each interval in tenths (. below 0.1, X from 1 on); of weld {} an "
-        "interval is {:.4g}\n",
-        timed->id, timed->interval);
+        "interval is {:.4g}{}\n",
+        timed->id, timed->interval, model::unit_of(units, dimension::time));
   return s;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "model/units.hpp"
 #include "report/run_data.hpp"
 
 namespace nugget::app {
@@ -29,7 +31,8 @@ struct RankedWeld {
 std::vector<RankedWeld> rank_welds(const report::RunData& run, WeldOrder order);
 
 /// A table to read, at most `most` lines of it (0: all), or comma-separated values of all.
-std::string ranking_table(const std::vector<RankedWeld>& welds, WeldOrder order, std::size_t most);
+std::string ranking_table(const std::vector<RankedWeld>& welds, WeldOrder order, std::size_t most,
+                          const std::optional<model::Units>& units);
 std::string ranking_csv(const std::vector<RankedWeld>& welds);
 
 /// One weld of a modal run, out of mode_energy.csv.

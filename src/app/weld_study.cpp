@@ -100,10 +100,11 @@ void write_rows(const std::filesystem::path& directory, const nvh::Modes& modes,
 }
 
 /// A group: every mode.
-std::string table_of_modes(const nvh::Modes& modes, const Row& row) {
-  std::string s = fmt::format("Without weld{} {}\n\n {:>6} {:>14} {:>16} {:>14} {:>9} {:>14} {:>9} {:>8}\n",
-                              row.ids.size() > 1 ? "s" : "", row.name(), "mode", "frequency", "first order [%]",
-                              "without", "[%]", "solved anew", "[%]", "likeness");
+std::string table_of_modes(const nvh::Modes& modes, const Row& row, const std::optional<model::Units>& units) {
+  std::string s =
+      fmt::format("Without weld{} {}\n\n {:>6} {:>14} {:>16} {:>14} {:>9} {:>14} {:>9} {:>8}\n",
+                  row.ids.size() > 1 ? "s" : "", row.name(), "mode", "frequency" + model::in_frequency(units),
+                  "first order [%]", "without", "[%]", "solved anew", "[%]", "likeness");
   for (std::size_t i = 0; i < row.estimate.size(); ++i) {
     if (!modes.elastic(i)) continue;
     const double f = modes.frequency(i);
@@ -123,12 +124,14 @@ std::string table_of_modes(const nvh::Modes& modes, const Row& row) {
 }
 
 /// Every weld, those first that matter most; and of each mode the welds that it needs most.
-std::string ranking(const nvh::Modes& modes, const std::vector<Row>& rows, const std::vector<std::size_t>& order) {
+std::string ranking(const nvh::Modes& modes, const std::vector<Row>& rows, const std::vector<std::size_t>& order,
+                    const std::optional<model::Units>& units) {
   constexpr std::size_t most = 30;
   std::string s = fmt::format(
       "Welds by the mode that falls most when one is taken out (all of it in weld_drop.csv)\n\n"
       " {:>6} {:>10} {:>6} {:>14} {:>16} {:>14} {:>9} {:>16}\n",
-      "rank", "weld", "mode", "frequency", "first order [%]", "without", "[%]", "solved anew [%]");
+      "rank", "weld", "mode", "frequency" + model::in_frequency(units), "first order [%]", "without", "[%]",
+      "solved anew [%]");
   for (std::size_t r = 0; r < std::min(most, order.size()); ++r) {
     const Row& row = rows[order[r]];
     const std::size_t i = worst_mode(modes, row);
@@ -203,7 +206,8 @@ std::optional<DropRequest> drop_request(const std::string& word, const system::S
 }
 
 std::string weld_study(const std::filesystem::path& directory, const nvh::Matrices& m, const nvh::Modes& modes,
-                       const DropRequest& request, output::Summary& summary, const nvh::ProgressCallback& progress) {
+                       const DropRequest& request, const std::optional<model::Units>& units, output::Summary& summary,
+                       const nvh::ProgressCallback& progress) {
   const std::vector<nvh::WeldDrop> drops = nvh::drop_welds(m, modes, request.groups, progress);
   std::vector<Row> rows;
   for (std::size_t g = 0; g < drops.size(); ++g) {
@@ -227,7 +231,7 @@ std::string weld_study(const std::filesystem::path& directory, const nvh::Matric
     solve_anew(m, modes, request.groups[order[r]], rows[order[r]], progress);
   write_rows(directory, modes, rows);
   for (const std::size_t g : order) summary.weld_drops.push_back(report(modes, rows[g]));
-  return request.each ? ranking(modes, rows, order) : table_of_modes(modes, rows.front());
+  return request.each ? ranking(modes, rows, order, units) : table_of_modes(modes, rows.front(), units);
 }
 
 }  // namespace nugget::app

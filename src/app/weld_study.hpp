@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "model/units.hpp"
 #include "nvh/eigen/weld_drop.hpp"
 #include "output/summary.hpp"
 
@@ -24,6 +25,7 @@ std::optional<DropRequest> drop_request(const std::string& word, const system::S
 /// Estimates for all groups; solves anew without the welds for one group, or for the three that matter most. Writes
 /// weld_drop.csv, adds to the summary, returns the tables for the terminal and run.log.
 std::string weld_study(const std::filesystem::path& directory, const nvh::Matrices& matrices, const nvh::Modes& modes,
-                       const DropRequest& request, output::Summary& summary, const nvh::ProgressCallback& progress);
+                       const DropRequest& request, const std::optional<model::Units>& units, output::Summary& summary,
+                       const nvh::ProgressCallback& progress);
 
 }  // namespace nugget::app

@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/weld_ranking.hpp"
+#include "report/quantity.hpp"
 #include "report/run_data.hpp"
 
 namespace nugget::app {
@@ -49,7 +50,7 @@ ExitCode welds(const WeldsArguments& arguments) {
     return ExitCode::normal;
   }
   fmt::print("{} ({} termination): {}", arguments.directory, run.summary.value("termination", ""),
-             ranking_table(welds, order, static_cast<std::size_t>(arguments.lines)));
+             ranking_table(welds, order, static_cast<std::size_t>(arguments.lines), report::units_of_run(run.summary)));
   if (!run.welds.front().contains("most_energy_passed"))
     fmt::print(" welds.csv has no energy through the welds: it was written by an older version; run the deck again\n");
   return ExitCode::normal;

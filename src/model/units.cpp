@@ -80,6 +80,18 @@ std::string frequency_symbol(const Units& units) {
   return units.microsecond == 1e-3 ? "kHz" : symbol(units, dimension::rate);
 }
 
+std::string unit_of(const std::optional<Units>& units, const Dimension& dimension) {
+  return units && dimension != dimension::number ? ' ' + symbol(*units, dimension) : std::string();
+}
+
+std::string in_units(const std::optional<Units>& units, const Dimension& dimension) {
+  return units && dimension != dimension::number ? fmt::format(" [{}]", symbol(*units, dimension)) : std::string();
+}
+
+std::string in_frequency(const std::optional<Units>& units) {
+  return units ? fmt::format(" [{}]", frequency_symbol(*units)) : std::string();
+}
+
 std::optional<Units> recognise_units(const Model& model) {
   std::vector<std::size_t> shells(model.parts.size(), 0);
   for (const Index part : model.shells.part) ++shells[part];

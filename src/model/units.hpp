@@ -37,6 +37,12 @@ std::string symbol(const Units& units, const Dimension& dimension);
 /// Of frequencies, in cycles a unit of time: `Hz`, `kHz`.
 std::string frequency_symbol(const Units& units);
 
+/// Behind a number: ` N mm`. Empty where the units are not known, and of a number.
+std::string unit_of(const std::optional<Units>& units, const Dimension& dimension);
+/// In a heading: ` [N mm]`, ` [Hz]`.
+std::string in_units(const std::optional<Units>& units, const Dimension& dimension);
+std::string in_frequency(const std::optional<Units>& units);
+
 /// The units of a deck, from density and Young's modulus of most of its sheets: those in which they are a metal between
 /// magnesium (0.23 and 0.21 of steel's) and lead or tungsten (1.5 and 2 of steel's). Nothing where none fits or there
 /// are no sheets: a deck does not say its units.

@@ -7,6 +7,8 @@
 #include <array>
 #include <fstream>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "output/history.hpp"
 #include "output/result_file.hpp"
@@ -20,8 +22,11 @@ struct KnownColumn {
   ColumnQuantity of;
 };
 
+constexpr Dimension of_power{1, 2, -3};
+constexpr std::string_view by_response = "by response";
+
 std::span<const KnownColumn> known_columns() {
-  static constexpr Dimension of_power{1, 2, -3}, flexibility{-1, 0, 2}, turn_per_moment{-1, -2, 2};
+  static constexpr Dimension flexibility{-1, 0, 2}, turn_per_moment{-1, -2, 2};
   static constexpr ColumnQuantity length{"length", dimension::length, {}}, time{"time", dimension::time, {}},
       force{"force", dimension::force, {}}, moment{"moment", dimension::moment, {}},
       energy{"energy", dimension::energy, {}}, mass{"mass", dimension::mass, {}},
@@ -29,7 +34,7 @@ std::span<const KnownColumn> known_columns() {
       ratio{"ratio", dimension::number, {}}, angle{"angle", dimension::number, "degree"},
       frequency{"frequency", dimension::rate, {}, true}, share{"share of the strain energy", dimension::number, {}},
       response{"response: displacement, velocity, acceleration as `response` says; of frf.csv per unit of the load",
-               dimension::number, "by response"};
+               dimension::number, by_response};
 
   static constexpr auto known = std::to_array<KnownColumn>({
       {"welds.csv ", "x", length},
@@ -132,6 +137,19 @@ constexpr auto csv_tables = std::to_array<std::string_view>(
     {"welds.csv", "frf.csv", "ssd.csv", "erp.csv", "mode_energy.csv", "mac.csv", "weld_drop.csv", "least_welds.csv",
      "coupon.csv", "curves.csv", "surface.csv", "fit.csv"});
 
+/// The responses of a table, each once, in its third column.
+std::vector<std::string> responses_in(std::istream& table) {
+  std::vector<std::string> responses;
+  for (std::string line; std::getline(table, line);) {
+    std::size_t begin = line.find(',');
+    begin = begin == line.npos ? begin : line.find(',', begin + 1);
+    if (begin == line.npos) continue;
+    std::string response = line.substr(begin + 1, line.find(',', begin + 1) - begin - 1);
+    if (std::ranges::find(responses, response) == responses.end()) responses.push_back(std::move(response));
+  }
+  return responses;
+}
+
 bool is_column_named(std::string_view pattern, std::string_view name) {
   return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1)) : name == pattern;
 }
@@ -145,6 +163,21 @@ std::optional<ColumnQuantity> column_quantity(std::string_view file, std::string
   });
   if (found == known_columns().end()) return std::nullopt;
   return found->of;
+}
+
+Dimension dimension_of_response(std::string_view response) {
+  static constexpr std::pair<std::string_view, Dimension> known[] = {
+      {"displacement", dimension::length},
+      {"rotation", dimension::angle},
+      {"velocity", dimension::velocity},
+      {"angular velocity", dimension::rate},
+      {"acceleration", dimension::acceleration},
+      {"angular acceleration", dimension::angular_acceleration},
+      {"force", dimension::force},
+      {"moment", dimension::moment},
+      {"radiated power", of_power}};
+  const auto found = std::ranges::find(known, response, &std::pair<std::string_view, Dimension>::first);
+  return found == std::end(known) ? dimension::number : found->second;
 }
 
 std::string unit_of_column(const ColumnQuantity& column, const std::optional<model::Units>& units) {
@@ -161,11 +194,18 @@ void write_column_units(const std::filesystem::path& directory, const std::optio
     std::ifstream file(directory / table);
     std::string head;
     if (!std::getline(file, head)) continue;
+    const bool of_responses = head.starts_with("node,direction,response,");
+    const std::vector<std::string> responses = of_responses ? responses_in(file) : std::vector<std::string>();
     for (std::size_t begin = 0; begin <= head.size();) {  // none of our columns has a comma in its name
       const std::size_t end = std::min(head.find(',', begin), head.size());
       const std::string_view name = std::string_view(head).substr(begin, end - begin);
       const bool an_id = begin == 0 && name == "without";  // of a study of runs; of one of modes it is a frequency
-      if (const auto column = an_id ? std::nullopt : column_quantity(table, name))
+      const auto column = an_id ? std::nullopt : column_quantity(table, name);
+      if (column && column->unit == by_response)
+        for (const std::string& response : responses)
+          text += fmt::format("{},{},\"{}\",{}\n", table, name, response,
+                              unit_of_column({response, dimension_of_response(response), {}}, units));
+      else if (column)
         text += fmt::format("{},{},\"{}\",{}\n", table, name, column->quantity, unit_of_column(*column, units));
       begin = end + 1;
     }

@@ -22,11 +22,15 @@ struct ColumnQuantity {
 /// of ours.
 std::optional<ColumnQuantity> column_quantity(std::string_view file, std::string_view name);
 
+/// Of the amplitude of a response, as frf.csv, ssd.csv and summary.json name it: of an acceleration for `acceleration`.
+/// Of a frequency response it is that to a load of amplitude 1 in the deck's units.
+Dimension dimension_of_response(std::string_view response);
+
 /// A column's unit: `N mm`, `Hz`, `degree`; `-` of a number without one; empty where the deck's units are not known.
 std::string unit_of_column(const ColumnQuantity& column, const std::optional<model::Units>& units);
 
 /// units.csv: a row for each column with a quantity of each table of ours in the folder, with the columns file, column,
-/// quantity, unit. Throws WriteError.
+/// quantity, unit; where a column's unit depends on the response, a row for each response. Throws WriteError.
 void write_column_units(const std::filesystem::path& directory, const std::optional<model::Units>& units);
 
 }  // namespace nugget::output

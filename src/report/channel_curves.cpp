@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "model/units.hpp"
+#include "output/column_units.hpp"
 #include "output/history_reader.hpp"
 #include "report/quantity.hpp"
 #include "report/run_data.hpp"
@@ -41,7 +42,16 @@ void add_responses_of(const RunData& run, std::vector<ChannelCurve>& curves) {
   for (const auto& [file, responses] : kinds)
     for (const ResponseCurve& r : responses) {
       if (r.frequency.empty()) continue;
-      curves.push_back({file, r.name, {}, r.quantity, {}, abscissa, true, {}, r.frequency, r.amplitude});
+      curves.push_back({file,
+                        r.name,
+                        {},
+                        r.quantity,
+                        unit_of(run.summary, output::dimension_of_response(r.quantity)),
+                        abscissa,
+                        true,
+                        {},
+                        r.frequency,
+                        r.amplitude});
       if (!r.phase.empty())
         curves.push_back({file, r.name, {}, "phase", " deg", abscissa, true, {}, r.frequency, r.phase});
     }

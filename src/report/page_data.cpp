@@ -8,6 +8,7 @@
 #include <map>
 
 #include "model/units.hpp"
+#include "output/column_units.hpp"
 #include "output/history.hpp"
 #include "output/history_reader.hpp"
 #include "output/summary.hpp"
@@ -78,7 +79,11 @@ void add_responses(PackedArrays& packed, const RunData& run) {
     for (const ResponseCurve& curve : curves) {
       const std::string array = fmt::format("response{}", number++);
       packed.about["responses"].push_back(
-          {{"kind", kind}, {"name", curve.name}, {"quantity", curve.quantity}, {"array", array}});
+          {{"kind", kind},
+           {"name", curve.name},
+           {"quantity", curve.quantity},
+           {"unit", unit_of(run.summary, output::dimension_of_response(curve.quantity))},
+           {"array", array}});
       std::vector<float> values;
       for (const auto* column : {&curve.frequency, &curve.amplitude, &curve.phase})
         for (std::size_t i = 0; i < curve.frequency.size(); ++i)

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/quantity.hpp"
 
-#include <fmt/format.h>
-
-#include "model/units.hpp"
-
 namespace nugget::report {
 
-std::string unit_of(const nlohmann::json& summary, const Dimension& dimension) {
-  const auto units = model::units_named(summary.value("units", ""));
-  if (!units || dimension == dimension::number) return {};
-  return ' ' + model::symbol(*units, dimension);
+std::optional<model::Units> units_of_run(const nlohmann::json& summary) {
+  return model::units_named(summary.value("units", ""));
 }
+
+std::string unit_of(const nlohmann::json& summary, const Dimension& dimension) {
+  return model::unit_of(units_of_run(summary), dimension);
+}
+
 std::string in_units(const nlohmann::json& summary, const Dimension& dimension) {
-  const std::string unit = unit_of(summary, dimension);
-  return unit.empty() ? unit : fmt::format(" [{}]", unit.substr(1));
+  return model::in_units(units_of_run(summary), dimension);
+}
+
+std::string in_frequency(const nlohmann::json& summary) {
+  return model::in_frequency(units_of_run(summary));
 }
 
 std::string frequency_unit(const nlohmann::json& summary) {
-  const auto units = model::units_named(summary.value("units", ""));
+  const auto units = units_of_run(summary);
   return ' ' + (units ? model::frequency_symbol(*units) : std::string("cycles a unit of time"));
 }
 

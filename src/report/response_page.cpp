@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "output/column_units.hpp"
 #include "report/plot.hpp"
 #include "report/quantity.hpp"
 
@@ -34,20 +35,29 @@ std::string holders(const RunData& run, std::string_view kind, std::size_t mode)
   return s;
 }
 
+/// How many modes, of the lowest, are motions of rigid bodies: their frequencies are round-off.
+std::size_t rigid_modes(const Json& modes) {
+  const double highest = value_or_zero(modes.back()["frequency_hz"]);
+  std::size_t rigid = 0;
+  while (rigid < modes.size() && value_or_zero(modes[rigid]["frequency_hz"]) < 1e-3 * highest) ++rigid;
+  return rigid;
+}
+
 std::string mode_table(const RunData& run) {
   const Json& modes = run.summary["modes"];
+  const std::size_t rigid = rigid_modes(modes);
   const double mass = run.summary.contains("mass") ? value_or_zero(run.summary["mass"]["physical"]) : 0.0;
-  std::string s =
-      "<div class=\"scroll\"><table id=\"modes\"><tr><th>mode</th><th>frequency</th><th>mass x</th><th>mass "
-      "y</th><th>mass z</th>"
-      "<th class=\"text\">strain energy of parts</th><th class=\"text\">of welds</th></tr>\n";
+  std::string s = fmt::format(
+      "<div class=\"scroll\"><table id=\"modes\"><tr><th>mode</th><th>frequency{}</th><th>share of mass x</th>"
+      "<th>y</th><th>z</th><th class=\"text\">strain energy of parts</th><th class=\"text\">of welds</th></tr>\n",
+      in_frequency(run.summary));
   for (std::size_t i = 0; i < modes.size(); ++i) {
     s += fmt::format("<tr class=\"mode\"><td>{}</td><td>{}</td>", i + 1,
                      number(value_or_zero(modes[i]["frequency_hz"])));
     for (std::size_t k = 0; k < 3; ++k)
       s += fmt::format("<td>{:.4f}</td>", mass > 0.0 ? value_or_zero(modes[i]["effective_mass"][k]) / mass : 0.0);
-    s += fmt::format("<td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n", escaped(holders(run, "part", i)),
-                     escaped(holders(run, "weld", i)));
+    s += fmt::format("<td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n",
+                     i < rigid ? "rigid motion" : escaped(holders(run, "part", i)), escaped(holders(run, "weld", i)));
   }
   return s + "</table></div>\n";
 }
@@ -90,9 +100,10 @@ std::string weld_ranking(const RunData& run) {
 /// What the frequencies lose without welds (`nugget modes --drop-weld`).
 std::string drop_ranking(const Json& summary) {
   if (!summary.contains("drop_weld")) return {};
-  std::string s =
-      "<h2>Frequencies without welds</h2>\n<table id=\"weld-drops\"><tr><th class=\"text\">without</th><th>mode</th>"
-      "<th>frequency</th><th>first order</th><th>estimate</th><th>solved anew</th></tr>\n";
+  std::string s = fmt::format(
+      "<h2>Frequencies without welds</h2>\n<table id=\"weld-drops\"><tr><th class=\"text\">without</th>"
+      "<th>mode</th><th>frequency{0}</th><th>first order{0}</th><th>estimate{0}</th><th>solved anew{0}</th></tr>\n",
+      in_frequency(summary));
   for (const Json& drop : summary["drop_weld"]) {
     std::string welds;
     for (const Json& weld : drop["welds"]) welds += fmt::format("{}{}", welds.empty() ? "" : " ", weld.dump());
@@ -105,10 +116,13 @@ std::string drop_ranking(const Json& summary) {
 }
 
 /// Plots of the responses of one quantity, amplitude over phase.
-std::string plots(const std::vector<ResponseCurve>& curves, const std::string& quantity, const char* file) {
+std::string plots(const RunData& run, const std::vector<ResponseCurve>& curves, const std::string& quantity,
+                  const char* file) {
   constexpr std::size_t most = 8;
-  Plot amplitude{"frequency [cycles/time]", quantity, {}, {}, true, true},
-      phase{"frequency [cycles/time]", "phase [degree]", {}, {}, true, false};
+  const std::string frequency = "frequency" + in_frequency(run.summary);
+  Plot amplitude{frequency, quantity + in_units(run.summary, output::dimension_of_response(quantity)), {}, {}, true,
+                 true},
+      phase{frequency, "phase [degree]", {}, {}, true, false};
   std::size_t left_out = 0;
   for (const ResponseCurve& curve : curves) {
     if (curve.quantity != quantity) continue;
@@ -136,12 +150,12 @@ std::string section(const RunData& run, const std::vector<ResponseCurve>& curves
     if (std::find(quantities.begin(), quantities.end(), curve.quantity) == quantities.end())
       quantities.push_back(curve.quantity);
   s += "<div class=\"only-static\">";
-  for (const std::string& quantity : quantities) s += plots(curves, quantity, file);
+  for (const std::string& quantity : quantities) s += plots(run, curves, quantity, file);
   s += "</div>\n";
   s += fmt::format(
       "<table id=\"{}-peaks\"><tr><th>node</th><th class=\"text\">direction</th><th class=\"text\">response</th>"
-      "<th>largest amplitude</th><th>at frequency</th><th>phase</th></tr>\n",
-      kind);
+      "<th>largest amplitude</th><th>at frequency{}</th><th>phase [degree]</th></tr>\n",
+      kind, in_frequency(run.summary));
   constexpr std::size_t most = 200;
   std::size_t shown = 0;
   for (const Json& r : run.summary["responses"]) {
@@ -151,8 +165,11 @@ std::string section(const RunData& run, const std::vector<ResponseCurve>& curves
         "<tr class=\"{}\"><td>{}{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td>"
         "<td>{:.2f}</td></tr>\n",
         kind, r.contains("case") ? fmt::format("case {}, ", r.value("case", 0)) : "", r.value("node", 0),
-        escaped(r.value("direction", "")), escaped(r.value("response", "")), number(value_or_zero(peak["amplitude"])),
-        number(value_or_zero(peak["frequency"])), value_or_zero(peak["phase"]));
+        escaped(r.value("direction", "")),
+        escaped(r.value("response", "") +
+                in_units(run.summary, output::dimension_of_response(r.value("response", "")))),
+        number(value_or_zero(peak["amplitude"])), number(value_or_zero(peak["frequency"])),
+        value_or_zero(peak["phase"]));
   }
   s += "</table>\n";
   if (shown > most) s += fmt::format("<p>and {} more; {} has all.</p>\n", shown - most, file);
@@ -161,15 +178,19 @@ std::string section(const RunData& run, const std::vector<ResponseCurve>& curves
 
 std::string power_section(const RunData& run) {
   if (run.power.empty()) return {};
-  Plot plot{"frequency [cycles/time]", "radiated power", {}, {}, true, true};
+  const Dimension power = output::dimension_of_response("radiated power");
+  const std::string in_power = in_units(run.summary, power), in_cycles = in_frequency(run.summary);
+  Plot plot{"frequency" + in_cycles, "radiated power" + in_power, {}, {}, true, true};
   constexpr std::size_t most = 8;
   for (std::size_t i = 0; i < std::min(most, run.power.size()); ++i) {
     plot.x = run.power[i].frequency;
     plot.curves.emplace_back(run.power[i].name, run.power[i].amplitude);
   }
   std::string s = "<h2>Equivalent radiated power</h2>\n<div class=\"only-static\">" + to_svg(plot) + "</div>" +
-                  "<table id=\"erp-peaks\"><tr><th class=\"text\">panel</th><th>largest power</th><th>at frequency</th>"
-                  "</tr>\n";
+                  fmt::format(
+                      "<table id=\"erp-peaks\"><tr><th class=\"text\">panel</th><th>largest power{}</th>"
+                      "<th>at frequency{}</th></tr>\n",
+                      escaped(in_power), in_cycles);
   for (const Json& r : run.summary["responses"])
     if (r.value("kind", "") == "erp")
       s += fmt::format("<tr class=\"erp\"><td class=\"text\">{}</td><td>{}</td><td>{}</td></tr>\n",
@@ -189,8 +210,7 @@ void conclude_modes(const RunData& run, std::vector<std::string>& lines) {
   if (!run.summary.contains("modes") || run.summary["modes"].empty()) return;
   const Json& modes = run.summary["modes"];
   const double highest = value_or_zero(modes.back()["frequency_hz"]);
-  std::size_t rigid = 0;
-  while (rigid < modes.size() && value_or_zero(modes[rigid]["frequency_hz"]) < 1e-3 * highest) ++rigid;
+  const std::size_t rigid = rigid_modes(modes);
   const std::string unit = frequency_unit(run.summary);
   std::string line = fmt::format("{} modes up to {}{}", modes.size(), number(highest), unit);
   if (rigid > 0) line += fmt::format(", {} of them motions of rigid bodies", rigid);

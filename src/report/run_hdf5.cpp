@@ -152,7 +152,7 @@ void write_responses(Hdf5File& file, const std::string& group, const std::vector
     file.group(path);
     const std::tuple<const char*, const std::vector<double>&, std::string> columns[] = {
         {"frequency", curve.frequency, frequency_unit(run.summary).substr(1)},
-        {"amplitude", curve.amplitude, {}},
+        {"amplitude", curve.amplitude, symbol_of(run, output::dimension_of_response(curve.quantity))},
         {"phase", curve.phase, "degree"}};
     for (const auto& [name, values, unit] : columns) {
       if (values.empty()) continue;

@@ -30,7 +30,7 @@ class BrickWelds(CommandTest):
                 rows = [line for line in swforc.splitlines() if label in line]
                 self.assertTrue(rows)
                 self.assertIn(f"{label}   {weld['id']:>8}"[:28], rows[-1])
-                self.assertRegex(log, rf"weld +{weld['id']} of part +3, A = 28.274:" + r"( \d+)" * bricks + r"\n")
+                self.assertRegex(log, rf"weld +{weld['id']} of part +3, A = 28.274 mm2:" + r"( \d+)" * bricks + r"\n")
 
     def test_a_brick_turned_inside_out_gives_no_nan(self):
         """One end of the weld has no area. Sabotage: its centre divided by that."""

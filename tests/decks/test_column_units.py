@@ -43,7 +43,13 @@ class ColumnUnits(CommandTest):
         self.assertEqual([units["welds.csv", c] for c in ("x", "peak_axial", "peak_bending", "energy", "failure_time", "added_mass")],
                          ["mm", "N", "N mm", "N mm", "s", "t"])
         self.assertEqual([units["welds.csv", c] for c in ("peak_failure", "angle", "last_strain_rate", "moved2")], ["-", "degree", "1/s", "mm"])
-        self.nugget("check", "model.k", "-o", "check", "--target-step", "1e-6", "--weld-tie", "joint")
+        log = self.read("run/run.log")
+        for words in (r"Mass \[t\]", r"first step +\S+ s\n", r"Energy at the end \[N mm\]", r"t = 1.2 mm +\*MAT", r"beam, ELFORM 9, d = 6 mm"):
+            self.assertRegex(log, words)
+        self.assertRegex(self.nugget("welds", "run").stdout, r"into it \[N mm\] .*failed at \[s\]")
+        told = self.nugget("check", "model.k", "-o", "check", "--target-step", "1e-6", "--weld-tie", "joint").stdout
+        for words in (r"to free edge \[mm\]", r"time step \[s\]", r"mass of the welds, as given +\S+ t ", r"diameter \[mm\]", r"or E \[MPa\]"):
+            self.assertRegex(told, words)
         units = self.holds("welds.csv", folder="check")
         self.assertEqual([units["welds.csv", c] for c in ("target_mass", "target_young", "joint_in_plane", "joint_moment_yield")],
                          ["t", "MPa", "mm/N", "N mm"])
@@ -69,6 +75,13 @@ class ColumnUnits(CommandTest):
         self.nugget("frf", "model.k", "--quiet")
         units = self.holds("frf.csv")
         self.assertEqual((units["frf.csv", "frequency"], units["frf.csv", "phase"]), ("Hz", "degree"))
+        for column in ("amplitude", "real", "imaginary"):
+            self.assertEqual(units["frf.csv", column], "mm")
+        self.assertRegex(self.read("run.log"), r"mode +frequency \[Hz\] +omega\^2 \[1/s2\]")
+        self.assertRegex(self.read("run.log"), r"z displacement \[mm\] +\d")
+        page = self.read("report.html")
+        for words in ("frequency [Hz]", "displacement [mm]", "phase [degree]"):
+            self.assertIn(words, page)
 
     def test_the_next_run_begins_anew(self):
         self.write(strips())

@@ -88,7 +88,7 @@ class RunFiles(CommandTest):
         self.assertTrue(log.endswith("\n N o r m a l    t e r m i n a t i o n\n"), log[-100:])
         for pattern in (r"\*CONTACT_SPOTWELD +1 used", r"\*ELEMENT_SHELL +1 used",       # keyword summary
                         r"nodes 34, shells 18, solids 0, beams 1, parts 3",              # model
-                        r"2 +9  shell, ELFORM 2, 3 layers, t = 1.2 +\*MAT_PIECEWISE_LINEAR_PLASTICITY +upper sheet",
+                        r"2 +9  shell, ELFORM 2, 3 layers, t = 1.2 mm +\*MAT_PIECEWISE_LINEAR_PLASTICITY +upper sheet",
                         r"Welds: 1, tied at all their nodes: 1; tied nodes: 2", r"case 1 +2 nodes",  # ties
                         r"added to welds +" + re.escape(f"{summary['mass']['added_to_welds']:.6e}"),
                         r"part +3 +" + re.escape(f"{summary['mass']['added']:.6e}"),
@@ -254,7 +254,7 @@ class RunFiles(CommandTest):
         """L = 1.2, d = 6: step 2.320e-7; for 1e-6 the mass times 18.58, or E' = L^2 rho / DT^2."""
         self.write(deck())
         run = self.nugget("check", "model.k", "--target-step", "1e-6")
-        self.assertRegex(run.stdout, r"Time step 1e-06: 1 of 1 welds have a smaller one")
+        self.assertRegex(run.stdout, r"Time step 1e-06 s: 1 of 1 welds have a smaller one")
         (row,) = csv.DictReader(io.StringIO(self.read("welds.csv")))
         mass = 7.85e-9 * math.pi * 9.0 * 1.2
         factor = 210000.0 / 7.85e-9 * (1e-6 / 1.2) ** 2

@@ -52,7 +52,8 @@ export function chart(parent, curves, options = {}) {
   const plot = new uPlot(
     {
       width: Math.max(240, parent.clientWidth), height: options.height ?? 240,
-      scales: { x: { time: false, distr: options.logX ? 3 : 1 }, y: { distr: options.logY ? 3 : 1 } },
+      // On a log axis uPlot rounds to whole decades: the abscissas end where the curves end.
+      scales: { x: { time: false, distr: options.logX ? 3 : 1, range: (_, low, high) => [low, high] }, y: { distr: options.logY ? 3 : 1 } },
       axes: [axis(options.xTitle ?? ""), { ...axis(options.yTitle ?? ""), size: 66 }],
       series: [
         { label: options.xName ?? "time", value: (_, v) => (v === null ? "–" : number(v)) },

@@ -8,7 +8,7 @@ const TITLES = { frf: "Frequency response", ssd: "Steady state", erp: "Equivalen
 export function responseBrowser(parent, responses, arrays, unit) {
   const curves = responses.map((r) => {
     const n = arrays[r.array].length / 3, part = (k) => arrays[r.array].subarray(k * n, (k + 1) * n);
-    return { ...r, label: `${TITLES[r.kind]}: ${r.name}, ${r.quantity}`, x: part(0), amplitude: part(1), phase: part(2) };
+    return { ...r, unit: r.unit.trim(), label: `${TITLES[r.kind]}: ${r.name}, ${r.quantity}`, x: part(0), amplitude: part(1), phase: part(2) };
   });
   const list = element("select", { multiple: true, size: Math.min(8, Math.max(3, curves.length)), "aria-label": "responses" },
     ...curves.map((c, i) => element("option", { value: i, selected: i === 0 }, c.label)));
@@ -27,7 +27,7 @@ export function responseBrowser(parent, responses, arrays, unit) {
       { ...options, logY: !linear.checked, height: 280, yTitle: shown[0].unit ? `${shown[0].quantity} [${shown[0].unit}]` : shown[0].quantity })];
     if (shown.some((c) => c.phase.some(Number.isFinite)))
       plots.push(chart(place, shown.map((c) => ({ name: c.label, x: c.x, y: c.phase })), { ...options, height: 170, yTitle: "phase [degree]" }));
-    words.textContent = found.length ? `Peaks of ${shown[0].label}: ${found.map((p) => `${number(p.y)} at ${withUnit(p.x, unit)}`).join(", ")}` : "";
+    words.textContent = found.length ? `Peaks of ${shown[0].label}: ${found.map((p) => `${withUnit(p.y, shown[0].unit)} at ${withUnit(p.x, unit)}`).join(", ")}` : "";
   };
   list.addEventListener("change", draw);
   linear.addEventListener("change", draw);

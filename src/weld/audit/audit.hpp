@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/card.hpp"
 #include "weld/audit/mass_scaling_cost.hpp"
 #include "weld/tie/ties.hpp"
 
@@ -33,6 +34,7 @@ struct Check {
   std::string_view remedy;
   Severity severity = Severity::warning;  ///< of a remark; notes are no findings
   CheckResult (*evaluate)(const Inspection&, const Weld&);
+  Dimension dimension{};  ///< of `value`
 };
 
 /// All checks, in the order in which they are made.

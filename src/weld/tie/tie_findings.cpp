@@ -176,7 +176,10 @@ void report_end(const model::Model& model, const Weld& weld, const Projection& p
                        "move the sheets apart to half the sum of their thicknesses");
       return;
     case 5:
-      findings.warning(weld.place, keyword, text + ", not tied", move_or_widen(p.distance, p.tolerance, p.faces_sheet));
+      findings.warning(weld.place, keyword, text + ", not tied",
+                       p.only_sheet_taken && !std::isfinite(p.distance)
+                           ? "put the other sheet's part on the reference side (SURFB) of the contact"
+                           : move_or_widen(p.distance, p.tolerance, p.faces_sheet));
       return;
     case 6:
       findings.warning(weld.place, keyword, fmt::format("{}, moved {:.4g}", text, p.tie.moved),

@@ -355,7 +355,7 @@ TEST(Ties, WithoutASecondSheetTheFartherEndStaysFree) {
   EXPECT_THAT(
       text(a.findings),
       HasSubstr("the only sheet in reach, with shell 5 of part 1, holds the weld's other end, not tied [put the "
-                "sheet's part on the reference side (SURFB) of the contact]"));
+                "other sheet's part on the reference side (SURFB) of the contact]"));
 }
 
 TEST(Ties, WhereOnlyOneSheetIsInReachTheClosestOtherOneIsNamed) {
