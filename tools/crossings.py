@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """Counts the edges that pass through facets in the last state of a d3plot family: where a contact has let something through.
 
