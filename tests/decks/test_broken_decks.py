@@ -61,6 +61,21 @@ class BrokenDecks(CommandTest):
             "the deck is refused; nothing was run",
         ])
 
+    def test_what_a_missing_file_may_define_is_counted(self):
+        """Nodes, a curve and a material that are not in the deck, and a fault that no file can mend."""
+        self.write(deck(("*DEFINE_CURVE\n", "*INCLUDE\nbarrier/wall.k\n*BOUNDARY_SPC_NODE\n" + card(901, 0, 1) + card(902, 0, 1) + card(903, 0, 1) +
+                         "*LOAD_NODE_POINT\n" + card(1, 1, 77, 1.0) + "*DEFINE_CURVE\n"),
+                        ("  7.85e-09  210000.0       0.3     300.0", "  7.85e-09        1e       0.3     300.0")))
+        errors = [line for line in self.nugget("check", "model.k", expect=1).stderr.splitlines() if "error" in line]
+        self.assertIn("cannot find the file 'barrier/wall.k'", errors[0])
+        self.assertIn("e = 1e: is not a number", errors[1])
+        self.assertIn("node 901 is not defined", errors[2])
+        self.assertEqual(errors[3], "and 4 more errors that something is not defined, at lines 59, 60, 62: the missing file may hold it "
+                                    "[put the file in place first; findings.json has each]")
+        self.assertEqual(errors[4:], ["7 errors, 0 warnings"])
+        texts = [finding["text"] for finding in self.json("findings.json") if finding["severity"] == "error"]
+        self.assertEqual(sum("is not defined" in text for text in texts), 5)
+
     def test_cut_number(self):
         """A number cut off by the end of its column."""
         self.check(1, [

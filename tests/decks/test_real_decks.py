@@ -80,7 +80,9 @@ class RealDecks(CommandTest):
                     above = next(line for line in reversed(lines[:f["line"]]) if line.startswith("*"))
                     self.assertTrue(above.upper().startswith(f["keyword"].split()[0]), (f["keyword"], above))
                 # Where many are alike the log counts them: `..., and 96 more of this kind, ...` stands for 96.
-                told = [int(m[1] or 1) for m in re.finditer(r"(?m)^ .*: error: (?:\S+: and (\d+) more of this kind)?", self.read("audit/check.log"))]
+                log = self.read("audit/check.log")
+                told = [int(m[1] or 1) for m in re.finditer(r"(?m)^ .*: error: (?:\S+: and (\d+) more of this kind)?", log)]
+                told += [int(m[1]) for m in re.finditer(r"(?m)^ and (\d+) more errors? that something is not defined", log)]
                 self.assertEqual(sum(told), sum(f["severity"] == "error" for f in self.json("audit/findings.json")))
 
     def test_frf_column_resonates_where_the_plot_of_ls_dyna_peaks(self):
