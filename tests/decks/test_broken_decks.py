@@ -76,6 +76,12 @@ class BrokenDecks(CommandTest):
         texts = [finding["text"] for finding in self.json("findings.json") if finding["severity"] == "error"]
         self.assertEqual(sum("is not defined" in text for text in texts), 5)
 
+    def test_a_thickness_that_is_no_number_says_nothing_of_the_ties(self):
+        self.write(deck(("       1.2       1.2       1.2       1.2", "       1x2       1.2       1.2       1.2")))
+        told = self.nugget("check", "model.k", expect=1).stderr.splitlines()
+        self.assertIn("t1 = 1x2: is not a number", told[0])
+        self.assertEqual([line for line in told if "warning" in line], ["1 error, 0 warnings"])
+
     def test_cut_number(self):
         """A number cut off by the end of its column."""
         self.check(1, [

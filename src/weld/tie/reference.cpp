@@ -93,6 +93,8 @@ void Reference::add_shell(Index shell) {
     s.thickness = part.contact_thickness;
   else
     s.thickness = model_.shells.thickness[shell] * part.contact_scale * contact_.thickness_scale_b;
+  // Of a section that was refused: ties are as far in reach as without a thickness, so that the rest can be reported.
+  if (std::isnan(s.thickness)) s.thickness = 0.0;
   add(s);
 }
 

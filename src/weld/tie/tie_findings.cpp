@@ -433,7 +433,8 @@ void report_what_is_not_built(const model::Model& model, const model::Contact& c
                    "is obeyed");
   std::set<Index> reported;
   for (const ReferenceSegment& s : segments) {
-    if (s.shell == none || model.shells.offset[s.shell] == 0.0 || !reported.insert(s.part).second) continue;
+    const bool off_its_nodes = s.shell != none && std::abs(model.shells.offset[s.shell]) > 0.0;  // not: not a number
+    if (!off_its_nodes || !reported.insert(s.part).second) continue;
     findings.warning(
         contact.place, name_contact(contact),
         fmt::format("the mid-surface of part {} lies {:.4g} off its nodes; ties go to the surface of the nodes",
