@@ -26,9 +26,9 @@ struct ComparedRun {
   RunData data;
 };
 
-/// A number of summary.json under two keys; not a number where there is none.
+/// A number of summary.json under two keys, or under one; not a number where there is none.
 double number_under(const Json& summary, const char* group, const char* key) {
-  const Json found = summary.value(group, Json::object()).value(key, Json());
+  const Json found = (group ? summary.value(group, Json::object()) : summary).value(key, Json());
   return found.is_number() ? found.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -51,12 +51,31 @@ std::string heads(const ComparedRun& a, const ComparedRun& b) {
   return s;
 }
 
+/// What stands against comparing them: other units, another end.
+std::string doubts(const Json& a, const Json& b) {
+  std::string s;
+  const std::string units_a = a.value("units", ""), units_b = b.value("units", "");
+  if (units_a != units_b)
+    s += fmt::format(
+        "<p class=\"f-warning\" id=\"units-differ\">The decks have different units, A {}, B {}: numbers and curves are "
+        "compared as they are.</p>\n",
+        escaped(units_a.empty() ? "not known" : units_a), escaped(units_b.empty() ? "not known" : units_b));
+  const double end_a = number_under(a, nullptr, "time"), end_b = number_under(b, nullptr, "time");
+  if (!of_linear_analysis(a) && std::abs(end_a - end_b) > 1e-3 * std::max(end_a, end_b))
+    s += fmt::format(
+        "<p class=\"f-warning\" id=\"ends-differ\">A ends at {0}{2}, B at {1}{3}: verdicts of welds and numbers are of "
+        "these times.</p>\n",
+        number(end_a), number(end_b), unit_of(a, dimension::time), unit_of(b, dimension::time));
+  return s;
+}
+
 std::string numbers(const Json& a, const Json& b) {
   struct Row {
     const char *words, *group, *key;
     Dimension dimension;
   };
-  const Row rows[] = {{"mass", "mass", "physical", dimension::mass},
+  const Row rows[] = {{"end time", nullptr, "time", dimension::time},
+                      {"mass", "mass", "physical", dimension::mass},
                       {"mass added for the time step", "mass", "added", dimension::mass},
                       {"first time step", "time_step", "first", dimension::time},
                       {"kinetic energy at the end", "energy", "kinetic", dimension::energy},
@@ -97,8 +116,8 @@ std::string changed_welds(const ComparedRun& a, const ComparedRun& b) {
     rows += fmt::format(
         "<tr class=\"weld\"><td>{}</td><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>"
         "<td>{}</td></tr>\n",
-        escaped(cell(*weld, "id")), escaped(verdict(*weld)), escaped(verdict(*other->second)), failure_value(*weld),
-        failure_value(*other->second));
+        escaped(cell(*weld, "id")), escaped(verdict(*weld, a.data.summary)),
+        escaped(verdict(*other->second, b.data.summary)), failure_value(*weld), failure_value(*other->second));
   }
   std::string s = "<h2>Welds whose verdict changed</h2>\n";
   s += fmt::format("<p id=\"weld-changes\">{} of {} welds that both runs have.", changed, both);
@@ -116,9 +135,10 @@ std::string changed_welds(const ComparedRun& a, const ComparedRun& b) {
 std::string frequencies(const Json& a, const Json& b) {
   if (!of_linear_analysis(a) || !of_linear_analysis(b)) return {};
   const Json modes_a = a.value("modes", Json::array()), modes_b = b.value("modes", Json::array());
-  std::string s =
+  std::string s = fmt::format(
       "<h2>Modes</h2>\n<section id=\"mode-pairs\"></section>\n<div class=\"only-static\"><table "
-      "id=\"modes\"><tr><th>mode</th><th>A</th><th>B</th><th>difference</th></tr>\n";
+      "id=\"modes\"><tr><th>mode</th><th>A{}</th><th>B{}</th><th>difference</th></tr>\n",
+      in_frequency(a), in_frequency(b));
   for (std::size_t i = 0; i < std::min(modes_a.size(), modes_b.size()); ++i) {
     const double of_a = modes_a[i].value("frequency_hz", 0.0), of_b = modes_b[i].value("frequency_hz", 0.0);
     s += fmt::format("<tr class=\"mode\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", i + 1, number(of_a),
@@ -133,7 +153,7 @@ void write_comparison(const std::filesystem::path& first, const std::filesystem:
                       const std::filesystem::path& target) {
   const ComparedRun a{first, read_run(first)}, b{second, read_run(second)};
   const bool alive = !viewer_script().empty();
-  std::string s = heads(a, b);
+  std::string s = heads(a, b) + doubts(a.data.summary, b.data.summary);
   if (alive) s += "<section id=\"views\"></section>\n";
   s += changed_welds(a, b) + frequencies(a.data.summary, b.data.summary);
   if (alive && !of_linear_analysis(a.data.summary)) s += "<h2>Histories</h2>\n<section id=\"histories\"></section>\n";

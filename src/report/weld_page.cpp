@@ -35,10 +35,10 @@ WeldVerdict status(const WeldRow& weld) {
   return value > 0.0 ? WeldVerdict{"holds", "holds", 3} : WeldVerdict{"plain", "no failure value", 4};
 }
 
-std::string weld_line(const WeldRow& weld) {
+std::string weld_line(const WeldRow& weld, const Json& summary) {
   const WeldVerdict v = status(weld);
   const double value = real(weld, "peak_failure");
-  const std::string what = verdict(weld);
+  const std::string what = verdict(weld, summary);
   const std::string bar = value > 0.0 ? fmt::format("<span class=\"bar\" style=\"width:{:.1f}rem\"></span> {}",
                                                     3.0 * std::min(value, 1.0), fmt::format("{:.3g}", value))
                                       : "";
@@ -67,11 +67,12 @@ std::string weld_link(const WeldRow& weld) {
 
 }  // namespace
 
-std::string verdict(const WeldRow& weld) {
+std::string verdict(const WeldRow& weld, const Json& summary) {
   const WeldVerdict v = status(weld);
   std::string words(v.word);
   if (v.kind == "failed")
-    words += fmt::format(" at {} by {}", number(real(weld, "failure_time")), cell(weld, "failure_mode"));
+    words += fmt::format(" at {}{} by {}", number(real(weld, "failure_time")), unit_of(summary, dimension::time),
+                         cell(weld, "failure_mode"));
   return words;
 }
 
@@ -119,7 +120,7 @@ std::string welds_part(const RunData& run) {
       "class=\"text\">largest failure value</th><th>axial{}</th><th>shear{}</th><th>resultant{}</th><th>bending{}</th>"
       "<th>torsion{}</th><th>energy{}</th><th>place{}</th></tr>\n",
       run.welds.size(), tally, length, force, force, force, moment, moment, unit(dimension::energy), length);
-  for (std::size_t i = 0; i < order.size() && i < most; ++i) s += weld_line(*order[i]);
+  for (std::size_t i = 0; i < order.size() && i < most; ++i) s += weld_line(*order[i], run.summary);
   s += "</table></div>\n";
   if (order.size() > most) s += fmt::format("<p>and {} more; welds.csv has all.</p>\n", order.size() - most);
   return s;

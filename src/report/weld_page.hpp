@@ -12,8 +12,9 @@ namespace nugget::report {
 /// A cell of a row; empty where it has none.
 std::string cell(const WeldRow& weld, std::string_view column);
 
-/// What became of a weld: `failed at 0.0041 by axial force`, `not tied`, `near failure`, `holds`, `no failure value`.
-std::string verdict(const WeldRow& weld);
+/// What became of a weld: `failed at 0.0041 s by axial force`, `not tied`, `near failure`, `holds`, `no failure value`.
+/// `summary`: of its run, for the unit of time.
+std::string verdict(const WeldRow& weld, const nlohmann::json& summary);
 /// Whether two runs came to different ones; failures differ by their mode.
 bool verdicts_differ(const WeldRow& a, const WeldRow& b);
 

@@ -98,7 +98,7 @@ class Report(CommandTest):
         self.assertEqual([row[0] for row in weld], ["32", "31"])
         failed = next(w for w in self.json("summary.json")["weld"] if w["id"] == 32)
         self.assertTrue(failed["failed"])
-        self.assertEqual(weld[0][4], f"failed at {failed['failure_time']:.6g} by {failed['failure_mode']}")
+        self.assertEqual(weld[0][4], f"failed at {failed['failure_time']:.6g} s by {failed['failure_mode']}")
         self.assertIn("2 welds: 1 failed, 1 holds", page.by_id["weld-tally"])
 
     def test_what_is_not_sound_is_told(self):
@@ -230,12 +230,19 @@ class Report(CommandTest):
         self.assertEqual((page.open, page.loads), ([], []))
         self.assertIn("1 of 1 welds", page.by_id["weld-changes"])
         weld, = [row for row, kind in zip(page.rows, page.classes) if kind == "weld"]
-        self.assertEqual(weld[1:3], ["holds", "failed at 5e-06 by axial force"])
+        self.assertEqual(weld[1:3], ["holds", "failed at 5e-06 s by axial force"])
+        self.assertIn("B at 1e-05 s", page.by_id["ends-differ"])
+        self.assertNotIn("units-differ", page.by_id)
         internal, = [row for row, kind in zip(page.rows, page.classes) if kind == "number" and row[0].startswith("internal")]
         a, b = (self.json(f"{run}/summary.json")["energy"]["internal"] for run in "ab")
         self.assertAlmostEqual(float(internal[1]), a, delta=6e-6 * a)
         self.assertAlmostEqual(float(internal[3].split()[0]), 100.0 * (b - a) / a, delta=0.06)
         self.assertIn("holds no results", self.nugget("report", "a", "nowhere", expect=2).stderr)
+        self.nugget("run", "model.k", "-o", "c", "--quiet", "--units", "m, kg, s")
+        self.nugget("report", "a", "c")
+        page = Page(self.read("a/compare.html"))
+        self.assertIn("A mm, t, s, B m, kg, s", page.by_id["units-differ"])
+        self.assertNotIn("ends-differ", page.by_id)
 
     def test_a_folder_without_results_is_told(self):
         run = self.nugget("report", ".", expect=2)

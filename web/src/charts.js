@@ -52,8 +52,8 @@ export function chart(parent, curves, options = {}) {
   const plot = new uPlot(
     {
       width: Math.max(240, parent.clientWidth), height: options.height ?? 240,
-      // On a log axis uPlot rounds to whole decades: the abscissas end where the curves end.
-      scales: { x: { time: false, distr: options.logX ? 3 : 1, range: (_, low, high) => [low, high] }, y: { distr: options.logY ? 3 : 1 } },
+      // On a log axis uPlot rounds to whole decades; here the abscissas end where the curves end, unless they begin at 0.
+      scales: { x: { time: false, distr: options.logX ? 3 : 1, range: (_, low, high) => (options.logX && low <= 0 ? uPlot.rangeLog(low, high, 10, false) : [low, high]) }, y: { distr: options.logY ? 3 : 1 } },
       axes: [axis(options.xTitle ?? ""), { ...axis(options.yTitle ?? ""), size: 66 }],
       series: [
         { label: options.xName ?? "time", value: (_, v) => (v === null ? "–" : number(v)) },

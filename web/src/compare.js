@@ -39,7 +39,8 @@ export function pairModes(a, b) {
 }
 
 function modeTable(a, b) {
-  const head = element("tr", {}, ...["mode of A", "frequency", "mode of B", "frequency", "difference", "MAC"].map((t) => element("th", {}, t)));
+  const [ofA, ofB] = [a, b].map((run) => (run.about.units?.frequency ? `frequency [${run.about.units.frequency}]` : "frequency"));
+  const head = element("tr", {}, ...["mode of A", ofA, "mode of B", ofB, "difference", "MAC"].map((t) => element("th", {}, t)));
   const rows = pairModes(a.shape, b.shape).map(({ i, best, mac }) => {
     const [f, g] = [a.shape.times[i], b.shape.times[best]];
     const cells = [a.about.view.shown[i] + 1, number(f), b.about.view.shown[best] + 1, number(g), f ? `${((100 * (g - f)) / f).toFixed(2)} %` : "", mac.toFixed(3)];

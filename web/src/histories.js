@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { chart, empty, peak } from "./charts.js";
+import { difference } from "./difference.js";
 import { csv, element, number, save, withUnit } from "./format.js";
 import { CLASSES, filtered } from "./sae_filter.js";
 
@@ -42,17 +43,6 @@ export class Histories {
 }
 
 const option = (value, words = value) => element("option", { value }, words);
-
-/** `b` minus `a` at the times of `a`, on straight lines between samples. */
-function difference(a, b) {
-  let k = 0;
-  const y = Array.from(a.x, (t) => {
-    while (k < b.x.length - 2 && b.x[k + 1] < t) ++k;
-    const share = (t - b.x[k]) / (b.x[k + 1] - b.x[k]);
-    return b.y[k] + share * (b.y[k + 1] - b.y[k]);
-  });
-  return { ...a, name: `B − A ${a.name}`, y: y.map((v, i) => v - a.y[i]) };
-}
 
 /** A channel of this run; beside it, where there is another run, that of the other one and the difference. */
 function withOther(channel, other) {

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { csv, number, withUnit } from "../src/format.js";
+import { difference } from "../src/difference.js";
 import { ofFailure, ramp } from "../src/colours.js";
 
 test("numbers in five digits", () => {
@@ -26,4 +27,10 @@ test("colours of failure values go from safe over near to failed", () => {
   assert.notDeepEqual(ofFailure(0), safe);
   assert.deepEqual(ramp(-1), ramp(0));
   assert.deepEqual(ramp(2), ramp(1));
+});
+
+test("the difference of two curves ends where one of them ends", () => {
+  const a = { name: "force", x: [0, 1, 2, 3], y: [0, 10, 20, 30] }, b = { x: [0, 2], y: [0, 40] };
+  assert.deepEqual(difference(a, b).y, [0, 10, 20, NaN]);
+  assert.deepEqual(difference(b, a).y.slice(0, 2), [0, -20]);
 });
