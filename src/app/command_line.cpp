@@ -375,6 +375,20 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(length);
   fit_command->add_option("-j,--threads", fit.threads, "coupons at once (default: all cores)")->check(count);
 
+  nugget::app::StudyArguments study;
+  CLI::App* study_command =
+      cli.add_subcommand("study", "runs a deck for each line of a table of its parameters, one table of results");
+  study_command->add_option("plan", study.plan, "a line deck: MODEL.k, lines result: CHANNEL, a table of parameters")
+      ->required();
+  study_command->add_option("-o,--output", study.directory, "folder for the runs and the table")->required();
+  study_command->add_option("-j,--threads", study.threads, "threads in all (default: all cores)")->check(count);
+  study_command->add_option("--threads-each", study.threads_of_each, "threads of each run (default: 1)")->check(count);
+  study_command->add_flag("--decks", study.only_decks,
+                          "write the decks and runs.txt with a command for each, and run nothing");
+  study_command->add_flag("--skip-unsupported", study.skip_unsupported,
+                          "leave out what is not supported, with a warning each");
+  study_command->add_flag("--quiet", study.quiet, "no progress on the terminal");
+
   nugget::app::TidyArguments tidy;
   CLI::App* tidy_command =
       cli.add_subcommand("tidy", "the deck as it was understood: values between commas, names of fields above them");
@@ -511,6 +525,7 @@ int nugget::app::command_line(int argc, char** argv) {
   }
   if (fit_command->parsed()) return static_cast<int>(nugget::app::fit(fit));
   if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
+  if (study_command->parsed()) return static_cast<int>(nugget::app::study(study));
   if (tidy_command->parsed()) return static_cast<int>(nugget::app::tidy(tidy));
   if (coverage_command->parsed()) return static_cast<int>(nugget::app::coverage(coverage));
   if (convert_command->parsed()) return static_cast<int>(nugget::app::convert(convert));

@@ -117,6 +117,13 @@ struct FitArguments {
   int threads = 0;
 };
 
+struct StudyArguments {
+  std::string plan, directory;  ///< see read_study_plan()
+  int threads = 0;              ///< in all; 0: all cores
+  int threads_of_each = 1;
+  bool only_decks = false, skip_unsupported = false, quiet = false;
+};
+
 struct TidyArguments {
   std::string deck, output;
   int load_case = 0;  ///< *CASE of the deck; cards of other cases stay as they are
@@ -163,6 +170,8 @@ ExitCode coupon(const CouponArguments& arguments);
 const std::vector<std::string>& coupon_names();
 /// Finds the strengths of a weld's card from measured curves.
 ExitCode fit(const FitArguments& arguments);
+/// Runs a deck once for each line of a table of its parameters, and gathers results of the runs in one table.
+ExitCode study(const StudyArguments& arguments);
 /// Checks or runs the decks of a folder: which are accepted, and what refuses the others.
 ExitCode coverage(const CoverageArguments& arguments);
 /// Writes a deck as it was understood.

@@ -92,13 +92,17 @@ ExitCode run_coupons(std::vector<ChildRun>& runs, int asked_threads) {
   std::size_t ended = 0;
   Status status(false);
   status(fmt::format("{} coupons are running", runs.size()));
-  const bool started = run_children(runs, threads(), [&](const ChildRun& run) {
+  const ChildrenEnd end = run_children(runs, threads(), [&](const ChildRun& run) {
     status(fmt::format("{} of {} coupons: {} has ended", ++ended, runs.size(), run.folder.filename().string()));
   });
   status.clear();
-  if (!started) {
+  if (end == ChildrenEnd::not_started) {
     fmt::print(stderr, "nugget: the coupons cannot be run: no process could be started\n");
     return ExitCode::error_termination;
+  }
+  if (end == ChildrenEnd::interrupted) {
+    fmt::print(stderr, "nugget: interrupted, {} of {} coupons had ended\n", ended, runs.size());
+    return ExitCode::interrupted;
   }
   return check_runs(runs);
 }

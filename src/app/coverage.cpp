@@ -192,13 +192,17 @@ ExitCode cover(const fs::path& directory, const CoverageArguments& arguments) {
   }
   std::size_t ended = 0;
   Status status(false);
-  const bool started = run_children(runs, threads(), [&](const ChildRun& run) {
+  const ChildrenEnd end = run_children(runs, threads(), [&](const ChildRun& run) {
     status(fmt::format("{} of {} decks: {}", ++ended, runs.size(), run.deck.string()));
   });
   status.clear();
-  if (!started) {
+  if (end == ChildrenEnd::not_started) {
     fmt::print(stderr, "nugget: no process could be started\n");
     return ExitCode::error_termination;
+  }
+  if (end == ChildrenEnd::interrupted) {
+    fmt::print(stderr, "nugget: interrupted, {} of {} decks had ended\n", ended, runs.size());
+    return ExitCode::interrupted;
   }
   for (std::size_t i = 0; i < decks.size(); ++i) {
     decks[i].exit_code = runs[i].exit_code;

@@ -342,15 +342,19 @@ void DeckChanges::move_weld(int id, const Vec3d& x) {
 
 // ---- files
 
-std::vector<std::string> DeckChanges::write(const fs::path& master) const {
-  const std::vector<deck::EditedText::File> files = text_.files(master, {});
+std::vector<deck::EditedText::File> DeckChanges::files(const fs::path& master) const {
+  std::vector<deck::EditedText::File> files = text_.files(master, {});
   std::error_code none;
   for (const auto& file : files)
     for (const std::string& input : deck_.files)
       if (fs::equivalent(file.path, input, none))
         refuse_change(fmt::format("{} would be overwritten; give another name", input));
+  return files;
+}
+
+std::vector<std::string> DeckChanges::write(const fs::path& master) const {
   std::vector<std::string> names;
-  for (const auto& file : files) {
+  for (const auto& file : files(master)) {
     output::write_whole_file(file.path, file.text);
     names.push_back(file.path.string());
   }

@@ -9,27 +9,11 @@
 #include <map>
 #include <optional>
 
+#include "app/table_lines.hpp"
 #include "deck/numbers.hpp"
 
 namespace nugget::app {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \r\"");
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \r\"") + 1 - begin);
-}
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  for (;;) {
-    const std::size_t end = line.find_first_of(",;\t", begin);
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
-    if (end == std::string::npos) return cells;
-    begin = end + 1;
-  }
-}
 
 std::optional<weld::CouponTest> test_of(const std::string& name) {
   for (const weld::CouponTest& test : weld::coupon_tests())
@@ -65,7 +49,7 @@ std::vector<MeasuredCurve> read_curves(const std::string& file, Findings& findin
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     const Place place{file, ++number, 0};
-    if (trimmed(line).empty() || line.front() == '#' || line.front() == '$') continue;
+    if (is_remark(line)) continue;
     const std::vector<std::string> cells = cells_of(line);
     if (!columns) {
       columns = columns_of(cells);

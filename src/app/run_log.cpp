@@ -12,6 +12,7 @@
 #include "app/finding_list.hpp"
 #include "base/parallel.hpp"
 #include "model/units.hpp"
+#include "output/history.hpp"
 #include "weld/failure/function.hpp"
 
 namespace nugget::app {

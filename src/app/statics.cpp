@@ -8,6 +8,7 @@
 #include "app/linear_job.hpp"
 #include "model/units.hpp"
 #include "nvh/statics/static_files.hpp"
+#include "output/history.hpp"
 
 namespace nugget::app {
 namespace {

@@ -19,6 +19,7 @@
 #include "model/history_files.hpp"
 #include "model/units.hpp"
 #include "output/column_units.hpp"
+#include "output/history.hpp"
 #include "report/run_data.hpp"
 
 namespace nugget::app {
@@ -212,13 +213,17 @@ ExitCode compare_runs(const fs::path& directory, const RunArguments& arguments) 
   }
   std::size_t ended = 0;
   Status status(arguments.quiet);
-  const bool started = run_children(runs, threads(), [&](const ChildRun& run) {
+  const ChildrenEnd end = run_children(runs, threads(), [&](const ChildRun& run) {
     status(fmt::format("{} of {} runs: {} has ended", ++ended, runs.size(), run.folder.filename().string()));
   });
   status.clear();
-  if (!started) {
+  if (end == ChildrenEnd::not_started) {
     fmt::print(stderr, "nugget: no process could be started\n");
     return ExitCode::error_termination;
+  }
+  if (end == ChildrenEnd::interrupted) {
+    fmt::print(stderr, "nugget: interrupted, {} of {} runs had ended\n", ended, runs.size());
+    return ExitCode::interrupted;
   }
   std::vector<Result> results{read_result(runs.front(), {}, pairs)};
   for (std::size_t i = 0; i < ids->size(); ++i)

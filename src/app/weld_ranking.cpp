@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/weld_ranking.hpp"
+#include "output/history.hpp"
 
 #include <fmt/format.h>
 

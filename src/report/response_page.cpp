@@ -35,14 +35,6 @@ std::string holders(const RunData& run, std::string_view kind, std::size_t mode)
   return s;
 }
 
-/// How many modes, of the lowest, are motions of rigid bodies: their frequencies are round-off.
-std::size_t rigid_modes(const Json& modes) {
-  const double highest = value_or_zero(modes.back()["frequency_hz"]);
-  std::size_t rigid = 0;
-  while (rigid < modes.size() && value_or_zero(modes[rigid]["frequency_hz"]) < 1e-3 * highest) ++rigid;
-  return rigid;
-}
-
 std::string mode_table(const RunData& run) {
   const Json& modes = run.summary["modes"];
   const std::size_t rigid = rigid_modes(modes);
@@ -200,6 +192,13 @@ std::string power_section(const RunData& run) {
 }
 
 }  // namespace
+
+std::size_t rigid_modes(const Json& modes) {
+  const double highest = value_or_zero(modes.back()["frequency_hz"]);
+  std::size_t rigid = 0;
+  while (rigid < modes.size() && value_or_zero(modes[rigid]["frequency_hz"]) < 1e-3 * highest) ++rigid;
+  return rigid;
+}
 
 double share_of_mode(const WeldRow& row, std::size_t i) {
   const auto cell = row.find(fmt::format("mode {}", i + 1));

@@ -26,4 +26,7 @@ std::string modes_part(const RunData& run);
 /// Amplitude and phase over frequency, with the peaks. Empty where there are no responses.
 std::string responses_part(const RunData& run);
 
+/// How many of the modes in summary.json, the lowest, are motions of rigid bodies: their frequencies are round-off.
+std::size_t rigid_modes(const nlohmann::json& modes);
+
 }  // namespace nugget::report
