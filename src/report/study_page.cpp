@@ -90,7 +90,9 @@ std::string study_html(const Study& study, const std::vector<Plot>& plots) {
     body += "</tr>\n";
   }
   body += "</table></div>\n";
-  for (const Plot& plot : plots) body += to_svg(plot);
+  body += "<div style=\"display:grid;grid-template-columns:repeat(auto-fill,minmax(26rem,1fr));gap:1rem\">\n";
+  for (const Plot& plot : plots) body += fmt::format("<div>{}</div>\n", to_svg(plot));
+  body += "</div>\n";
   return html_page("study of " + study.deck, body);
 }
 
