@@ -55,8 +55,11 @@ std::string weld_line(const WeldRow& weld, const Json& summary) {
 }
 
 std::string place_of(const WeldRow& weld, const Json& summary) {
-  return fmt::format("between parts {} and {} at ({}, {}, {}){}", cell(weld, "sheet1"), cell(weld, "sheet2"),
-                     number(real(weld, "x")), number(real(weld, "y")), number(real(weld, "z")),
+  std::string parts;  // of a weld that is not tied, the one that it is tied to
+  for (const char* column : {"sheet1", "sheet2"})
+    if (const std::string part = cell(weld, column); !part.empty()) parts += (parts.empty() ? "" : " and ") + part;
+  const char* const words = parts.empty() ? "" : parts.find(' ') == parts.npos ? "on part " : "between parts ";
+  return fmt::format("{}{}{}at ({}, {}, {}){}", words, parts, parts.empty() ? "" : " ", number(real(weld, "x")), number(real(weld, "y")), number(real(weld, "z")),
                      unit_of(summary, dimension::length));
 }
 
