@@ -432,6 +432,9 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties));
     log.add(audit_table(p.model, p.ties, p.audit));
   }
+  if (p.model.control.single_precision &&
+      std::ranges::none_of(simulation->system().groups, [](const auto& group) { return group->single_precision(); }))
+    fmt::print(stderr, "warning: --precision single: no element of this deck is computed in single precision\n");
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =

@@ -75,8 +75,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   using SlotRow = std::conditional_t<single, SingleRow, Row>;
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
-  /// A step that moves nothing.
-  static constexpr double no_step = 0x1p-100;
+  /// A step that moves nothing; of floats one after which strains are still normal numbers, whatever the units.
+  static constexpr double no_step = single ? 0x1p-40 : 0x1p-100;
   static constexpr bool is_weld = requires(Element & kernel) { kernel.freeze_yield(nullptr, 0); };
   /// Its kernel's own derivative is not exact.
   static constexpr bool has_own_stiffness =
