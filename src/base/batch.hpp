@@ -262,6 +262,18 @@ void store_as_doubles(double* at, Batch<W, float> value) {
   const auto wide = __builtin_convertvector(value.v, typename Register<W>::Lanes);
   std::memcpy(at, &wide, sizeof wide);
 }
+/// Adds the lanes of a batch of floats to sums that are doubles.
+template <int W>
+void add_as_doubles(double* sums, Batch<W, float> more) {
+  typename Register<W>::Lanes wide;
+  std::memcpy(&wide, sums, sizeof wide);
+  wide += __builtin_convertvector(more.v, typename Register<W>::Lanes);
+  std::memcpy(sums, &wide, sizeof wide);
+}
+template <int W>
+void add_as_doubles(double* sums, Batch<W> more) {
+  real_store(sums, real_load<Batch<W>>(sums) + more);
+}
 template <int W>
 void store_as_doubles(double* at, Batch<W> value) {
   real_store(at, value);

@@ -147,6 +147,22 @@ inline Vec3d vec(const SingleRow& r) {
   return {r.x, r.y, r.z};
 }
 
+/// A row as one register of four doubles.
+using FourReals = Register<4>::Lanes;
+inline FourReals four(const Row& r) {
+  FourReals v;
+  std::memcpy(&v, &r, sizeof v);
+  return v;
+}
+inline FourReals four(const SingleRow& r) {
+  Register<4, float>::Lanes v;
+  std::memcpy(&v, &r, sizeof v);
+  return __builtin_convertvector(v, FourReals);
+}
+inline void set(Row& r, const FourReals& v) {
+  std::memcpy(&r, &v, sizeof v);
+}
+
 /// Rows `id[0]`, ... of `base` less rows `from[0]`, ..., one a lane; of floats the differences of doubles are rounded.
 template <class R>
 [[gnu::always_inline]] inline Vec3<R> gather_differences(const Row* base, const int* id, const int* from) {

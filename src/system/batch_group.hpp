@@ -425,19 +425,19 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     else
       return &slots[slot_row(b * width, 0)];
   }
-  static Vec3<R> rows_at(const SlotRow* base, const int* id) {
+  [[gnu::always_inline]] static inline Vec3<R> rows_at(const SlotRow* base, const int* id) {
     if constexpr (single)
       return gather_single<width>(base, id);
     else
       return gather<R>(base, id);
   }
-  static void put_rows(SlotRow* base, const int* id, const Vec3<R>& v) {
+  [[gnu::always_inline]] static inline void put_rows(SlotRow* base, const int* id, const Vec3<R>& v) {
     if constexpr (single)
       scatter_single<width>(base, id, v);
     else
       scatter<R>(base, id, v);
   }
-  typename Element::template Motion<R> motion_of(std::size_t b, const State& now) const {
+  [[gnu::always_inline]] inline typename Element::template Motion<R> motion_of(std::size_t b, const State& now) const {
     const int* id = &nodes_[b * width * corners];
     typename Element::template Motion<R> motion;
     for (int a = 0; a < corners; ++a) {
@@ -449,30 +449,21 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   /// Rows of the nodes a; in single precision less those of the first nodes, so that no digit goes into where an
   /// element is or how fast it flies.
-  static Vec3<R> places_at(std::span<const Row> rows_of_nodes, const int* id, int a) {
+  [[gnu::always_inline]] static inline Vec3<R> places_at(std::span<const Row> rows_of_nodes, const int* id, int a) {
     if constexpr (single)
       return a == 0 ? Vec3<R>{} : gather_differences<R>(rows_of_nodes.data(), id + a * width, id);
     else
       return gather<R>(rows_of_nodes.data(), id + a * width);
   }
-  static Vec3<R> spins_at(std::span<const Row> rows_of_nodes, const int* id, int a) {
+  [[gnu::always_inline]] static inline Vec3<R> spins_at(std::span<const Row> rows_of_nodes, const int* id, int a) {
     if constexpr (single)
       return gather_single<width>(rows_of_nodes.data(), id + a * width);
     else
       return gather<R>(rows_of_nodes.data(), id + a * width);
   }
-  static void add_as_doubles(double* sum, const R& more) {
-    if constexpr (single) {
-      alignas(64) double part[width];
-      store_as_doubles(part, more);
-      for (int l = 0; l < width; ++l) sum[l] += part[l];
-    } else {
-      real_store(sum, real_load<R>(sum) + more);
-    }
-  }
   /// Rounds forces to a grid on which their sum has all its digits, and lets the last one be minus that of the others.
   /// The grid is that of the floats about `corners` times the largest.
-  static void balance(Vec3<R> (&f)[corners]) {
+  [[gnu::always_inline]] static inline void balance(Vec3<R> (&f)[corners]) {
     for (R Vec3<R>::*c : {&Vec3<R>::x, &Vec3<R>::y, &Vec3<R>::z}) {
       R largest = abs(f[0].*c), sum(0.0);
       for (int a = 1; a < corners; ++a) largest = max(largest, abs(f[a].*c));

@@ -465,14 +465,14 @@ void System::gather_slots(std::span<const Row> slots, std::span<const SingleRow>
   const auto gather = [&](const auto& with_slot) {
     parallel_for(nodes, 512, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        Vec3d f{}, m{};
+        FourReals f{}, m{};
         for (std::size_t i = gather_start_[k]; i < gather_start_[k + 1]; ++i) {
           // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
           with_slot(gather_[std::min(i + slots_ahead, gather_.size() - 1)] >> 1,
                     [](const auto* slot) { __builtin_prefetch(slot); });
           with_slot(gather_[i] >> 1, [&](const auto* slot) {
-            f -= vec(slot[0]);
-            if (gather_[i] & 1u) m -= vec(slot[1]);
+            f -= four(slot[0]);
+            if (gather_[i] & 1u) m -= four(slot[1]);
           });
         }
         set(force[k], f);
