@@ -95,6 +95,10 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   if (work > 0.0) s.ns_per_element_cycle = 1e9 * (run.solve_seconds() - s.seconds.output) / work;
   s.threads = threads();
   s.lanes = system::elements_at_a_time();
+  s.precision = system.model.control.single_precision ? "single" : "double";
+  for (const auto& group : system.groups)
+    (group->single_precision() ? s.elements_by_precision.single : s.elements_by_precision.of_double) +=
+        static_cast<long>(group->size());
   s.welds = p.welds;
   return s;
 }
@@ -133,7 +137,8 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .weld_tie = arguments.weld_tie,
           .units = arguments.units,
           .drop_weld = arguments.drop_weld,
-          .load_case = arguments.load_case};
+          .load_case = arguments.load_case,
+          .precision = arguments.precision.empty() ? "double" : arguments.precision};
 }
 
 /// A batch system says by one of these that a job's time is up; all leave a restart file, as Ctrl-C does.
@@ -350,10 +355,17 @@ ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, c
 }
 
 /// What is wrong with the command for such an analysis; empty: nothing.
-std::string wrong_command(Analysis analysis, const RunArguments& arguments, const Findings& findings) {
+std::string wrong_command(Analysis analysis, const RunArguments& arguments, const model::Model& model,
+                          const Findings& findings) {
   const bool is_explicit = analysis == Analysis::explicit_dynamics;
   if (!is_explicit && !arguments.checkpoint.empty())
     return "--checkpoint: this deck asks for an implicit solution, which has no restart files";
+  if (arguments.precision == "single" && !is_explicit)
+    return "--precision single: this deck asks for an implicit solution, which is of double precision only [leave the "
+           "option out]";
+  if (arguments.precision == "single" && model.implicit.after_run)
+    return "--precision single: this deck asks for modes after the run (IMFLAG 6), whose stiffness is of double "
+           "precision only [leave the option out]";
   if (findings.errors() == 0 && is_explicit && nvh::ranks() > 1)
     return fmt::format(
         "{}: this is an explicit run, which is one process with -j N threads; several ranks are for modes, responses "
@@ -415,9 +427,13 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     print_findings(findings);
     output::write_findings(directory, findings.all());
     log.add(log_model(p.model));
+    if (p.model.control.single_precision) log.add(log_precision(simulation->system()));
     log.add(log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties));
     log.add(audit_table(p.model, p.ties, p.audit));
   }
+  if (p.model.control.single_precision &&
+      std::ranges::none_of(simulation->system().groups, [](const auto& group) { return group->single_precision(); }))
+    fmt::print(stderr, "warning: --precision single: no element of this deck is computed in single precision\n");
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =
@@ -454,7 +470,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   if (!p.has_text) return refuse_missing(findings);
   warn_of_response_in_explicit_run(p.model, findings);
   const Analysis analysis = analysis_of(p.model);
-  if (const std::string why = wrong_command(analysis, arguments, findings); !why.empty()) {
+  if (const std::string why = wrong_command(analysis, arguments, p.model, findings); !why.empty()) {
     fmt::print(stderr, "nugget: {}\n", why);
     return ExitCode::wrong_command;
   }

@@ -127,6 +127,23 @@ std::string log_model(const model::Model& model) {
   return s + '\n';
 }
 
+std::string log_precision(const system::System& system) {
+  std::map<std::pair<bool, model::Index>, std::map<std::string_view, std::size_t>> count;
+  for (const auto& group : system.groups)
+    count[{group->single_precision(), group->part}][system.kind_name(*group)] += group->size();
+  std::string s = "Precision of the elements\n\n";
+  for (const bool single : {true, false}) {
+    std::string lines;
+    for (const auto& [key, kinds] : count) {
+      if (key.first != single) continue;
+      for (const auto& [kind, elements] : kinds)
+        lines += fmt::format("   part {:>8}  {:>9}  {}s\n", system.model.parts[key.second].id, elements, kind);
+    }
+    s += fmt::format(" {}{}\n{}", single ? "single" : "double", lines.empty() ? ": none" : ":", lines);
+  }
+  return s + '\n';
+}
+
 std::string log_ties(const model::Model& model, const weld::Ties& ties, std::size_t most) {
   if (ties.welds.empty() && ties.ties.empty()) return {};
   std::map<int, int> by_case;
@@ -223,8 +240,10 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   for (const auto& [name, seconds] : summary.seconds.phases)
     s += fmt::format("   {:<12} {:8.3f}  {:5.1f} %\n", name, seconds,
                      summary.seconds.solve > 0.0 ? 100.0 * seconds / summary.seconds.solve : 0.0);
-  return s + fmt::format(" {:.1f} ns per element and cycle on {} threads, {} elements at a time\n\n",
-                         summary.ns_per_element_cycle, summary.threads, summary.lanes);
+  s += fmt::format(" {:.1f} ns per element and cycle on {} threads, {} elements at a time",
+                   summary.ns_per_element_cycle, summary.threads, summary.lanes);
+  if (summary.elements_by_precision.single > 0) s += fmt::format(", of single precision {}", 2 * summary.lanes);
+  return s + "\n\n";
 }
 
 std::string in_short(const output::Summary& summary) {
