@@ -40,6 +40,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+output::Summary::ElementsByPrecision elements_by_precision(const system::System& system) {
+  output::Summary::ElementsByPrecision count;
+  for (const auto& group : system.groups)
+    (group->single_precision() ? count.single : count.of_double) += static_cast<long>(group->size());
+  return count;
+}
+
 output::Summary summarise(const RunArguments& arguments, const impact::Simulation& run, const impact::Outcome& outcome,
                           const PreparedDeck& p, double setup_seconds) {
   const system::System& system = run.system();
@@ -96,9 +103,7 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.threads = threads();
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
-  for (const auto& group : system.groups)
-    (group->single_precision() ? s.elements_by_precision.single : s.elements_by_precision.of_double) +=
-        static_cast<long>(group->size());
+  s.elements_by_precision = elements_by_precision(system);
   s.welds = p.welds;
   return s;
 }
@@ -374,6 +379,21 @@ std::string wrong_command(Analysis analysis, const RunArguments& arguments, cons
   return {};
 }
 
+/// Of --precision single: which elements it does not change.
+void say_what_stays_double(const system::System& system, Findings& findings) {
+  const auto count = elements_by_precision(system);
+  if (count.single == 0)
+    findings.warning({system.model.deck, 0}, "",
+                     "--precision single: no element of this deck has a kernel in single precision; all are computed in "
+                     "double precision",
+                     "leave the option out");
+  else if (count.of_double > 0)
+    findings.note({system.model.deck, 0}, "",
+                  fmt::format("--precision single: {} of {} elements have no kernel in single precision and are computed "
+                              "in double precision; run.log lists them by part",
+                              count.of_double, count.single + count.of_double));
+}
+
 /// run.log and the terminal, from the end of the run on.
 void report_end(const RunArguments& arguments, const fs::path& directory, const impact::Simulation& simulation,
                 const impact::Outcome& outcome, const output::Summary& summary, Log& log) {
@@ -406,6 +426,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   // Faults of ties, of the system and of what acts in it are reported together.
   if (p.is_tied) system.emplace(p.model, p.ties, findings);
   if (system) simulation.emplace(*system, findings);
+  if (system && p.model.control.single_precision) say_what_stays_double(*system, findings);
   std::string welds;  // of a deck that is refused, as `nugget check` reports them: all that is to be mended, at once
   if (from != nullptr) {
     log.read();
@@ -431,9 +452,6 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties));
     log.add(audit_table(p.model, p.ties, p.audit));
   }
-  if (p.model.control.single_precision &&
-      std::ranges::none_of(simulation->system().groups, [](const auto& group) { return group->single_precision(); }))
-    fmt::print(stderr, "warning: --precision single: no element of this deck is computed in single precision\n");
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =

@@ -160,7 +160,7 @@ inline FourReals four(const SingleRow& r) {
   return __builtin_convertvector(v, FourReals);
 }
 inline void set(Row& r, const FourReals& v) {
-  std::memcpy(&r, &v, sizeof v);
+  std::memcpy(static_cast<void*>(&r), &v, sizeof v);
 }
 
 /// Rows `id[0]`, ... of `base` less rows `from[0]`, ..., one a lane; of floats the differences of doubles are rounded.

@@ -98,10 +98,11 @@ std::string head(const Json& s) {
 std::string facts(const Json& s) {
   std::string out = "<h2>The run</h2>\n";
   Json facts;
-  for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "ns_per_element_cycle"})
+  for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "precision", "ns_per_element_cycle"})
     if (has_value(s, key)) facts[key] = s[key];
   out += values(facts, "run");
   const std::tuple<const char*, const char*, Dimension> groups[] = {{"elements", "Elements", dimension::number},
+                                                                    {"elements_by_precision", "Elements by precision", dimension::number},
                                                                     {"mass", "Mass", dimension::mass},
                                                                     {"time_step", "Time step", dimension::time},
                                                                     {"energy", "Energy at the end", dimension::energy}};

@@ -119,12 +119,18 @@ class Precision(RepeatedRuns):
         summary = self.json("double/summary.json")
         self.assertEqual(summary["precision"], "double")
         self.assertNotIn("Precision", self.read("double/run.log"))
-        self.nugget("run", "model.k", "-o", "single", "--quiet", *SINGLE)
+        said = self.nugget("run", "model.k", "-o", "single", *SINGLE).stderr
         summary = self.json("single/summary.json")
         self.assertEqual((summary["precision"], summary["elements_by_precision"]), ("single", {"single": 18, "double": 1}))
         log = re.search(r"Precision of the elements\n\n(.*?)\n\n", self.read("single/run.log"), re.S)[1]
         self.assertEqual([line.split() for line in log.splitlines()],
-                         [["single:"], ["part", "1", "9", "shells"], ["part", "2", "9", "shells"], ["double:"], ["part", "3", "1", "beams"]])
+                         ["single:".split(), *(["part", part, "9", "shells", "ELFORM", "2,", "*MAT_PIECEWISE_LINEAR_PLASTICITY"] for part in "12"),
+                          "double, as they have no kernel in single precision:".split(), "part 3 1 beams ELFORM 9, *MAT_SPOTWELD".split()])
+        self.assertIn("--precision single: 1 of 19 elements have no kernel in single precision", said)
+        self.assertIn("18 of 19 elements in single precision", said)
+        page = self.read("single/report.html")
+        self.assertIn('id="run-precision">single<', page)
+        self.assertIn('id="elements_by_precision-double">1<', page)
         self.assertIn("--precision", self.nugget("run", "--help").stdout)
 
     def test_what_is_built_for_double_only_stays_double(self):
@@ -138,7 +144,7 @@ class Precision(RepeatedRuns):
         self.write(text)
         self.nugget("run", "model.k", "-o", "a", "--quiet", "-j", 1)
         said = self.nugget("run", "model.k", "-o", "b", "--quiet", "-j", 1, *SINGLE)
-        self.assertIn("no element of this deck is computed in single precision", said.stderr)
+        self.assertIn("no element of this deck has a kernel in single precision", said.stderr)
         self.assertEqual(self.bits("a")["glstat"], self.bits("b")["glstat"])
         self.assertEqual(self.json("b/summary.json")["elements_by_precision"]["single"], 0)
 
