@@ -394,12 +394,24 @@ void say_what_stays_double(const system::System& system, Findings& findings) {
                               count.of_double, count.single + count.of_double));
 }
 
+/// Of stresses that are the sum of so many changes that rounding shows (docs/manual/precision.md#when-to-use-it).
+std::string precision_warning(const output::Summary& summary) {
+  constexpr long many = 300000;
+  const long cycles = summary.cycles + (summary.relaxation ? summary.relaxation->cycles : 0);
+  if (summary.elements_by_precision.single == 0 || cycles <= many) return {};
+  return fmt::format(
+      "warning: {} cycles in single precision: stresses that are built up evenly over more than {} may be wrong by a "
+      "percent [--precision double]",
+      cycles, many);
+}
+
 /// run.log and the terminal, from the end of the run on.
 void report_end(const RunArguments& arguments, const fs::path& directory, const impact::Simulation& simulation,
                 const impact::Outcome& outcome, const output::Summary& summary, Log& log) {
   log.add(log_mass(simulation.system()));
   log.add(log_run(simulation, summary));
-  const std::array<std::string, 6> warnings{idle_warning(summary),
+  const std::array<std::string, 7> warnings{idle_warning(summary),
+                                            precision_warning(summary),
                                             loose_weld_warning(summary),
                                             energy_warning(summary),
                                             hourglass_warning(simulation, summary),
