@@ -383,15 +383,17 @@ std::string wrong_command(Analysis analysis, const RunArguments& arguments, cons
 void say_what_stays_double(const system::System& system, Findings& findings) {
   const auto count = elements_by_precision(system);
   if (count.single == 0)
-    findings.warning({system.model.deck, 0}, "",
-                     "--precision single: no element of this deck has a kernel in single precision; all are computed in "
-                     "double precision",
-                     "leave the option out");
+    findings.warning(
+        {system.model.deck, 0}, "",
+        "--precision single: no element of this deck has a kernel in single precision; all are computed in "
+        "double precision",
+        "leave the option out");
   else if (count.of_double > 0)
-    findings.note({system.model.deck, 0}, "",
-                  fmt::format("--precision single: {} of {} elements have no kernel in single precision and are computed "
-                              "in double precision; run.log lists them by part",
-                              count.of_double, count.single + count.of_double));
+    findings.note(
+        {system.model.deck, 0}, "",
+        fmt::format("--precision single: {} of {} elements have no kernel in single precision and are computed "
+                    "in double precision; run.log lists them by part",
+                    count.of_double, count.single + count.of_double));
 }
 
 /// Of stresses that are the sum of so many changes that rounding shows (docs/manual/precision.md#when-to-use-it).
