@@ -14,9 +14,9 @@ SINGLE = ("--precision", "single")
 UNITS = {"mm": (1.0, 1.0, 1.0), "m": (1e3, 1e-3, 1.0), "um": (1e-3, 1e-12, 1e-6)}
 
 
-def struck(elform=2, ihq=6, units="mm", beside="", at=0.0):
+def struck(elform=2, ihq=6, units="mm", beside="", at=0.0, rates=False):
     """A clamped sheet of 8 x 8 shells of 5 mm, MAT_024, struck in its middle, and beside it two columns of three bricks that are
-    thrown against a held end, one of MAT_003, one elastic: all flow, but the elastic one. `at`: where the origin is."""
+    thrown against a held end, one of MAT_003, one elastic: all flow, but the elastic one. `at`: where the origin is. `rates`: with C and P."""
     length, mass, time = UNITS[units]
     density, stress, speed = mass / length**3, mass / length / time**2, length / time
     node, shell, brick = [], [], []
@@ -38,7 +38,8 @@ def struck(elform=2, ihq=6, units="mm", beside="", at=0.0):
         "*DATABASE_BINARY_D3PLOT\n", card(f"{1e-4 / time:.6g}"), "*CONTROL_SHELL\n", card(20, 0, 0, 1), "*CONTROL_ENERGY\n", card(2),
         "*SECTION_SHELL\n", card(1, elform, 0.8333, 5), card(*4 * [f"{1.0 / length:.6g}"]), "*SECTION_SOLID\n", card(2, 1),
         "*HOURGLASS\n", card(1, ihq, 1.0 if ihq == 6 else 0.1),
-        "*MAT_PIECEWISE_LINEAR_PLASTICITY\n", card(1, *steel, f"{300.0 / stress:.6g}", f"{1000.0 / stress:.6g}"), card(), card(), card(),
+        "*MAT_PIECEWISE_LINEAR_PLASTICITY\n", card(1, *steel, f"{300.0 / stress:.6g}", f"{1000.0 / stress:.6g}"),
+        card(f"{40.4 * time:.6g}", 5) if rates else card(), card(), card(),
         "*MAT_PLASTIC_KINEMATIC\n", card(2, *steel, f"{300.0 / stress:.6g}", f"{1000.0 / stress:.6g}", 0.5), card(), "*MAT_ELASTIC\n", card(3, *steel),
         "*PART\nsheet\n", card(1, 1, 1), "*PART\nbricks\n", card(2, 2, 2, 0, 1), "*PART\nelastic\n", card(3, 2, 3, 0, 1),
         "*NODE\n", *(f"{i:8d}" + "".join(f"{(at + c) / length:16.9g}" for c in x) + "\n" for i, *x in node),
@@ -76,10 +77,10 @@ class Precision(RepeatedRuns):
 
     def test_any_units(self):
         """Stresses in Pa to the seventh power, or lengths to the power of 24, are no floats."""
-        for ihq in (2, 6):
+        for elform, ihq, rates in ((2, 2, False), (2, 6, True), (16, 6, True)):
             energies = []
             for units, (length, mass, time) in UNITS.items():
-                self.write(struck(2, ihq, units))
+                self.write(struck(elform, ihq, units, rates=rates))
                 self.nugget("run", "model.k", "-o", "out", "--quiet", *SINGLE)
                 energy = self.energies("out")
                 energies.append([energy[name] * mass * length**2 / time**2 for name in ("kinetic", "internal", "hourglass")])
