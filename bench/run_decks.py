@@ -10,13 +10,16 @@ there is nothing to run and the program says so. One thread (and tube3 on two), 
 nugget_bench; its STREAM and FMA peaks are printed with the table, because a figure means little without its machine.
 
 --against: another build of Nugget and this one in turn, REPEAT times each, one thread: of each the least, whole and by phase, and their ratio (below 1:
-this one is faster). --single: this one with --precision single; --against build/nugget --single compares the precisions. NUGGET_LANES=4 in the environment keeps both from taking eight lanes (docs/decisions/0094); OLD:4 or OLD:8 sets it for OLD alone.
+this one is faster). --single: this one with --precision single; --against build/nugget --single compares the precisions. With
+--max-cycles N the last line of a deck is user time, of N cycles less that of N/4, so without reading and report: for machines that others use.
+NUGGET_LANES=4 in the environment keeps both from taking eight lanes (docs/decisions/0094); OLD:4 or OLD:8 sets it for OLD alone.
 
 --radioss: both programs in one run, in turn, REPEAT times, one thread each, to SHARE of each deck's end time; printed is user time by element-cycle, and in
 the whole, as the programs' steps differ. Of OpenRadioss it is the engine's alone, without animations; of Nugget it is all. RAD_CFG_PATH and LD_LIBRARY_PATH
 are OpenRadioss's own and are taken from the environment. car6 is left out: OpenRadioss's reader refuses it.
 """
 import argparse
+import itertools
 import json
 import os
 import pathlib
@@ -73,24 +76,31 @@ def run(nugget, deck, results, threads, environment=None, options=()):
 def against(arguments, names):
     """Two builds of Nugget in turn on each deck: the least time of each, ns per element-cycle."""
     old, _, lanes = arguments.against.partition(":")
-    limit = ("--max-cycles", str(arguments.max_cycles)) if arguments.max_cycles else ()
-    single = ("--precision", "single") if arguments.single else ()
-    programs = {"before": (old, lanes, limit), "now": (str(arguments.nugget), "", (*limit, *single))}
+    programs = {"before": (old, lanes, ()), "now": (str(arguments.nugget), "", ("--precision", "single") if arguments.single else ())}
+    limits = (arguments.max_cycles // 4, arguments.max_cycles) if arguments.max_cycles else (0,)
     print(f"{'deck':<12}{'phase':<12}{'before':>10}{'now':>10}{'ratio':>8}   (ns per element-cycle, one thread, least of {arguments.repeat} runs in turn)")
     for name in names:
-        deck, least = arguments.work / f"{name}.k", {}
+        deck, least, work = arguments.work / f"{name}.k", {}, {}
         for _ in range(arguments.repeat):
-            for label, (program, own_lanes, options) in programs.items():
+            for limit, (label, (program, own_lanes, options)) in itertools.product(limits, programs.items()):
                 environment = {**os.environ, "NUGGET_LANES": own_lanes} if own_lanes else None
+                options = (*options, "--max-cycles", str(limit)) if limit else options
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
                 summary, reason = run(program, deck, arguments.work / f"{name}_{label}", 1, environment, options)
                 if summary is None:
                     sys.exit(f"{name} {label}: {reason}")
-                work = summary["cycles"] * sum(summary["elements"].values()) * 1e-9
-                times = {phase: summary["seconds"]["phases"][phase] / work for phase in ("elements", "contact", "motion")}
-                for phase, ns in {"all": summary["ns_per_element_cycle"], **times}.items():
-                    least[phase, label] = min(ns, least.get((phase, label), ns))
-        for phase in ("all", "elements", "contact", "motion"):
-            before, now = least[phase, "before"], least[phase, "now"]
+                work[limit] = summary["cycles"] * sum(summary["elements"].values()) * 1e-9
+                times = {limit: resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before}
+                if limit == limits[-1]:
+                    phases = summary["seconds"]["phases"]
+                    times |= {"all": summary["ns_per_element_cycle"], **{phase: phases[phase] / work[limit] for phase in ("elements", "contact", "motion")}}
+                for key, value in times.items():
+                    least[key, label] = min(value, least.get((key, label), value))
+        if len(limits) == 2 and work[limits[1]] > work[limits[0]]:
+            for label in programs:
+                least["user", label] = (least[limits[1], label] - least[limits[0], label]) / (work[limits[1]] - work[limits[0]])
+        for phase in ("all", "elements", "contact", "motion", "user"):
+            before, now = least.get((phase, "before"), 0.0), least.get((phase, "now"), 0.0)
             if before > 0.5:
                 print(f"{name if phase == 'all' else '':<12}{phase:<12}{before:>10.1f}{now:>10.1f}{now / before:>8.2f}", flush=True)
     return 0
