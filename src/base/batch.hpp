@@ -192,7 +192,7 @@ struct Batch {
     return Batch(reinterpret_cast<Lanes>(reinterpret_cast<Bits>(a.v) & ~sign));
   }
   friend Batch sqrt(Batch a) {
-    constexpr bool doubles = sizeof(Number) == 8;
+    [[maybe_unused]] constexpr bool doubles = sizeof(Number) == 8;
 #if defined(__AVX__)
     if constexpr (doubles && W == 4)
       return Batch(reinterpret_cast<Lanes>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(a.v))));
