@@ -2,7 +2,7 @@
 """Runs the neutral benchmark decks and prints ns per element-cycle, with --radioss beside OpenRadioss on the same machine.
 
     python3 bench/run_decks.py [--nugget build/nugget] [--shared ../shared] [--kernels kernels.json] [DECK ...]
-    python3 bench/run_decks.py --against OLD/nugget [--repeat 3] [--nugget ...] [DECK ...]
+    python3 bench/run_decks.py --against OLD/nugget [--repeat 3] [--single] [--max-cycles N] [--nugget ...] [DECK ...]
     python3 bench/run_decks.py --radioss STARTER ENGINE [--nugget ...] [--until SHARE] [--repeat 2] [DECK ...]
 
 The decks come from SHARED/bench/gen_impact.py and SHARED/decks (car6), which are not part of this repository; without them
@@ -10,13 +10,16 @@ there is nothing to run and the program says so. One thread (and tube3 on two), 
 nugget_bench; its STREAM and FMA peaks are printed with the table, because a figure means little without its machine.
 
 --against: another build of Nugget and this one in turn, REPEAT times each, one thread: of each the least, whole and by phase, and their ratio (below 1:
-this one is faster). NUGGET_LANES=4 in the environment keeps both from taking eight lanes (docs/decisions/0094); OLD:4 or OLD:8 sets it for OLD alone.
+this one is faster). --single: this one with --precision single; --against build/nugget --single compares the precisions. With
+--max-cycles N the last line of a deck is user time, of N cycles less that of N/4, so without reading and report: for machines that others use.
+NUGGET_LANES=4 in the environment keeps both from taking eight lanes (docs/decisions/0094); OLD:4 or OLD:8 sets it for OLD alone.
 
 --radioss: both programs in one run, in turn, REPEAT times, one thread each, to SHARE of each deck's end time; printed is user time by element-cycle, and in
 the whole, as the programs' steps differ. Of OpenRadioss it is the engine's alone, without animations; of Nugget it is all. RAD_CFG_PATH and LD_LIBRARY_PATH
 are OpenRadioss's own and are taken from the environment. car6 is left out: OpenRadioss's reader refuses it.
 """
 import argparse
+import itertools
 import json
 import os
 import pathlib
@@ -59,9 +62,9 @@ def with_rates(deck):
     put("tube5_table.k", "0,0,100", table)
 
 
-def run(nugget, deck, results, threads, environment=None):
+def run(nugget, deck, results, threads, environment=None, options=()):
     """summary.json of a run, or the reason why there is none."""
-    command = [str(nugget), "run", str(deck), "-o", str(results), "-j", str(threads), "--quiet"]
+    command = [str(nugget), "run", str(deck), "-o", str(results), "-j", str(threads), "--quiet", *options]
     done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, env=environment)
     summary = results / "summary.json"
     if done.returncode != 0 or not summary.is_file():
@@ -73,22 +76,31 @@ def run(nugget, deck, results, threads, environment=None):
 def against(arguments, names):
     """Two builds of Nugget in turn on each deck: the least time of each, ns per element-cycle."""
     old, _, lanes = arguments.against.partition(":")
-    programs = {"before": (old, lanes), "now": (str(arguments.nugget), "")}
+    programs = {"before": (old, lanes, ()), "now": (str(arguments.nugget), "", ("--precision", "single") if arguments.single else ())}
+    limits = (arguments.max_cycles // 4, arguments.max_cycles) if arguments.max_cycles else (0,)
     print(f"{'deck':<12}{'phase':<12}{'before':>10}{'now':>10}{'ratio':>8}   (ns per element-cycle, one thread, least of {arguments.repeat} runs in turn)")
     for name in names:
-        deck, least = arguments.work / f"{name}.k", {}
+        deck, least, work = arguments.work / f"{name}.k", {}, {}
         for _ in range(arguments.repeat):
-            for label, (program, own_lanes) in programs.items():
+            for limit, (label, (program, own_lanes, options)) in itertools.product(limits, programs.items()):
                 environment = {**os.environ, "NUGGET_LANES": own_lanes} if own_lanes else None
-                summary, reason = run(program, deck, arguments.work / f"{name}_{label}", 1, environment)
+                options = (*options, "--max-cycles", str(limit)) if limit else options
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                summary, reason = run(program, deck, arguments.work / f"{name}_{label}", 1, environment, options)
                 if summary is None:
                     sys.exit(f"{name} {label}: {reason}")
-                work = summary["cycles"] * sum(summary["elements"].values()) * 1e-9
-                times = {phase: summary["seconds"]["phases"][phase] / work for phase in ("elements", "contact", "motion")}
-                for phase, ns in {"all": summary["ns_per_element_cycle"], **times}.items():
-                    least[phase, label] = min(ns, least.get((phase, label), ns))
-        for phase in ("all", "elements", "contact", "motion"):
-            before, now = least[phase, "before"], least[phase, "now"]
+                work[limit] = summary["cycles"] * sum(summary["elements"].values()) * 1e-9
+                times = {limit: resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before}
+                if limit == limits[-1]:
+                    phases = summary["seconds"]["phases"]
+                    times |= {"all": summary["ns_per_element_cycle"], **{phase: phases[phase] / work[limit] for phase in ("elements", "contact", "motion")}}
+                for key, value in times.items():
+                    least[key, label] = min(value, least.get((key, label), value))
+        if len(limits) == 2 and work[limits[1]] > work[limits[0]]:
+            for label in programs:
+                least["user", label] = (least[limits[1], label] - least[limits[0], label]) / (work[limits[1]] - work[limits[0]])
+        for phase in ("all", "elements", "contact", "motion", "user"):
+            before, now = least.get((phase, "before"), 0.0), least.get((phase, "now"), 0.0)
             if before > 0.5:
                 print(f"{name if phase == 'all' else '':<12}{phase:<12}{before:>10.1f}{now:>10.1f}{now / before:>8.2f}", flush=True)
     return 0
@@ -171,6 +183,8 @@ def main():
     parser.add_argument("--radioss", nargs=2, type=pathlib.Path, metavar=("STARTER", "ENGINE"),
                         help="run OpenRadioss on the same decks, in turn with Nugget")
     parser.add_argument("--against", metavar="OLD[:LANES]", help="another build of Nugget, in turn with this one")
+    parser.add_argument("--single", action="store_true", help="with --against: this build in single precision")
+    parser.add_argument("--max-cycles", type=int, metavar="N", help="with --against: of each run")
     parser.add_argument("--until", type=float, default=1.0, metavar="SHARE", help="with --radioss: of each deck's end time (1)")
     parser.add_argument("--repeat", type=int, default=2, help="with --radioss and --against: how often (2)")
     parser.add_argument("decks", nargs="*", metavar="DECK", help=f"of {', '.join(DECKS)} (all)")

@@ -174,6 +174,14 @@ int nugget::app::command_line(int argc, char** argv) {
   run_command->add_option("--weld-law", run.weld_law, weld_law);
   CLI::Option* run_weld_tie = add_weld_tie(run_command, run.weld_tie);
   add_units(run_command, run.units);
+  const auto known_precision = [](const std::string& text) {
+    return text == "single" || text == "double" ? std::string() : fmt::format("'{}', expected single or double", text);
+  };
+  run_command
+      ->add_option("--precision", run.precision,
+                   "of the stresses, histories and forces of elements: double (default), or single, which is faster; "
+                   "places, velocities, times, sums and contacts are of double precision in both")
+      ->check(CLI::Validator(known_precision, "{single,double}"));
   CLI::Option* run_drop = run_command->add_option(
       "--drop-weld", run.drop_weld,
       "run without welds: ids separated by commas (together); all, or each:ID,ID (one run without each, ranked)");

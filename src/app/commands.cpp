@@ -40,6 +40,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+output::Summary::ElementsByPrecision elements_by_precision(const system::System& system) {
+  output::Summary::ElementsByPrecision count;
+  for (const auto& group : system.groups)
+    (group->single_precision() ? count.single : count.of_double) += static_cast<long>(group->size());
+  return count;
+}
+
 output::Summary summarise(const RunArguments& arguments, const impact::Simulation& run, const impact::Outcome& outcome,
                           const PreparedDeck& p, double setup_seconds) {
   const system::System& system = run.system();
@@ -95,6 +102,8 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   if (work > 0.0) s.ns_per_element_cycle = 1e9 * (run.solve_seconds() - s.seconds.output) / work;
   s.threads = threads();
   s.lanes = system::elements_at_a_time();
+  s.precision = system.model.control.single_precision ? "single" : "double";
+  s.elements_by_precision = elements_by_precision(system);
   s.welds = p.welds;
   return s;
 }
@@ -133,7 +142,8 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .weld_tie = arguments.weld_tie,
           .units = arguments.units,
           .drop_weld = arguments.drop_weld,
-          .load_case = arguments.load_case};
+          .load_case = arguments.load_case,
+          .precision = arguments.precision.empty() ? "double" : arguments.precision};
 }
 
 /// A batch system says by one of these that a job's time is up; all leave a restart file, as Ctrl-C does.
@@ -350,10 +360,17 @@ ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, c
 }
 
 /// What is wrong with the command for such an analysis; empty: nothing.
-std::string wrong_command(Analysis analysis, const RunArguments& arguments, const Findings& findings) {
+std::string wrong_command(Analysis analysis, const RunArguments& arguments, const model::Model& model,
+                          const Findings& findings) {
   const bool is_explicit = analysis == Analysis::explicit_dynamics;
   if (!is_explicit && !arguments.checkpoint.empty())
     return "--checkpoint: this deck asks for an implicit solution, which has no restart files";
+  if (arguments.precision == "single" && !is_explicit)
+    return "--precision single: this deck asks for an implicit solution, which is of double precision only [leave the "
+           "option out]";
+  if (arguments.precision == "single" && model.implicit.after_run)
+    return "--precision single: this deck asks for modes after the run (IMFLAG 6), whose stiffness is of double "
+           "precision only [leave the option out]";
   if (findings.errors() == 0 && is_explicit && nvh::ranks() > 1)
     return fmt::format(
         "{}: this is an explicit run, which is one process with -j N threads; several ranks are for modes, responses "
@@ -362,12 +379,41 @@ std::string wrong_command(Analysis analysis, const RunArguments& arguments, cons
   return {};
 }
 
+/// Of --precision single: which elements it does not change.
+void say_what_stays_double(const system::System& system, Findings& findings) {
+  const auto count = elements_by_precision(system);
+  if (count.single == 0)
+    findings.warning(
+        {system.model.deck, 0}, "",
+        "--precision single: no element of this deck has a kernel in single precision; all are computed in "
+        "double precision",
+        "leave the option out");
+  else if (count.of_double > 0)
+    findings.note(
+        {system.model.deck, 0}, "",
+        fmt::format("--precision single: {} of {} elements have no kernel in single precision and are computed "
+                    "in double precision; run.log lists them by part",
+                    count.of_double, count.single + count.of_double));
+}
+
+/// Of stresses that are the sum of so many changes that rounding shows (docs/manual/precision.md#when-to-use-it).
+std::string precision_warning(const output::Summary& summary) {
+  constexpr long many = 300000;
+  const long cycles = summary.cycles + (summary.relaxation ? summary.relaxation->cycles : 0);
+  if (summary.elements_by_precision.single == 0 || cycles <= many) return {};
+  return fmt::format(
+      "warning: {} cycles in single precision: stresses that are built up evenly over more than {} may be wrong by some "
+      "percent [--precision double]",
+      cycles, many);
+}
+
 /// run.log and the terminal, from the end of the run on.
 void report_end(const RunArguments& arguments, const fs::path& directory, const impact::Simulation& simulation,
                 const impact::Outcome& outcome, const output::Summary& summary, Log& log) {
   log.add(log_mass(simulation.system()));
   log.add(log_run(simulation, summary));
-  const std::array<std::string, 6> warnings{idle_warning(summary),
+  const std::array<std::string, 7> warnings{idle_warning(summary),
+                                            precision_warning(summary),
                                             loose_weld_warning(summary),
                                             energy_warning(summary),
                                             hourglass_warning(simulation, summary),
@@ -394,6 +440,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   // Faults of ties, of the system and of what acts in it are reported together.
   if (p.is_tied) system.emplace(p.model, p.ties, findings);
   if (system) simulation.emplace(*system, findings);
+  if (system && p.model.control.single_precision) say_what_stays_double(*system, findings);
   std::string welds;  // of a deck that is refused, as `nugget check` reports them: all that is to be mended, at once
   if (from != nullptr) {
     log.read();
@@ -415,6 +462,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     print_findings(findings);
     output::write_findings(directory, findings.all());
     log.add(log_model(p.model));
+    if (p.model.control.single_precision) log.add(log_precision(simulation->system()));
     log.add(log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties));
     log.add(audit_table(p.model, p.ties, p.audit));
   }
@@ -454,7 +502,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   if (!p.has_text) return refuse_missing(findings);
   warn_of_response_in_explicit_run(p.model, findings);
   const Analysis analysis = analysis_of(p.model);
-  if (const std::string why = wrong_command(analysis, arguments, findings); !why.empty()) {
+  if (const std::string why = wrong_command(analysis, arguments, p.model, findings); !why.empty()) {
     fmt::print(stderr, "nugget: {}\n", why);
     return ExitCode::wrong_command;
   }

@@ -51,6 +51,11 @@ RunArguments resumed_arguments(const RunArguments& asked, const output::RestartH
   run.drop_weld = head.drop_weld;
   if (run.units.empty()) run.units = head.units;
   run.load_case = head.load_case;
+  if (!run.precision.empty() && run.precision != head.precision)
+    throw ArchiveError("--precision " + run.precision + ": the run was begun with " + head.precision +
+                       " precision, and only with that it can go on: leave the option out, or run the deck from its "
+                       "start");
+  run.precision = head.precision;
   if (run.until == 0.0) run.until = head.until;
   if (run.max_cycles == 0) run.max_cycles = head.max_cycles;
   if (run.checkpoint.empty()) run.checkpoint = head.checkpoint;

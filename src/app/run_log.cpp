@@ -58,6 +58,25 @@ std::string section_name(const model::Model& model, const model::Part& part, con
   return "no elements";
 }
 
+/// Of the section, where it has a number: `ELFORM 2, `.
+std::string formulation(const model::Model& model, const model::Part& part) {
+  if (part.section == model::none) return {};
+  switch (part.kind) {
+    case model::ElementKind::shell: return fmt::format("ELFORM {}, ", model.shell_sections[part.section].elform);
+    case model::ElementKind::solid: return fmt::format("ELFORM {}, ", model.solid_sections[part.section].elform);
+    case model::ElementKind::beam: return fmt::format("ELFORM {}, ", model.beam_sections[part.section].elform);
+    case model::ElementKind::discrete:
+    case model::ElementKind::nothing: break;
+  }
+  return {};
+}
+
+std::string elements_name(const system::System& system, const system::ElementGroup& group) {
+  if (group.kind == model::ElementKind::shell && group.nodes_per_element == 3) return "triangles";
+  if (group.kind == model::ElementKind::solid && group.nodes_per_element == 8) return "bricks";
+  return std::string(system.kind_name(group)) + 's';
+}
+
 /// Which bricks each assembly, and each weld that took the place of a beam, is made of.
 std::string log_bricks(const model::Model& model, const weld::Ties& ties) {
   std::string s;
@@ -128,6 +147,27 @@ std::string log_model(const model::Model& model) {
       material += fmt::format(" of {}", model.materials[part.material].title);  // the layers' materials
     s += fmt::format(" {:>8}  {:>9}  {:<40}  {:<34}  {}\n", part.id, count[p], section_name(model, part, units),
                      material, part.title);
+  }
+  return s + '\n';
+}
+
+std::string log_precision(const system::System& system) {
+  const model::Model& model = system.model;
+  std::map<std::pair<bool, model::Index>, std::map<std::string, std::size_t>> count;
+  for (const auto& group : system.groups)
+    count[{group->single_precision(), group->part}][elements_name(system, *group)] += group->size();
+  std::string s = "Precision of the elements (--precision single)\n\n";
+  for (const bool single : {true, false}) {
+    std::string lines;
+    for (const auto& [key, kinds] : count) {
+      if (key.first != single) continue;
+      const model::Part& part = model.parts[key.second];
+      for (const auto& [kind, elements] : kinds)
+        lines += fmt::format("   part {:>8}  {:>9} {:<10}  {}{}\n", part.id, elements, kind, formulation(model, part),
+                             part.material == model::none ? "" : '*' + model.materials[part.material].keyword);
+    }
+    s += fmt::format(" {}{}\n{}", single ? "single" : "double, as they have no kernel in single precision",
+                     lines.empty() ? ": none" : ":", lines);
   }
   return s + '\n';
 }
@@ -237,8 +277,10 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   for (const auto& [name, seconds] : summary.seconds.phases)
     s += fmt::format("   {:<12} {:8.3f}  {:5.1f} %\n", name, seconds,
                      summary.seconds.solve > 0.0 ? 100.0 * seconds / summary.seconds.solve : 0.0);
-  return s + fmt::format(" {:.1f} ns per element and cycle on {} threads, {} elements at a time\n\n",
-                         summary.ns_per_element_cycle, summary.threads, summary.lanes);
+  s += fmt::format(" {:.1f} ns per element and cycle on {} threads, {} elements at a time",
+                   summary.ns_per_element_cycle, summary.threads, summary.lanes);
+  if (summary.elements_by_precision.single > 0) s += fmt::format(", of single precision {}", 2 * summary.lanes);
+  return s + "\n\n";
 }
 
 std::string in_short(const output::Summary& summary) {
@@ -258,6 +300,8 @@ std::string in_short(const output::Summary& summary) {
   if (e.internal > 0.0) text += fmt::format(", hourglass {:.2g} % of it", 100.0 * e.hourglass / e.internal);
   if (summary.mass.physical > 0.0)
     text += fmt::format("; mass added {:.2g} %", 100.0 * summary.mass.added / summary.mass.physical);
+  if (const auto& of = summary.elements_by_precision; of.single > 0)
+    text += fmt::format("; {} of {} elements in single precision", of.single, of.single + of.of_double);
   text += '\n';
   const output::WeldReport *first = nullptr, *nearest = nullptr;
   std::size_t failed = 0;

@@ -26,6 +26,8 @@ std::string log_model(const model::Model& model);
 std::string log_ties(const model::Model& model, const weld::Ties& ties, std::size_t most);
 /// OUTSEG's list of the tied nodes, where asked for.
 std::string log_tied_nodes(const model::Model& model, const weld::Ties& ties);
+/// Which elements are computed in which precision, where single is asked for.
+std::string log_precision(const system::System& system);
 std::string log_mass(const system::System& system);
 std::string log_run(const impact::Simulation& simulation, const output::Summary& summary);
 /// What matters of a run in a few lines: energies, mass, which weld failed first and where, which is nearest to it.

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 // What a kernel may do with a real number. A kernel is a template over `R`, which is
 //   double      one element (the reference),
 //   Batch<W>    W elements side by side in SIMD lanes (base/batch.hpp),
+//   Batch<W, float>   the same in single precision,
 //   Dual<N>     one element and N derivatives (base/dual.hpp).
 // It uses + - * /, comparison, && || ! on what a comparison gives, and the functions named here; nothing else. So a
-// batch does in every lane exactly what double does, and gives the same bits.
+// batch does in every lane exactly what double does, and gives the same bits; one of floats has those of any other
+// number of lanes.
 namespace nugget {
 
 using std::abs;
@@ -20,6 +23,17 @@ using std::sqrt;
 /// Number of elements that one `R` holds.
 template <class R>
 inline constexpr int lanes = 1;
+
+/// What one lane of an `R` is kept as in memory: double or float.
+template <class R>
+struct NumberOf {
+  using Type = double;
+};
+template <class R>
+using Number = typename NumberOf<R>::Type;
+/// Whether `R` is of single precision: 24 bits, numbers from 1e-38 to 3e38.
+template <class R>
+inline constexpr bool is_single = std::is_same_v<Number<R>, float>;
 
 /// The result of comparing two `R`.
 template <class R>
@@ -49,11 +63,9 @@ double map(Function&& f, double a, double b) {
   return f(a, b);
 }
 
-/// Loads and stores the `lanes<R>` doubles from `at` on.
+/// Loads and stores the `lanes<R>` numbers from `at` on.
 template <class R>
-R real_load(const double* at);
-template <>
-inline double real_load<double>(const double* at) {
+requires(std::is_same_v<R, double>) R real_load(const double* at) {
   return *at;
 }
 inline void real_store(double* at, double value) {

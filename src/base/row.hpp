@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstring>
+#include <new>
+#include <vector>
+
 #include "base/batch.hpp"
 #include "base/vec3.hpp"
 
@@ -20,6 +25,18 @@ inline void set(Row& r, const Vec3d& a) {
 inline void add(Row& r, const Vec3d& a) {
   r = {r.x + a.x, r.y + a.y, r.z + a.z, 0.0};
 }
+
+/// Memory aligned for vector registers and lines of the cache.
+template <class T>
+struct Aligned {
+  using value_type = T;
+  Aligned() = default;
+  template <class U>
+  Aligned(const Aligned<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
+  void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
+  friend bool operator==(const Aligned&, const Aligned&) { return true; }
+};
 
 /// Rows `id[0]`, ..., `id[lanes<R> - 1]` of `base`, one a lane.
 template <class R>
@@ -117,5 +134,147 @@ template <>
   scatter(base, id + 4, detail::high(v));
 }
 #endif
+
+// ---- single precision
+
+/// A nodal vector in memory in single precision.
+struct alignas(16) SingleRow {
+  float x = 0.0f, y = 0.0f, z = 0.0f, pad = 0.0f;
+};
+using SingleRows = std::vector<SingleRow, Aligned<SingleRow>>;
+
+inline Vec3d vec(const SingleRow& r) {
+  return {r.x, r.y, r.z};
+}
+
+/// A row as one register of four doubles.
+using FourReals = Register<4>::Lanes;
+inline FourReals four(const Row& r) {
+  FourReals v;
+  std::memcpy(&v, &r, sizeof v);
+  return v;
+}
+inline FourReals four(const SingleRow& r) {
+  Register<4, float>::Lanes v;
+  std::memcpy(&v, &r, sizeof v);
+  return __builtin_convertvector(v, FourReals);
+}
+inline void set(Row& r, const FourReals& v) {
+  std::memcpy(static_cast<void*>(&r), &v, sizeof v);
+}
+
+/// Rows `id[0]`, ... of `base` less rows `from[0]`, ..., one a lane; of floats the differences of doubles are rounded.
+template <class R>
+[[gnu::always_inline]] inline Vec3<R> gather_differences(const Row* base, const int* id, const int* from) {
+  Vec3<R> r;
+  for (int l = 0; l < lanes<R>; ++l) {
+    const Vec3d d = vec(base[id[l]]) - vec(base[from[l]]);
+    set_lane(r.x, l, d.x);
+    set_lane(r.y, l, d.y);
+    set_lane(r.z, l, d.z);
+  }
+  return r;
+}
+
+#if defined(__AVX__)
+namespace detail {
+/// Four rows of four numbers become four columns.
+[[gnu::always_inline]] inline void transpose(__m128& a, __m128& b, __m128& c, __m128& d) {
+  const __m128 ab = _mm_unpacklo_ps(a, b), cd = _mm_unpacklo_ps(c, d), ab_high = _mm_unpackhi_ps(a, b),
+               cd_high = _mm_unpackhi_ps(c, d);
+  a = _mm_movelh_ps(ab, cd);
+  b = _mm_movehl_ps(cd, ab);
+  c = _mm_movelh_ps(ab_high, cd_high);
+  d = _mm_movehl_ps(cd_high, ab_high);
+}
+template <int W>
+struct Quads {
+  __m128 of[W / 4];
+};
+/// Four lanes of a batch as a register of their own, and back.
+[[gnu::always_inline]] inline __m128 quad(const Batch<8, float>& a, int i) {
+  const auto v = reinterpret_cast<__m256>(a.v);
+  return i == 0 ? _mm256_castps256_ps128(v) : _mm256_extractf128_ps(v, 1);
+}
+[[gnu::always_inline]] inline Batch<8, float> joined(const Quads<8>& q) {
+  return Batch<8, float>(reinterpret_cast<Batch<8, float>::Lanes>(_mm256_set_m128(q.of[1], q.of[0])));
+}
+#if defined(__AVX512DQ__)
+[[gnu::always_inline]] inline __m128 quad(const Batch<16, float>& a, int i) {
+  const Batch<8, float> low(__builtin_shufflevector(a.v, a.v, 0, 1, 2, 3, 4, 5, 6, 7)),
+      high(__builtin_shufflevector(a.v, a.v, 8, 9, 10, 11, 12, 13, 14, 15));
+  return i < 2 ? quad(low, i) : quad(high, i - 2);
+}
+[[gnu::always_inline]] inline Batch<16, float> joined(const Quads<16>& q) {
+  const Batch<8, float> low = joined(Quads<8>{q.of[0], q.of[1]}), high = joined(Quads<8>{q.of[2], q.of[3]});
+  return Batch<16, float>(__builtin_shufflevector(low.v, high.v, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+}
+#endif
+/// `row(l)` gives what stands in lane l: x y z and one more.
+template <int W, class RowOf>
+[[gnu::always_inline]] inline Vec3<Batch<W, float>> columns_of(const RowOf& row) {
+  Quads<W> x, y, z;
+  for (int i = 0; i < W / 4; ++i) {
+    __m128 a = row(4 * i), b = row(4 * i + 1), c = row(4 * i + 2), d = row(4 * i + 3);
+    transpose(a, b, c, d);
+    x.of[i] = a;
+    y.of[i] = b;
+    z.of[i] = c;
+  }
+  return {joined(x), joined(y), joined(z)};
+}
+}  // namespace detail
+#endif
+
+/// Rows `id[0]`, ... of `base`, one a lane; of `Row`s the doubles are rounded.
+template <int W>
+[[gnu::always_inline]] inline Vec3<Batch<W, float>> gather_single(const SingleRow* base, const int* id) {
+#if defined(__AVX__)
+  return detail::columns_of<W>([&](int l) { return _mm_load_ps(&base[id[l]].x); });
+#else
+  Vec3<Batch<W, float>> r;
+  for (int l = 0; l < W; ++l) {
+    const SingleRow& row = base[id[l]];
+    r.x.v[l] = row.x;
+    r.y.v[l] = row.y;
+    r.z.v[l] = row.z;
+  }
+  return r;
+#endif
+}
+template <int W>
+[[gnu::always_inline]] inline Vec3<Batch<W, float>> gather_single(const Row* base, const int* id) {
+#if defined(__AVX__)
+  return detail::columns_of<W>([&](int l) { return _mm256_cvtpd_ps(_mm256_load_pd(&base[id[l]].x)); });
+#else
+  return gather<Batch<W, float>>(base, id);
+#endif
+}
+#if defined(__AVX__)
+template <>
+[[gnu::always_inline]] inline Vec3<SingleBatch> gather_differences<SingleBatch>(const Row* base, const int* id,
+                                                                                const int* from) {
+  return detail::columns_of<lanes<SingleBatch>>([&](int l) {
+    return _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_load_pd(&base[id[l]].x), _mm256_load_pd(&base[from[l]].x)));
+  });
+}
+#endif
+
+/// Writes lane l of `v` to row `id[l]` of `base`; the pad becomes 0.
+template <int W>
+[[gnu::always_inline]] inline void scatter_single(SingleRow* base, const int* id, const Vec3<Batch<W, float>>& v) {
+#if defined(__AVX__)
+  for (int i = 0; i < W / 4; ++i) {
+    __m128 a = detail::quad(v.x, i), b = detail::quad(v.y, i), c = detail::quad(v.z, i), d = _mm_setzero_ps();
+    detail::transpose(a, b, c, d);
+    _mm_store_ps(&base[id[4 * i]].x, a);
+    _mm_store_ps(&base[id[4 * i + 1]].x, b);
+    _mm_store_ps(&base[id[4 * i + 2]].x, c);
+    _mm_store_ps(&base[id[4 * i + 3]].x, d);
+  }
+#else
+  for (int l = 0; l < W; ++l) base[id[l]] = {v.x.v[l], v.y.v[l], v.z.v[l], 0.0f};
+#endif
+}
 
 }  // namespace nugget

@@ -130,6 +130,8 @@ struct Control {
   bool average_accelerations = false;  ///< IACCOP = 1
   std::vector<Index> eroding_parts;    ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
   double tied_rotary_mass = 0.0;       ///< RMAVG
+
+  bool single_precision = false;  ///< --precision single: elements that are built for it (docs/manual/precision.md)
 };
 
 }  // namespace nugget::model

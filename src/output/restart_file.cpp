@@ -25,23 +25,25 @@ std::string_view raw(const std::uint64_t& number) {
 }
 
 Json to_json(const RestartHead& h) {
-  return {{"version", h.version},
-          {"program", h.program},
-          {"deck", h.deck},
-          {"folder", h.folder},
-          {"deck_checksum", h.deck_checksum},
-          {"date", h.date},
-          {"skip_unsupported", h.skip_unsupported},
-          {"until", h.until},
-          {"max_cycles", h.max_cycles},
-          {"checkpoint", h.checkpoint},
-          {"weld_law", h.weld_law},
-          {"weld_tie", h.weld_tie},
-          {"units", h.units},
-          {"drop_weld", h.drop_weld},
-          {"load_case", h.load_case},
-          {"time", h.time},
-          {"cycle", h.cycle}};
+  Json json{{"version", h.version},
+            {"program", h.program},
+            {"deck", h.deck},
+            {"folder", h.folder},
+            {"deck_checksum", h.deck_checksum},
+            {"date", h.date},
+            {"skip_unsupported", h.skip_unsupported},
+            {"until", h.until},
+            {"max_cycles", h.max_cycles},
+            {"checkpoint", h.checkpoint},
+            {"weld_law", h.weld_law},
+            {"weld_tie", h.weld_tie},
+            {"units", h.units},
+            {"drop_weld", h.drop_weld},
+            {"load_case", h.load_case},
+            {"time", h.time},
+            {"cycle", h.cycle}};
+  if (h.precision != "double") json["precision"] = h.precision;
+  return json;
 }
 
 RestartHead from_json(const Json& j) {
@@ -63,6 +65,7 @@ RestartHead from_json(const Json& j) {
   j.at("load_case").get_to(h.load_case);
   j.at("time").get_to(h.time);
   j.at("cycle").get_to(h.cycle);
+  h.precision = j.value("precision", h.precision);
   return h;
 }
 

@@ -32,7 +32,8 @@ struct RestartHead {
   std::string units;
   std::string drop_weld;
   int load_case = 0;
-  double time = 0.0;  ///< of the model
+  std::string precision = "double";  ///< or `single`
+  double time = 0.0;                 ///< of the model
   long cycle = 0;
 };
 

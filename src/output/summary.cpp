@@ -127,6 +127,10 @@ Json to_json(const Summary& s) {
   json["ns_per_element_cycle"] = s.ns_per_element_cycle;
   json["threads"] = s.threads;
   json["lanes"] = s.lanes;
+  json["precision"] = s.precision;
+  if (s.precision == "single")
+    json["elements_by_precision"] = {{"single", s.elements_by_precision.single},
+                                     {"double", s.elements_by_precision.of_double}};
   json["ranks"] = s.ranks;
   json["weld"] = Json::array();
   for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));

@@ -147,7 +147,11 @@ struct Summary {
   std::optional<Hourglass> hourglass;  ///< nothing where there is none of that energy
   double ns_per_element_cycle = 0.0;
   int threads = 0, ranks = 1;
-  int lanes = 1;  ///< elements that the kernels took at a time
+  int lanes = 1;                     ///< elements of double precision that the kernels took at a time
+  std::string precision = "double";  ///< that was asked for
+  struct ElementsByPrecision {
+    long single = 0, of_double = 0;
+  } elements_by_precision;
   std::vector<WeldReport> welds;
   std::vector<ModeReport> modes;
   std::vector<ResponseReport> responses;

@@ -156,6 +156,7 @@ void add_run(py::module_& module) {
       .def_readwrite("weld_law", &Run::weld_law)
       .def_readwrite("resume", &Run::resume)
       .def_readwrite("weld_tie", &Run::weld_tie)
+      .def_readwrite("precision", &Run::precision)
       .def_readwrite("load_case", &Run::load_case)
       .def_readwrite("skip_unsupported", &Run::skip_unsupported);
   using Modes = app::ModesArguments;

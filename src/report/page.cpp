@@ -98,13 +98,15 @@ std::string head(const Json& s) {
 std::string facts(const Json& s) {
   std::string out = "<h2>The run</h2>\n";
   Json facts;
-  for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "ns_per_element_cycle"})
+  for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "precision", "ns_per_element_cycle"})
     if (has_value(s, key)) facts[key] = s[key];
   out += values(facts, "run");
-  const std::tuple<const char*, const char*, Dimension> groups[] = {{"elements", "Elements", dimension::number},
-                                                                    {"mass", "Mass", dimension::mass},
-                                                                    {"time_step", "Time step", dimension::time},
-                                                                    {"energy", "Energy at the end", dimension::energy}};
+  const std::tuple<const char*, const char*, Dimension> groups[] = {
+      {"elements", "Elements", dimension::number},
+      {"elements_by_precision", "Elements by precision", dimension::number},
+      {"mass", "Mass", dimension::mass},
+      {"time_step", "Time step", dimension::time},
+      {"energy", "Energy at the end", dimension::energy}};
   for (const auto& [key, heading, dimension] : groups)
     if (has_value(s, key))
       out += fmt::format("<h2>{}{}</h2>\n{}", heading, escaped(in_units(s, dimension)), values(s[key], key));

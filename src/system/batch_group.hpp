@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,22 +21,34 @@
 
 namespace nugget::system {
 
-/// Memory aligned for vector registers.
-template <class T>
-struct Aligned {
-  using value_type = T;
-  Aligned() = default;
-  template <class U>
-  Aligned(const Aligned<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
-  void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
-  friend bool operator==(const Aligned&, const Aligned&) { return true; }
-};
 using AlignedReals = std::vector<double, Aligned<double>>;
+
+/// While it lives, results and arguments below the least normal number count as 0: in single precision they are met
+/// wherever a wave arrives (1e-38), and each would cost a hundred cycles.
+class FlushedDenormals {
+ public:
+#if defined(__SSE2__)
+  FlushedDenormals() : before_(_mm_getcsr()) {
+    _mm_setcsr(before_ | 0x8040u);
+  }
+  ~FlushedDenormals() {
+    _mm_setcsr(before_);
+  }
+#else
+  FlushedDenormals() = default;
+#endif
+  FlushedDenormals(const FlushedDenormals&) = delete;
+  FlushedDenormals& operator=(const FlushedDenormals&) = delete;
+
+ private:
+  unsigned before_ = 0;
+};
 
 /// Walks the blocks of one kind of element: gathers nodal rows into lanes, calls the kernel, books the work of the
 /// nodal forces as internal energy, and writes the forces into slots. What is particular to a kind of element comes
-/// from `Element`:
+/// from `Element`. In single precision (N float) the kernel's lanes, the state and the slots are floats; motions are
+/// differences to the element's first node, taken of doubles; energies are added up, and steps kept, as doubles. The
+/// forces of an element then add up to nothing exactly, as far as a float can say it, so that momentum is kept.
 ///   corners, rotational               number of nodes; whether nodes carry spins and moments
 ///   Layout: alive, density_scale, hourglass_energy   fields of the state
 ///   state_size()                      numbers of state an element
@@ -50,17 +66,21 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   Layout::integrity, integrity(state), freeze_yield(state, lane), plastic_strain(state, k)     of welds only; the
 ///   first
 ///                                     is that of the weld as a whole, the second that of its points
-template <class Element>
+template <class Element, class N = double>
 class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesStress {
  public:
-  using R = NativeBatch;
-  static constexpr int width = native_width;
-  static constexpr int line = 8;  ///< doubles in a cache line
-  static_assert(widest_block % width == 0);
+  using R = NativeBatchOf<N>;
+  static constexpr bool single = is_single<R>;
+  static constexpr int width = lanes<R>;
+  static constexpr int line = 64 / sizeof(N);  ///< numbers in a cache line
+  static constexpr std::size_t widest_width = single ? 2 * widest_block : widest_block;
+  static_assert(widest_width % width == 0);
+  using Numbers = std::vector<N, Aligned<N>>;
+  using SlotRow = std::conditional_t<single, SingleRow, Row>;
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
-  /// A step that moves nothing.
-  static constexpr double no_step = 0x1p-100;
+  /// A step that moves nothing; of floats one after which strains are still normal numbers, whatever the units.
+  static constexpr double no_step = single ? 0x1p-40 : 0x1p-100;
   static constexpr bool is_weld = requires(Element & kernel) { kernel.freeze_yield(nullptr, 0); };
   /// Its kernel's own derivative is not exact.
   static constexpr bool has_own_stiffness =
@@ -79,7 +99,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     rotational = Element::rotational;
     const std::size_t count = blocks() * width;
     nodes_.resize(count * corners);
-    state_.assign(count * at(kernel_.state_size()), 0.0);
+    state_.assign(count * at(state_size()), N(0.0));
+    std::vector<double> one;  // of an element in double precision, of which in single the numbers are rounded
+    if (single) one.resize(at(kernel_.state_size()) * native_width);
     energy_.assign(count, 0.0);
     step_.assign(count, std::numeric_limits<double>::infinity());
     mass_.resize(size());
@@ -93,9 +115,14 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
         nodes_[node_index(e, a)] = node;
         place[a] = x[node];
       }
-      kernel_.start(state(e), lane(e), element[own], place);
+      if constexpr (single) {
+        kernel_.start(one.data(), 0, element[own], place);
+        for (int i = 0; i < kernel_.state_size(); ++i) put_field(e, i, one[at(i * native_width)]);
+      } else {
+        kernel_.start(state(e), lane(e), element[own], place);
+      }
       if (e >= size()) {
-        field(e, Element::Layout::alive) = 0.0;
+        put_field(e, Element::Layout::alive, 0.0);
       } else {
         mass_[e] = kernel_.mass(element[own], place);
         inertia_[e] = kernel_.nodal_inertia(element[own], place);
@@ -103,7 +130,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     }
   }
 
-  std::size_t blocks() const override { return (size() + widest_block - 1) / widest_block * widest_block / width; }
+  std::size_t blocks() const override { return (size() + widest_width - 1) / widest_width * widest_width / width; }
+  std::size_t widest() const override { return widest_width; }
+  bool single_precision() const override { return single; }
   std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
 
@@ -113,30 +142,26 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
                   })
       kernel_.before_cycle(
           now, [this](std::size_t e) { return alive(e); },
-          [this](std::size_t e, int i, double value) { field(e, i) = value; });
+          [this](std::size_t e, int i, double value) { put_field(e, i, value); });
   }
 
   void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots,
              std::span<Row> damping) override {
+    [[maybe_unused]] const Denormals denormals;
     for (std::size_t b = begin; b < end; ++b) {
       // On their way from memory while the kernel runs: the forces of the step before, and the state of the next block.
-      Row* slot = &slots[slot_row(b * width, 0)];
-      for (int row = 0; row < width * corners * rows; row += 2) __builtin_prefetch(slot + row, 1);
-      const double* next = state(std::min(b + 1, end - 1) * width);
-      for (int i = 0; i < width * kernel_.state_size(); i += line) __builtin_prefetch(next + i, 1);
-      const int* id = &nodes_[b * width * corners];
-      typename Element::template Motion<R> motion;
-      for (int a = 0; a < corners; ++a) {
-        motion.x[a] = gather<R>(now.x.data(), id + a * width);
-        motion.v[a] = gather<R>(now.v.data(), id + a * width);
-        if constexpr (Element::rotational) motion.w[a] = gather<R>(now.w.data(), id + a * width);
-      }
+      SlotRow* slot = slots_of(b, slots);
+      for (int row = 0; row < width * corners * rows; row += 64 / sizeof(SlotRow)) __builtin_prefetch(slot + row, 1);
+      const N* next = state(std::min(b + 1, end - 1) * width);
+      for (int i = 0; i < width * state_size(); i += line) __builtin_prefetch(next + i, 1);
+      const typename Element::template Motion<R> motion = motion_of(b, now);
       const R alive_before = real_load<R>(state(b * width) + Element::Layout::alive * width);
       auto out = kernel_.template cycle<R>(motion, dt, state(b * width));
       if constexpr (can_take_stress) {
         if (!imposed_.empty()) impose(b, motion, out);
       }
       if constexpr (requires { out.volume; }) zero_forces_of_inverted(out);
+      if constexpr (single) balance(out.f);
       if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < alive_before)) ++deletions;
 
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
@@ -144,15 +169,15 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       for (int a = 0; a < corners; ++a) {
         int row[width];
         for (int l = 0; l < width; ++l) row[l] = (l * corners + a) * rows;
-        work += dot(gather<R>(slot, row) + out.f[a], motion.v[a]);
-        scatter<R>(slot, row, out.f[a]);
+        work += dot(rows_at(slot, row) + out.f[a], motion.v[a]);
+        put_rows(slot, row, out.f[a]);
         if constexpr (Element::rotational) {
-          work += dot(gather<R>(slot + 1, row) + out.m[a], motion.w[a]);
-          scatter<R>(slot + 1, row, out.m[a]);
+          work += dot(rows_at(slot + 1, row) + out.m[a], motion.w[a]);
+          put_rows(slot + 1, row, out.m[a]);
         }
       }
-      real_store(&energy_[b * width], real_load<R>(&energy_[b * width]) + R(0.5 * dt) * work);
-      real_store(&step_[b * width], out.stable_step);
+      add_as_doubles(&energy_[b * width], R(0.5 * dt) * work);
+      store_as_doubles(&step_[b * width], out.stable_step);
       if constexpr (requires { out.volume; }) note_inverted(b, out.volume);
       find_block_step(b);
       if (damped()) damp(b, motion, dt, damping);
@@ -173,15 +198,17 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       return;
     }
     constexpr int per_node = Element::rotational ? 6 : 3, size = corners * per_node;
+    [[maybe_unused]] const Denormals denormals;
     typename Element::template Motion<R> motion;
     for (int a = 0; a < corners; ++a) {
-      const Vec3d x = vec(start.x[nodes_[node_index(e, a)]]);
+      Vec3d x = vec(start.x[nodes_[node_index(e, a)]]);
+      if (single) x -= vec(start.x[nodes_[node_index(e, 0)]]);
       motion.x[a] = {R(x.x), R(x.y), R(x.z)};
     }
-    AlignedReals scratch(at(kernel_.state_size() * width));
+    Numbers scratch(at(state_size() * width));
     for (int first = 0; first < size; first += width) {
-      for (int i = 0; i < kernel_.state_size(); ++i)
-        for (int l = 0; l < width; ++l) scratch[i * width + l] = field(e, i);
+      for (int i = 0; i < state_size(); ++i)
+        for (int l = 0; l < width; ++l) scratch[i * width + l] = state(e)[i * width + lane(e)];
       for (int a = 0; a < corners; ++a) {
         motion.v[a] = unit_motion(first - a * per_node);
         if constexpr (Element::rotational) motion.w[a] = unit_motion(first - a * per_node - 3);
@@ -216,7 +243,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       ElementGroup::vibrate(b, now, v, w, dt, slots);
     } else {
       std::fill(slots.begin(), slots.end(), Row{});
-      thread_local AlignedReals scratch;
+      [[maybe_unused]] const Denormals denormals;
+      thread_local Numbers scratch;
       const auto forces = [&](const Element& kernel, double sign, double step) {
         load_reference(b, scratch);
         for (const int i : {Element::Layout::alive, Element::Layout::density_scale})
@@ -259,10 +287,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   void store_reference_state() override {
     if (inviscid_) return;
-    for (int i = 0; i < kernel_.state_size(); ++i) {
+    for (int i = 0; i < state_size(); ++i) {
       const auto holds = [this, i](std::size_t b) {
-        const double* values = state(b * width) + i * width;
-        return std::any_of(values, values + width, [](double x) { return x != 0.0; });
+        const N* values = state(b * width) + i * width;
+        return std::any_of(values, values + width, [](N x) { return x != N(0.0); });
       };
       for (std::size_t b = 0; b < blocks(); ++b) {
         if (!holds(b)) continue;
@@ -272,7 +300,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     }
     for (std::size_t b = 0; b < blocks(); ++b)
       for (const int i : reference_fields_) {
-        const double* values = state(b * width) + i * width;
+        const N* values = state(b * width) + i * width;
         reference_state_.insert(reference_state_.end(), values, values + width);
       }
     if constexpr (requires { kernel_.inviscid(); })
@@ -282,7 +310,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   void archive(Archive& a) override {
     ElementGroup::archive(a);
-    archive_by_element(a, state_, at(kernel_.state_size()));
+    archive_by_element(a, state_, at(state_size()));
     archive_by_element(a, reference_state_, reference_fields_.size());
     a(energy_, step_);
     if (a.reading())
@@ -297,7 +325,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   bool alive(std::size_t e) const override { return field(e, Element::Layout::alive) != 0.0; }
   void remove(std::size_t e) override {
-    field(e, Element::Layout::alive) = 0.0;
+    put_field(e, Element::Layout::alive, 0.0);
     ++deletions;
   }
   void release_step(std::size_t e) override {
@@ -319,9 +347,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   double mass(std::size_t e) const override { return mass_[e]; }
   double nodal_inertia(std::size_t e) const override { return inertia_[e]; }
   double mass_scale(std::size_t e) const override { return field(e, Element::Layout::density_scale); }
+  double kept_mass_scale(double factor) const override {
+    const N kept = static_cast<N>(factor);
+    return kept < factor ? std::nextafter(kept, std::numeric_limits<N>::infinity()) : kept;
+  }
   void scale_mass(std::size_t e, double factor) override {
     step_[e] *= std::sqrt(factor / mass_scale(e));
-    field(e, Element::Layout::density_scale) = factor;
+    put_field(e, Element::Layout::density_scale, factor);
     find_block_step(e / width);
   }
 
@@ -330,7 +362,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     return 1.0;
   }
   void set_integrity(std::size_t e, double share) override {
-    if constexpr (is_weld) field(e, Element::Layout::integrity) = share;
+    if constexpr (is_weld) put_field(e, Element::Layout::integrity, share);
   }
   void freeze_yield(std::size_t e) override {
     if constexpr (is_weld) kernel_.freeze_yield(state(e), lane(e));
@@ -341,7 +373,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     return kernel_.layer(reader(e), k, places(e, now));
   }
   bool set_layer(std::size_t e, int k, const Layer& l, const State& now) override {
-    const auto put = [this, e](int i, double value) { field(e, i) = value; };
+    const auto put = [this, e](int i, double value) { put_field(e, i, value); };
     if constexpr (requires { kernel_.set_layer(put, k, l, places(e, now)); }) {
       kernel_.set_layer(put, k, l, places(e, now));
       return true;
@@ -376,12 +408,76 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   static int lane(std::size_t e) { return static_cast<int>(e % width); }
   std::size_t node_index(std::size_t e, int a) const { return e / width * width * corners + at(a * width + lane(e)); }
-  double* state(std::size_t e) { return &state_[e / width * width * at(kernel_.state_size())]; }
-  const double* state(std::size_t e) const { return &state_[e / width * width * at(kernel_.state_size())]; }
-  double& field(std::size_t e, int i) { return state(e)[i * width + lane(e)]; }
+  /// Numbers of state an element; see ShellLayout of those that only single precision has.
+  int state_size() const {
+    if constexpr (single) return kernel_.state_size() + Element::Layout::rests;
+    return kernel_.state_size();
+  }
+  N* state(std::size_t e) { return &state_[e / width * width * at(state_size())]; }
+  const N* state(std::size_t e) const { return &state_[e / width * width * at(state_size())]; }
+  void put_field(std::size_t e, int i, double value) { state(e)[i * width + lane(e)] = static_cast<N>(value); }
   double field(std::size_t e, int i) const { return state(e)[i * width + lane(e)]; }
   auto reader(std::size_t e) const {
-    return [s = state(e), l = lane(e)](int i) { return s[i * width + l]; };
+    return [s = state(e), l = lane(e)](int i) -> double { return s[i * width + l]; };
+  }
+
+  struct NoDenormals {};
+  using Denormals = std::conditional_t<single, FlushedDenormals, NoDenormals>;
+  SlotRow* slots_of(std::size_t b, std::span<Row> slots) const {
+    if constexpr (single)
+      return &single_slots[slot_row(b * width, 0) - first_slot];
+    else
+      return &slots[slot_row(b * width, 0)];
+  }
+  [[gnu::always_inline]] static inline Vec3<R> rows_at(const SlotRow* base, const int* id) {
+    if constexpr (single)
+      return gather_single<width>(base, id);
+    else
+      return gather<R>(base, id);
+  }
+  [[gnu::always_inline]] static inline void put_rows(SlotRow* base, const int* id, const Vec3<R>& v) {
+    if constexpr (single)
+      scatter_single<width>(base, id, v);
+    else
+      scatter<R>(base, id, v);
+  }
+  [[gnu::always_inline]] inline typename Element::template Motion<R> motion_of(std::size_t b, const State& now) const {
+    const int* id = &nodes_[b * width * corners];
+    typename Element::template Motion<R> motion;
+    for (int a = 0; a < corners; ++a) {
+      motion.x[a] = places_at(now.x, id, a);
+      motion.v[a] = places_at(now.v, id, a);
+      if constexpr (Element::rotational) motion.w[a] = spins_at(now.w, id, a);
+    }
+    return motion;
+  }
+  /// Rows of the nodes a; in single precision less those of the first nodes, so that no digit goes into where an
+  /// element is or how fast it flies.
+  [[gnu::always_inline]] static inline Vec3<R> places_at(std::span<const Row> rows_of_nodes, const int* id, int a) {
+    if constexpr (single)
+      return a == 0 ? Vec3<R>{} : gather_differences<R>(rows_of_nodes.data(), id + a * width, id);
+    else
+      return gather<R>(rows_of_nodes.data(), id + a * width);
+  }
+  [[gnu::always_inline]] static inline Vec3<R> spins_at(std::span<const Row> rows_of_nodes, const int* id, int a) {
+    if constexpr (single)
+      return gather_single<width>(rows_of_nodes.data(), id + a * width);
+    else
+      return gather<R>(rows_of_nodes.data(), id + a * width);
+  }
+  /// Rounds forces to a grid on which their sum has all its digits, and lets the last one be minus that of the others.
+  /// The grid is that of the floats about `corners` times the largest.
+  [[gnu::always_inline]] static inline void balance(Vec3<R> (&f)[corners]) {
+    for (R Vec3<R>::*c : {&Vec3<R>::x, &Vec3<R>::y, &Vec3<R>::z}) {
+      R largest = abs(f[0].*c), sum(0.0);
+      for (int a = 1; a < corners; ++a) largest = max(largest, abs(f[a].*c));
+      const R coarse = R(corners) * largest;
+      for (int a = 0; a + 1 < corners; ++a) {
+        f[a].*c = (f[a].*c + coarse) - coarse;
+        sum += f[a].*c;
+      }
+      f[corners - 1].*c = -sum;
+    }
   }
   /// Lane l stands for component first + l of three: that component is 1 in its lane, everything else is 0.
   static Vec3<R> unit_motion(int first) {
@@ -443,16 +539,16 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     const auto first = std::lower_bound(imposed_.begin(), imposed_.end(), b * width, before),
                last = std::lower_bound(first, imposed_.end(), (b + 1) * width, before);
     if (first == last) return;
-    thread_local AlignedReals scratch;
-    const double* block = state(b * width);
-    scratch.assign(block, block + kernel_.state_size() * width);
+    thread_local Numbers scratch;
+    const N* block = state(b * width);
+    scratch.assign(block, block + state_size() * width);
     for (auto s = first; s != last; ++s)
       if (alive(s->element)) put_stress(*s, scratch.data() + lane(s->element));
     const auto again = kernel_.template cycle<R>(motion, no_step, scratch.data());
     for (auto s = first; s != last; ++s) {
       if (!alive(s->element)) continue;
       const int l = lane(s->element);
-      for (int i = 0; i < kernel_.state_size(); ++i) field(s->element, i) = scratch[i * width + l];
+      for (int i = 0; i < state_size(); ++i) put_field(s->element, i, scratch[i * width + l]);
       for (int a = 0; a < corners; ++a) {
         copy_lane(again.f[a], out.f[a], l);
         if constexpr (Element::rotational) copy_lane(again.m[a], out.m[a], l);
@@ -460,7 +556,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     }
   }
   /// `values`: field i of the element at values[i * width].
-  void put_stress(const ImposedStress& s, double* values) const {
+  void put_stress(const ImposedStress& s, N* values) const {
     const Vec3d& n = s.normal;
     const std::array<double, 6> nn{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.z * n.x};
     const auto along = [&](const std::array<double, 6>& stress) {
@@ -468,8 +564,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       for (std::size_t c = 0; c < 6; ++c) sum += (c < 3 ? 1.0 : 2.0) * nn[c] * stress[c];
       return sum;
     };
-    const auto read = [values](int i) { return values[i * width]; };
-    const auto put = [values](int i, double value) { values[i * width] = value; };
+    const auto read = [values](int i) -> double { return values[i * width]; };
+    const auto put = [values](int i, double value) { values[i * width] = static_cast<N>(value); };
     double mean = 0.0;
     if (s.area > 0.0) {
       mean = kernel_.resultants(read)[0] / s.area;
@@ -494,14 +590,15 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   void damp(std::size_t b, typename Element::template Motion<R> motion, double dt, std::span<Row> slots) const {
     Row* slot = &slots[slot_row(b * width, 0)];
     for (int row = 0; row < width * corners * rows; row += 2) __builtin_prefetch(slot + row, 1);
-    thread_local AlignedReals scratch;
+    thread_local Numbers scratch;
     load_reference(b, scratch);
     const R alive_field = real_load<R>(state(b * width) + Element::Layout::alive * width);
     real_store(&scratch[Element::Layout::alive * width], alive_field);
     for (int a = 0; a < corners; ++a) motion.x[a] = motion.x[a] - R(0.5 * dt) * motion.v[a];
     const auto out = inviscid_->template cycle<R>(motion, no_step, scratch.data());
 
-    const R step = real_load<R>(&step_[b * width]);
+    R step;
+    for (int l = 0; l < width; ++l) set_lane(step, l, step_[b * width + at(l)]);
     const R beta = R(1.0 / no_step) * (damping_time > 0.0 ? R(damping_time) : R(damping_share) * step);
     const auto alive = R(0.0) < alive_field;
     const auto damping = [&](const Vec3<R>& f) {
@@ -520,28 +617,28 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     const int* id = &nodes_[b * width * corners];
     typename Element::template Motion<R> motion;
     for (int a = 0; a < corners; ++a) {
-      motion.x[a] = gather<R>(now.x.data(), id + a * width);
-      motion.v[a] = R(factor) * gather<R>(v.data(), id + a * width);
-      if constexpr (Element::rotational) motion.w[a] = R(factor) * gather<R>(w.data(), id + a * width);
+      motion.x[a] = places_at(now.x, id, a);
+      motion.v[a] = R(factor) * places_at(v, id, a);
+      if constexpr (Element::rotational) motion.w[a] = R(factor) * spins_at(w, id, a);
     }
     return motion;
   }
   /// The state of block b that `store_reference_state` kept.
-  void load_reference(std::size_t b, AlignedReals& values) const {
+  void load_reference(std::size_t b, Numbers& values) const {
     const std::size_t fields = reference_fields_.size();
-    const double* reference = &reference_state_[b * fields * width];
-    values.assign(at(kernel_.state_size() * width), 0.0);
+    const N* reference = &reference_state_[b * fields * width];
+    values.assign(at(state_size() * width), N(0.0));
     for (std::size_t i = 0; i < fields; ++i)
       real_store(&values[reference_fields_[i] * width], real_load<R>(reference + i * width));
   }
   /// Values that stand block by block, field by field, lane by lane: in the file the fields of an element follow each
   /// other, so that programs of every width read it.
-  static void archive_by_element(Archive& a, AlignedReals& values, std::size_t fields) {
+  static void archive_by_element(Archive& a, Numbers& values, std::size_t fields) {
     constexpr std::size_t at_a_time = 512 * widest_block;
     std::size_t size = values.size();
     a(size);
     values.resize(size);
-    std::vector<double> piece;
+    std::vector<N> piece;
     for (std::size_t begin = 0; fields != 0 && begin < size / fields; begin += at_a_time) {
       const std::size_t end = std::min(begin + at_a_time, size / fields);
       piece.resize((end - begin) * fields);
@@ -550,9 +647,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
           for (std::size_t i = 0; i < fields; ++i)
             visit(piece[(e - begin) * fields + i], values[(e / width * fields + i) * width + e % width]);
       };
-      each([](double& kept, const double& value) { kept = value; });
+      each([](N& kept, const N& value) { kept = value; });
       a(piece);
-      each([](const double& kept, double& value) { value = kept; });
+      each([](const N& kept, N& value) { value = kept; });
     }
   }
   static void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
@@ -563,9 +660,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   Element kernel_;
   std::vector<int> nodes_;  ///< block by block, node by node, lane by lane
-  AlignedReals state_, energy_, step_;
+  Numbers state_;
+  AlignedReals energy_, step_;
   std::vector<int> reference_fields_;  ///< of the state, those that are not 0 in all elements free of stress
-  AlignedReals reference_state_;       ///< their values, block by block, field by field; empty where they were not kept
+  Numbers reference_state_;            ///< their values, block by block, field by field; empty where they were not kept
   std::optional<Element> inviscid_;    ///< the kernel without viscous forces; kept with it
   std::vector<double> mass_, inertia_;
   std::vector<ImposedStress> imposed_;  ///< by rising element; given anew before each cycle

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "kernel/element/full_hexahedron.hpp"
+#include "kernel/law/own_kernels.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
 #include "system/imposed_stress.hpp"
@@ -20,6 +21,7 @@ template <class Law>
 struct BrickElement {
   static constexpr int corners = 8;
   static constexpr bool rotational = false;
+  static constexpr bool single_precision = kernel::built_for_single<Law>;
   using Layout = kernel::HexahedronLayout;
   template <class R>
   using Motion = kernel::SolidMotion<R>;
@@ -47,7 +49,7 @@ struct BrickElement {
   double nodal_inertia(model::Index, const Places&) const { return 0.0; }
 
   template <class R>
-  kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, double* state) const {
+  kernel::SolidForces<R> cycle(const Motion<R>& motion, double dt, Number<R>* state) const {
     return kernel::hexahedron_cycle(brick, law, motion, dt, state);
   }
 
@@ -108,6 +110,7 @@ struct BrickElement {
 /// The fully integrated brick as BatchGroup wants it; see there.
 template <class Law>
 struct FullBrickElement : BrickElement<Law> {
+  static constexpr bool single_precision = false;
   using Layout = kernel::FullHexahedronLayout;
   using typename BrickElement<Law>::Places;
   template <class R>

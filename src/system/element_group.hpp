@@ -22,7 +22,8 @@ namespace nugget::system {
 using ElementNodes = std::array<int, 10>;
 
 /// Elements of the widest block there is (AVX-512). Groups are padded to a multiple of it, and what is chosen by blocks
-/// is chosen so many at a time, whatever the width: results, slots and restart files must not depend on that.
+/// is chosen so many at a time, whatever the width: results, slots and restart files must not depend on that. Of
+/// groups of single precision twice as many.
 inline constexpr std::size_t widest_block = 8;
 
 /// How many elements the kernels of this program take at a time: the doubles that one of its registers holds.
@@ -48,6 +49,11 @@ class ElementGroup {
   std::size_t size() const { return element.size(); }
   virtual std::size_t blocks() const = 0;
   virtual std::size_t block_width() const = 0;  ///< elements of a block; the last one may be padded
+  /// Elements of the widest block that the group has on any machine; it is padded to a multiple of it.
+  virtual std::size_t widest() const { return widest_block; }
+  /// Whether its kernel, state and slots are of single precision.
+  virtual bool single_precision() const { return false; }
+  std::span<SingleRow> single_slots;  ///< of a group of single precision: its slots, in the place of those of `cycle`
 
   /// Advances elements of blocks [begin, end) over dt with the velocities of `state` at mid-step and its positions at
   /// the end of the step; fills slots; adds the work done to the elements' internal energy. Where they are `damped()`
@@ -58,7 +64,8 @@ class ElementGroup {
   /// What all groups have; a group's own adds to it.
   virtual void archive(Archive& a);
 
-  /// Row of the force slot of node `a` of element `e` (its moment stands in the next row).
+  /// Row of the force slot of node `a` of element `e` (its moment stands in the next row). Rows of groups of single
+  /// precision are counted on behind those of all others.
   std::size_t slot_row(std::size_t e, int a) const {
     return first_slot + (e * at(nodes_per_element) + at(a)) * (rotational ? 2 : 1);
   }
@@ -98,9 +105,10 @@ class ElementGroup {
   virtual double mass(std::size_t e) const = 0;  ///< physical, of the whole element
   /// Its share at node a, physical.
   double nodal_mass(std::size_t e, int a) const { return model::mass_at(mass(e), at(nodes_per_element), at(a)); }
-  virtual double nodal_inertia(std::size_t e) const = 0;      ///< physical rotary inertia at each of its nodes
-  virtual double mass_scale(std::size_t e) const = 0;         ///< factor on the density by mass scaling
-  virtual void scale_mass(std::size_t e, double factor) = 0;  ///< sets that factor
+  virtual double nodal_inertia(std::size_t e) const = 0;  ///< physical rotary inertia at each of its nodes
+  virtual double mass_scale(std::size_t e) const = 0;     ///< factor on the density by mass scaling
+  virtual double kept_mass_scale(double factor) const { return factor; }  ///< what is kept of it, rounded up
+  virtual void scale_mass(std::size_t e, double factor) = 0;              ///< sets that factor
 
   /// Stiffness-proportional damping: a share of critical at the highest frequency of each element, or beta [time].
   double damping_share = 0.0, damping_time = 0.0;

@@ -57,8 +57,15 @@ System::Members System::members(const Elements& elements, const std::vector<mode
 template <class Element>
 void System::add_group(Element element, model::ElementKind kind, std::size_t part, const Members& m,
                        std::vector<ElementLocation>& locations) {
-  groups.push_back(std::make_unique<BatchGroup<Element>>(std::move(element), kind, static_cast<model::Index>(part),
-                                                         m.element, m.node, start_));
+  const auto add = [&](auto group) { groups.push_back(std::move(group)); };
+  const auto of = static_cast<model::Index>(part);
+  bool single = false;
+  if constexpr (requires { requires Element::single_precision; }) {
+    single = model.control.single_precision;
+    if (single)
+      add(std::make_unique<BatchGroup<Element, float>>(std::move(element), kind, of, m.element, m.node, start_));
+  }
+  if (!single) add(std::make_unique<BatchGroup<Element>>(std::move(element), kind, of, m.element, m.node, start_));
   for (std::size_t e = 0; e < m.element.size(); ++e)
     locations[m.element[e]] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
 }

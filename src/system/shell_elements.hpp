@@ -11,6 +11,7 @@
 #include "kernel/element/full_shell.hpp"
 #include "kernel/element/kirchhoff_triangle.hpp"
 #include "kernel/law/laminate_kernel.hpp"
+#include "kernel/law/own_kernels.hpp"
 #include "model/model.hpp"
 #include "system/element_group.hpp"
 #include "system/material_axes.hpp"
@@ -47,6 +48,8 @@ struct ShellElement {
                                  : Kind == ShellKind::kirchhoff ? kernel::kirchhoff_columns
                                                                 : 1;
   static constexpr bool rotational = true;
+  static constexpr bool single_precision =
+      (Kind == ShellKind::one_point || Kind == ShellKind::full) && kernel::built_for_single<Law>;
   using Layout = kernel::ShellLayout;
   template <class R>
   using Motion = kernel::NodalMotion<R, corners>;
@@ -118,7 +121,7 @@ struct ShellElement {
   double nodal_inertia(model::Index e, const Places& x) const { return nodal_mass(e, x).inertia; }
 
   template <class R>
-  kernel::NodalForces<R, corners> cycle(const Motion<R>& motion, double dt, double* state) const {
+  kernel::NodalForces<R, corners> cycle(const Motion<R>& motion, double dt, Number<R>* state) const {
     if constexpr (Kind == ShellKind::one_point)
       return kernel::shell_cycle(shell, law, motion, dt, state);
     else if constexpr (Kind == ShellKind::full)

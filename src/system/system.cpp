@@ -391,14 +391,25 @@ State System::initial_state() {
 }
 
 void System::link_slots() {
-  std::size_t rows = 0;
+  std::size_t rows = 0, single_rows = 0;
   for (auto& group : groups) {
-    group->first_slot = rows;
-    rows += group->slot_rows();
+    (group->single_precision() ? single_rows : rows) += group->slot_rows();
     for (std::size_t b = 0; b < group->blocks(); ++b) blocks_.emplace_back(static_cast<int>(&group - groups.data()), b);
     group->block_step.assign(group->blocks(), std::numeric_limits<double>::infinity());
   }
   slots_.assign(rows, Row{});
+  single_slots_.assign(single_rows, SingleRow{});
+  std::size_t next_row = 0, next_single = 0;
+  for (auto& group : groups) {
+    if (group->single_precision()) {
+      group->first_slot = rows + next_single;
+      group->single_slots = std::span(single_slots_).subspan(next_single, group->slot_rows());
+      next_single += group->slot_rows();
+    } else {
+      group->first_slot = next_row;
+      next_row += group->slot_rows();
+    }
+  }
 
   std::vector<std::size_t> count(nodes + 1, 0);
   const auto each_slot = [&](auto&& visit) {
@@ -419,12 +430,12 @@ void System::link_slots() {
 }
 
 Vec3d System::nodal_force(ElementLocation location, int a) const {
-  return vec(slots_[groups[location.group]->slot_row(at(location.element), a)]);
+  return slot(groups[location.group]->slot_row(at(location.element), a));
 }
 
 Vec3d System::nodal_moment(ElementLocation location, int a) const {
   const ElementGroup& group = *groups[location.group];
-  return group.rotational ? vec(slots_[group.slot_row(at(location.element), a) + 1]) : Vec3d{};
+  return group.rotational ? slot(group.slot_row(at(location.element), a) + 1) : Vec3d{};
 }
 
 void System::internal_force(State& state) {
@@ -433,7 +444,7 @@ void System::internal_force(State& state) {
   for_each_block([&](int g, std::size_t begin, std::size_t end) {
     groups[g]->cycle(begin, end, state, state.dt, slots_, damping_slots);
   });
-  gather_slots(slots_, state.f, state.m);
+  gather_slots(slots_, single_slots_, state.f, state.m);
 }
 
 void System::for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const {
@@ -448,22 +459,36 @@ void System::for_each_block(const std::function<void(int, std::size_t, std::size
   });
 }
 
-void System::gather_slots(std::span<const Row> slots, std::span<Row> force, std::span<Row> moment) const {
+void System::gather_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
+                          std::span<Row> moment) const {
   constexpr std::size_t slots_ahead = 32;
-  parallel_for(nodes, 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      Vec3d f{}, m{};
-      for (std::size_t i = gather_start_[k]; i < gather_start_[k + 1]; ++i) {
-        // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
-        __builtin_prefetch(&slots[gather_[std::min(i + slots_ahead, gather_.size() - 1)] >> 1]);
-        const Row* slot = &slots[gather_[i] >> 1];
-        f -= vec(slot[0]);
-        if (gather_[i] & 1u) m -= vec(slot[1]);
+  const auto gather = [&](const auto& with_slot) {
+    parallel_for(nodes, 512, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        FourReals f{}, m{};
+        for (std::size_t i = gather_start_[k]; i < gather_start_[k + 1]; ++i) {
+          // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
+          with_slot(gather_[std::min(i + slots_ahead, gather_.size() - 1)] >> 1,
+                    [](const auto* slot) { __builtin_prefetch(slot); });
+          with_slot(gather_[i] >> 1, [&](const auto* slot) {
+            f -= four(slot[0]);
+            if (gather_[i] & 1u) m -= four(slot[1]);
+          });
+        }
+        set(force[k], f);
+        set(moment[k], m);
       }
-      set(force[k], f);
-      set(moment[k], m);
-    }
-  });
+    });
+  };
+  if (single.empty())
+    gather([&](std::size_t row, const auto& use) { use(&slots[row]); });
+  else
+    gather([&](std::size_t row, const auto& use) {
+      if (row < slots.size())
+        use(&slots[row]);
+      else
+        use(&single[row - slots.size()]);
+    });
   for (std::size_t k = nodes; k < all_nodes(); ++k) force[k] = moment[k] = Row{};
 }
 
@@ -525,6 +550,7 @@ int System::element_id(const ElementGroup& group, model::Index e) const {
 }
 
 void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {
+  factor = group.kept_mass_scale(factor);
   const int corners = group.nodes_per_element;
   const double more = factor - group.mass_scale(e);
   const double j = more * group.nodal_inertia(e);
@@ -611,6 +637,7 @@ double System::part_mass(model::Index part) const {
 void System::archive(Archive& a) {
   a.section("system");
   a(mass, inertia, own_mass, own_inertia_, carried_mass_, carried_inertia_, map, bodies, slots_);
+  if (!single_slots_.empty()) a(single_slots_);
   a.built(model, ties, nodes, node_of, model_node, body_of, springs, shell_location, solid_location, beam_location,
           discrete_location, start_, mass_only_elements_, constraint_source_, damping_slots, gather_start_, gather_,
           blocks_);

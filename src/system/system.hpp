@@ -118,9 +118,11 @@ class System {
   /// Forces by which elements damp themselves, laid out as the slots of their internal forces (ElementGroup::slot_row);
   /// empty until `allocate_damping_slots`.
   std::vector<Row> damping_slots;
-  void allocate_damping_slots() { damping_slots.resize(slots_.size()); }
-  /// Takes the sum of its slots from each node: what forces of elements do to nodes. Rows of bodies become 0.
-  void gather_slots(std::span<const Row> slots, std::span<Row> force, std::span<Row> moment) const;
+  void allocate_damping_slots() { damping_slots.resize(slots_.size() + single_slots_.size()); }
+  /// Takes the sum of its slots from each node: what forces of elements do to nodes. Rows of bodies become 0. `single`:
+  /// the slots behind `slots`, where they are of single precision.
+  void gather_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
+                    std::span<Row> moment) const;
 
   /// The element that controls the time step.
   struct Controlling {
@@ -228,7 +230,13 @@ class System {
   std::vector<ConstraintSource> constraint_source_;     ///< by system node
   std::vector<double> carried_mass_, carried_inertia_;  ///< own, and handed over by ties; also of nodes of bodies
 
+  /// Row of a slot by ElementGroup::slot_row.
+  Vec3d slot(std::size_t row) const {
+    return row < slots_.size() ? vec(slots_[row]) : vec(single_slots_[row - slots_.size()]);
+  }
+
   std::vector<Row> slots_;
+  SingleRows single_slots_;  ///< of groups of single precision, counted on behind slots_
   std::vector<std::size_t> gather_start_;
   std::vector<std::uint32_t>
       gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows

@@ -32,6 +32,15 @@ class Runs(RepeatedRuns):
         self.same("again", "command")
         self.assertEqual(again.welds["peak_shear"].tolist(), result.welds["peak_shear"].tolist())
 
+    def test_single_precision(self):
+        self.write(deck())
+        self.nugget("run", "model.k", "-o", "command", "-j", 2, "--quiet", "--precision", "single")
+        result = nugget.run("model.k", directory="module", threads=2, precision="single")
+        self.assertEqual(result.summary["elements_by_precision"], {"single": 18, "double": 1})
+        self.same("module", "command")
+        with self.assertRaisesRegex(ValueError, "precision 'half', expected single or double"):
+            nugget.run("model.k", directory="never", precision="half")
+
     def test_progress_is_told(self):
         self.write(deck())
         told = []

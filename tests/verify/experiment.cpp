@@ -82,6 +82,8 @@ model::Model read_model(const std::string& text, Findings& findings) {
 Experiment::Experiment(const std::string& text) : text_(text) {
   model_ = std::make_unique<model::Model>(read_model(text, findings_));
   stop_on_errors(findings_);
+  if (const char* precision = std::getenv("NUGGET_PRECISION"))
+    model_->control.single_precision = std::string_view(precision) == "single";
   ties_ = std::make_unique<weld::Ties>(
       weld::tie(*model_, impact::resolve_initial_penetrations(*model_, findings_), findings_));
   stop_on_errors(findings_);

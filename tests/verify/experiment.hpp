@@ -23,7 +23,8 @@ model::Model read_model(const std::string& deck, Findings& findings);
 
 class Experiment {
  public:
-  /// Reads, checks, ties. A refused deck throws std::runtime_error with all its findings.
+  /// Reads, checks, ties. A refused deck throws std::runtime_error with all its findings. NUGGET_PRECISION=single in
+  /// the environment has it computed as `nugget run --precision single` would (tools/precision_table.py).
   explicit Experiment(const std::string& deck);
 
   /// Runs to the deck's end time (or `until`), calling `watch` at each t(n) with everything known. Energies are up to

@@ -191,7 +191,7 @@ void Damping::apply(system::State& state, double dt) {
     });
   } else {
     if (!deforming_.empty()) add_deforming(state, dt);
-    system_.gather_slots(system_.damping_slots, force_, moment_);
+    system_.gather_slots(system_.damping_slots, {}, force_, moment_);
   }
   for (const ByMass& d : mass_) add(d, state);
   for (ByRange& d : range_) add(d, state, dt);

@@ -422,9 +422,9 @@ void AssembledStep::choose_blocks(const std::vector<Row>& x) {
   for (std::size_t g = 0; g < system_.groups.size(); ++g) {
     const system::ElementGroup& group = *system_.groups[g];
     const std::size_t width = group.block_width();
-    for (std::size_t first = 0; first < group.size(); first += system::widest_block) {
+    for (std::size_t first = 0; first < group.size(); first += group.widest()) {
       bool meets = false;
-      const std::size_t end = std::min(group.size(), first + system::widest_block);
+      const std::size_t end = std::min(group.size(), first + group.widest());
       for (std::size_t e = first; e < end && !meets; ++e)
         each_node(group, e, [&](int k) { meets = meets || touched[k] != 0; });
       if (!meets) continue;

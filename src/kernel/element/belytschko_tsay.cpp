@@ -82,7 +82,7 @@ template <class R>
 /// by transverse shear, which does not yield. LS-DYNA's results of type 4 in crash ask for that (docs/decisions/0006).
 /// The share of failed layers of a laminate is removed, in twist too.
 template <class R, class Law>
-R tangent_share(const LawKernel<Law>& law, const ShellLayout& layout, const double* state) {
+R tangent_share(const LawKernel<Law>& law, const ShellLayout& layout, const Number<R>* state) {
   if constexpr (!LawKernel<Law>::has_plastic_strain) return R(1.0);
   R strain = R(0.0);
   for (int k = 0; k < layout.layers; ++k) strain = max(strain, load_field<R>(state, layout.history_of(k)));
@@ -95,10 +95,10 @@ R tangent_share(const LawKernel<Law>& law, const ShellLayout& layout, const doub
 /// The stiffness form is a share of the element's own elastic resistance to the pattern: 3 QM in its plane and 3/2 QB
 /// in bending, both less once the element has yielded (see tangent_share), QW SHRF / 2 in twist.
 template <class R>
-[[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const ShellProperties& shell, const ElasticConstants& e,
-                                                            const Quadrilateral<R>& g, const Hourglass<R>& rate,
-                                                            double dt, const R& tangent_share, const R& living,
-                                                            double* state) {
+[[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const ShellProperties& shell, const ShellLayout& layout,
+                                                            const ElasticConstants& e, const Quadrilateral<R>& g,
+                                                            const Hourglass<R>& rate, double dt, const R& tangent_share,
+                                                            const R& living, Number<R>* state) {
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness), t2 = t * t;
   const Hourglass<R> old{load_field<R>(state, L::hourglass), load_field<R>(state, L::hourglass + 1),
@@ -127,14 +127,14 @@ template <class R>
   store_field(state, L::hourglass + 4, now.ry);
   const R power = (old.x + now.x) * rate.x + (old.y + now.y) * rate.y + (old.z + now.z) * rate.z +
                   (old.rx + now.rx) * rate.rx + (old.ry + now.ry) * rate.ry;
-  store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * power);
+  add_to_field(state, L::hourglass_energy, (0.5 * dt) * power, layout.rest_of_hourglass_energy());
   return now;
 }
 
 /// A shell that yields for the first time, and one of whose layers fail, loses the hourglass forces that its stiffness
 /// no longer carries. `twist`: what is left of those in twist.
 template <class R>
-void soften(const R& share_before, const R& share_now, const R& twist, Hourglass<R>& q, double* state) {
+void soften(const R& share_before, const R& share_now, const R& twist, Hourglass<R>& q, Number<R>* state) {
   const auto softens = share_now < share_before;
   if (!any(softens)) return;
   const R left = select(softens, share_now / share_before, R(1.0));
@@ -194,7 +194,7 @@ template <class R>
 
 template <class R, class Law>
 NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
-                              double dt, double* state) {
+                              double dt, Number<R>* state) {
   using L = ShellLayout;
   const ElasticConstants& e = law.elastic();
   auto alive = load_field<R>(state, L::alive) > 0.5;
@@ -212,8 +212,8 @@ NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>
   }
   const ShellLayout layout = shell_layout(shell, law);
   const R share = tangent_share<R>(law, layout, state), living = intact_fraction<R>(law, layout, state);
-  Hourglass<R> q = resist_hourglass(shell, e, mid, rates.q, dt, share, living, state);
-  ShellResultants<R> n = advance_layers(shell, law, rates.d, dt, state, alive);
+  Hourglass<R> q = resist_hourglass(shell, layout, e, mid, rates.q, dt, share, living, state);
+  ShellResultants<R> n = advance_layers(shell, law, layout, rates.d, dt, state, alive);
   if (shell.hourglass >= 4)
     soften(share, tangent_share<R>(law, layout, state), intact_fraction<R>(law, layout, state) / living, q, state);
   if (shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0) {
@@ -287,5 +287,11 @@ template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const L
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
+template NodalForces<SingleBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
+                                                 const NodalMotion<SingleBatch, 4>&, double, float*);
+template NodalForces<SingleBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
+                                                 const NodalMotion<SingleBatch, 4>&, double, float*);
+template NodalForces<SingleBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
+                                                 const NodalMotion<SingleBatch, 4>&, double, float*);
 
 }  // namespace nugget::kernel

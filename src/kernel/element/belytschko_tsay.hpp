@@ -21,11 +21,11 @@ namespace nugget::kernel {
 /// Internal energy is not computed here: it is the work of the nodal forces. Sources: Belytschko, Lin, Tsay, CMAME 42
 /// (1984); LS-DYNA Theory Manual; docs/theory/shell.md.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; SingleBatch with the
+/// first three; NativeBatch with ComposedLaw.
 template <class R, class Law>
 NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
-                              double dt, double* state);
+                              double dt, Number<R>* state);
 
 /// Frame of the element at nodal positions x1 .. x4, in which its stresses are given.
 Frame3d shell_frame(const std::array<Vec3d, 4>& x);

@@ -124,20 +124,19 @@ struct BulkViscosity {
 /// Hands the work of bulk viscosity to a law that it heats.
 template <class R, class Law>
 [[gnu::always_inline]] inline void heat_by_viscosity(const LawKernel<Law>& law, const R& pressure, const R& trace,
-                                                     double dt, double* history) {
+                                                     double dt, Number<R>* history) {
   const R work = R(-dt) * pressure * trace;
   if constexpr (requires { law.add_viscous_work(work, history); }) law.add_viscous_work(work, history);
 }
 
 /// Books what bulk viscosity takes from a volume that changes at the rate `trace`, as the work of nodal forces is
-/// booked: by the mean of its pressures before and after the step.
+/// booked: by the mean of its pressures before and after the step. `rest`: see add_to_field.
 template <class Layout, class R>
 [[gnu::always_inline]] inline void book_viscosity(const R& pressure, const R& trace, const R& volume, double dt,
-                                                  double* state) {
+                                                  Number<R>* state, int rest = 0) {
   const R both = load_field<R>(state, Layout::bulk_pressure) + pressure;
   store_field(state, Layout::bulk_pressure, pressure);
-  store_field(state, Layout::bulk_viscosity_work,
-              load_field<R>(state, Layout::bulk_viscosity_work) - (0.5 * dt) * (both * trace * volume));
+  add_to_field<R>(state, Layout::bulk_viscosity_work, -((0.5 * dt) * (both * trace * volume)), rest);
 }
 
 /// A step of a brick in patterns: velocities, and the geometry in its middle and at its end. A deleted brick stands
@@ -169,7 +168,7 @@ Frame<R> weld_axes(const Patterns<R>& x) {
 /// Stress of a weld of uniaxial stress state, in global axes: rr, rs and rt only.
 template <class R, class Law>
 SolidTensor<R> section_stress(const LawKernel<Law>& law, const Matrix<R>& l, const Patterns<R>& mid,
-                              const Patterns<R>& end, double dt, double* history) {
+                              const Patterns<R>& end, double dt, Number<R>* history) {
   const Frame<R> m = weld_axes(mid);
   const Vec3<R> along = l * m.e1;
   const FibreTensor<R> rate{dot(m.e1, along), dot(m.e2, along) + dot(m.e1, l * m.e2),

@@ -59,7 +59,7 @@ NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const LawKernel<L
     around = resist_around(shell, e, mid, s12 + s23 - s13, dt, state, power);
     store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * power);
   }
-  ShellResultants<R> n = advance_layers(shell, law, rates.constant, dt, state, alive);
+  ShellResultants<R> n = advance_layers(shell, law, shell_layout(shell, law), rates.constant, dt, state, alive);
   if (shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0) {
     const R viscous = viscous_membrane(shell, law, rates.constant.xx + rates.constant.yy, end.area, state);
     n.nxx -= viscous;

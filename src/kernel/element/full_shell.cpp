@@ -182,9 +182,9 @@ template <class R>
 
 /// Drilling moments at the end of the step; stored, and their work added up, in the state.
 template <class R>
-[[gnu::always_inline]] inline void resist_drilling(const ShellProperties& shell, const ElasticConstants& e,
-                                                   const R& area, const R (&spin)[4], double dt, double* state,
-                                                   R (&moment)[4]) {
+[[gnu::always_inline]] inline void resist_drilling(const ShellProperties& shell, const ShellLayout& layout,
+                                                   const ElasticConstants& e, const R& area, const R (&spin)[4],
+                                                   double dt, Number<R>* state, R (&moment)[4]) {
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness),
           stiffness = (0.25 * shell.drilling * e.shear * dt) * (drilling_length2(t, area) * t);
@@ -195,7 +195,7 @@ template <class R>
     store_field(state, L::hourglass + i, moment[i]);
     power += (old + moment[i]) * spin[i];
   }
-  store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * power);
+  add_to_field(state, L::hourglass_energy, (0.5 * dt) * power, layout.rest_of_hourglass_energy());
 }
 
 /// Nodal forces and moments that do the work of the forces on the patterns and of the drilling moments on the rates of
@@ -271,7 +271,7 @@ template <class R>
 
 template <class R, class Law>
 NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
-                                   const NodalMotion<R, 4>& nodes, double dt, double* state) {
+                                   const NodalMotion<R, 4>& nodes, double dt, Number<R>* state) {
   using L = ShellLayout;
   const ElasticConstants& e = law.elastic();
   const L layout = full_shell_layout(shell, law);
@@ -288,7 +288,7 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel
   if (shell.drilling > 0.0) {
     if (any(!alive))
       for (R& spin : drilling.spin) spin = select(alive, spin, R(0.0));
-    resist_drilling(shell, e, mid.area, drilling.spin, dt, state, moment);
+    resist_drilling(shell, layout, e, mid.area, drilling.spin, dt, state, moment);
   }
 
   const R t = load_field<R>(state, L::thickness);
@@ -303,7 +303,7 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel
     thinning.plastic += 0.25 * column.thinning.plastic;
   }
   if (law.can_fail()) alive = alive && !enough_points_failed<R>(law, layout, state);
-  const R now = thinned(shell, thinning, t, state);
+  const R now = thinned(shell, layout, thinning, t, state);
   PatternForces<R> f;
   for (int p = 0; p < full_shell_columns; ++p)
     collect(end, on_thickness(shell, n[p], now), e.nu, gauss * corner_xi[p], gauss * corner_eta[p], f);
@@ -339,5 +339,11 @@ template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, co
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Laminate>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
+template NodalForces<SingleBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
+                                                      const NodalMotion<SingleBatch, 4>&, double, float*);
+template NodalForces<SingleBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
+                                                      const NodalMotion<SingleBatch, 4>&, double, float*);
+template NodalForces<SingleBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
+                                                      const NodalMotion<SingleBatch, 4>&, double, float*);
 
 }  // namespace nugget::kernel

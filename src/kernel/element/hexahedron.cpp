@@ -12,7 +12,7 @@ namespace nugget::kernel {
 namespace {
 
 template <class R>
-Hourglass<R> load_hourglass(const double* state) {
+Hourglass<R> load_hourglass(const Number<R>* state) {
   Hourglass<R> r;
   for (int i = 0; i < 4; ++i) r.q[i] = load_vector<R>(state, HexahedronLayout::hourglass + 3 * i);
   return r;
@@ -94,18 +94,42 @@ struct StabilizingStress {
   }
 };
 
+/// The same; in single precision of the shape in units of V^(1/3), as it takes lengths to the power of 24.
+template <class R>
+[[gnu::always_inline]] inline StabilizingStress<R> stabilizing_stress(const ElasticConstants& e, const R& share,
+                                                                      const R& volume, const R& side,
+                                                                      const Patterns<R>& x, const Patterns<R>& v,
+                                                                      const Hourglass<R>& strain) {
+  if constexpr (is_single<R>) {
+    const R over = 1.0 / side, over2 = over * over;
+    Patterns<R> shape{over * x.a, over * x.b, over * x.c, {}};
+    Hourglass<R> scaled;
+    for (int i = 0; i < 4; ++i) scaled.q[i] = over2 * strain.q[i];
+    StabilizingStress<R> stress(e, share, volume, shape, v, scaled);
+    for (Vec3<R>& change : stress.change.q) change = over2 * change;
+    stress.growth = over * stress.growth;
+    return stress;
+  } else {
+    return {e, share, volume, x, v, strain};
+  }
+}
+
 /// Advances the hourglass forces by a step and adds up their work; returns them in global axes at the end of the step.
 /// `share`: stiffness now over that of `e`.
 template <class R>
-[[gnu::always_inline]] inline Hourglass<R> resist_hourglass(
-    const HexahedronProperties& brick, const ElasticConstants& e, const Gradient<R>& g, const Patterns<R>& v,
-    const Patterns<R>& mid, const Patterns<R>& end, const Hourglass<R>& rate, const Frame<R>& turn, const Vec3<R>& half,
-    const R& side, const R& share, const R& integrity, double dt, double* state) {
+[[gnu::always_inline]] inline Hourglass<R> resist_hourglass(const HexahedronProperties& brick,
+                                                            const HexahedronLayout& layout, const ElasticConstants& e,
+                                                            const Gradient<R>& g, const Patterns<R>& v,
+                                                            const Patterns<R>& mid, const Patterns<R>& end,
+                                                            const Hourglass<R>& rate, const Frame<R>& turn,
+                                                            const Vec3<R>& half, const R& side, const R& share,
+                                                            const R& integrity, double dt, Number<R>* state) {
   using L = HexahedronLayout;
   Hourglass<R> old = load_hourglass<R>(state), now = old, q = rate;
   if (brick.hourglass == 6) {
     q = strains_of(mid, rate);
-    const StabilizingStress<R> stress(e, (dt * brick.hourglass_coefficient) * share, g.volume, mid, v, q);
+    const StabilizingStress<R> stress =
+        stabilizing_stress(e, (dt * brick.hourglass_coefficient) * share, g.volume, side, mid, v, q);
     // A brick that is stretched keeps the forces along its sides.
     const auto shorter = [dt](const R& growth) { return 1.0 - (dt * growth) * (1.0 - (0.5 * dt) * growth); };
     const Vec3<R> f{shorter(stress.growth.x), shorter(stress.growth.y), shorter(stress.growth.z)};
@@ -136,7 +160,7 @@ template <class R>
     power += dot(old.q[i] + now.q[i], q.q[i]);
     store_vector(state, L::hourglass + 3 * i, now.q[i]);
   }
-  store_field(state, L::hourglass_energy, load_field<R>(state, L::hourglass_energy) + (0.5 * dt) * integrity * power);
+  add_to_field(state, L::hourglass_energy, (0.5 * dt) * integrity * power, layout.rest_of_hourglass_energy());
   for (Vec3<R>& a : now.q) a = integrity * a;
   return brick.hourglass == 6 ? forces_on_patterns(end, now) : now;
 }
@@ -145,9 +169,10 @@ template <class R>
 
 template <class R, class Law>
 SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKernel<Law>& law,
-                                const SolidMotion<R>& nodes, double dt, double* state) {
+                                const SolidMotion<R>& nodes, double dt, Number<R>* state) {
   using L = HexahedronLayout;
   const ElasticConstants& e = law.elastic();
+  const L layout = hexahedron_layout(law);
   auto alive = load_field<R>(state, L::alive) > 0.5;
 
   const BrickStep<R> motion(nodes, dt, alive);
@@ -162,7 +187,7 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKern
   const R side = old_side * (cube + 2.0 * g_end.volume) / (2.0 * cube + g_end.volume);
   store_field(state, L::side, select(alive && g_end.volume > 0.0, side, old_side));
 
-  double* history = state + L::first_history * lanes<R>;
+  Number<R>* history = state + L::first_history * lanes<R>;
   const SolidTensor<R> d = rate_at_end(l, half);
   SolidTensor<R> s = rotated(turn, load_solid<R>(state + L::stress * lanes<R>));
   law.rotate(turn, history);
@@ -186,14 +211,14 @@ SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKern
   if constexpr (requires { law.template stiffness_share<R>(history); })
     share = law.template stiffness_share<R>(history);
   const Hourglass<R> q =
-      resist_hourglass(brick, e, g, v, mid, end, rate, turn, half, side, share, integrity, dt, state);
+      resist_hourglass(brick, layout, e, g, v, mid, end, rate, turn, half, side, share, integrity, dt, state);
 
   const R density = brick.density * load_field<R>(state, L::density_scale), none = R(0.0);
   const R length = g_end.volume / sqrt(largest_face2(end));
   const BulkViscosity<R> bulk(brick, law.template wave_modulus<R>(history), density, length, l.x.x + l.y.y + l.z.z);
   const R pressure = integrity * bulk.pressure;
   heat_by_viscosity(law, pressure, l.x.x + l.y.y + l.z.z, dt, history);
-  book_viscosity<L>(pressure, l.x.x + l.y.y + l.z.z, g_end.volume, dt, state);
+  book_viscosity<L>(pressure, l.x.x + l.y.y + l.z.z, g_end.volume, dt, state, layout.rest_of_bulk_viscosity_work());
   if constexpr (LawOfWelds<Law>) s = weld_integrity * s;
   s.xx -= pressure;
   s.yy -= pressure;
@@ -263,5 +288,11 @@ template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, 
                                                    const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<ComposedLaw>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
+template SolidForces<SingleBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
+                                                   const SolidMotion<SingleBatch>&, double, float*);
+template SolidForces<SingleBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PlasticKinematic>&,
+                                                   const SolidMotion<SingleBatch>&, double, float*);
+template SolidForces<SingleBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PiecewiseLinear>&,
+                                                   const SolidMotion<SingleBatch>&, double, float*);
 
 }  // namespace nugget::kernel

@@ -33,6 +33,10 @@ struct HexahedronLayout {
   int history = 0;
 
   int size() const { return first_history + history; }
+  // In single precision two fields more, as in ShellLayout.
+  static constexpr int rests = 2;
+  int rest_of_hourglass_energy() const { return size(); }
+  int rest_of_bulk_viscosity_work() const { return size() + 1; }
 };
 
 template <class Law>
@@ -76,11 +80,11 @@ struct SolidForces {
 /// IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980); Belytschko, Bindeman, CMAME 105 (1993);
 /// docs/theory/brick.md.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
-/// ComposedLaw.
+/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; SingleBatch with
+/// the first three; NativeBatch with ComposedLaw.
 template <class R, class Law>
 SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKernel<Law>& law,
-                                const SolidMotion<R>& nodes, double dt, double* state);
+                                const SolidMotion<R>& nodes, double dt, Number<R>* state);
 
 /// Freezes the yield stress of a weld brick at its present effective stress, from now on; see freeze_yield of
 /// weld_beam.hpp.

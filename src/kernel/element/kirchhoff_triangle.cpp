@@ -126,7 +126,7 @@ NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const L
     thinning.plastic += share * column.thinning.plastic;
   }
   if (law.can_fail()) alive = alive && !enough_points_failed<R>(law, layout, state);
-  const R now = thinned(shell, thinning, t, state);
+  const R now = thinned(shell, layout, thinning, t, state);
 
   const Bubbles<R> at_end(end);
   ShellResultants<R> mean;

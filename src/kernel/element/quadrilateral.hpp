@@ -21,15 +21,33 @@ struct Quadrilateral {
     const Vec3<R> a = x[2] - x[0], b = x[3] - x[1];
     // With the diagonals' lengths p, q and half the angle between them, everything follows from four roots and two
     // divisions.
-    const R p = sqrt(dot(a, a)), q = sqrt(dot(b, b)), pq = p * q, cosine = dot(a, b);
+    const R p = sqrt(dot(a, a)), q = sqrt(dot(b, b)), pq = p * q;
     const R over_pq = 1.0 / pq, over_p = q * over_pq, over_q = p * over_pq;
-    const R s = sqrt(0.5 * over_pq * (pq - cosine)), c = sqrt(0.5 * over_pq * (pq + cosine));
-    const R over_sc = 0.5 / (s * c), over_2s = c * over_sc, over_2c = s * over_sc;
-    const Vec3<R> along_a = over_p * a, along_b = over_q * b;
-    frame.e1 = over_2s * (along_a - along_b);
-    frame.e2 = over_2c * (along_a + along_b);
+    R over_2s, over_2c;
+    if constexpr (is_single<R>) {
+      // A slender shell has diagonals of nearly one direction: sides, added up, give their small differences to all of
+      // the digits that a float has; 1 - cosine would leave half of them.
+      const Vec3<R> along = (x[1] - x[0]) + (x[2] - x[3]), across = (x[3] - x[0]) + (x[2] - x[1]);  // a - b, a + b
+      const R mean = 0.5 * (over_p + over_q), half_difference = -0.5 * over_pq * dot(along, across) / (p + q);
+      const Vec3<R> u = mean * along + half_difference * across, w = half_difference * along + mean * across;
+      const R two_s = sqrt(dot(u, u)), two_c = sqrt(dot(w, w)), over = 1.0 / (two_s * two_c);
+      over_2s = two_c * over;
+      over_2c = two_s * over;
+      frame.e1 = over_2s * u;
+      frame.e2 = over_2c * w;
+      area = 0.25 * pq * two_s * two_c;
+    } else {
+      const R cosine = dot(a, b);
+      const R s = sqrt(0.5 * over_pq * (pq - cosine)), c = sqrt(0.5 * over_pq * (pq + cosine));
+      const R over_sc = 0.5 / (s * c);
+      over_2s = c * over_sc;
+      over_2c = s * over_sc;
+      const Vec3<R> along_a = over_p * a, along_b = over_q * b;
+      frame.e1 = over_2s * (along_a - along_b);
+      frame.e2 = over_2c * (along_a + along_b);
+      area = pq * s * c;
+    }
     frame.e3 = cross(frame.e1, frame.e2);
-    area = pq * s * c;
     bx13 = -over_p * over_2s;
     bx24 = over_q * over_2s;
     by13 = -over_p * over_2c;

@@ -59,6 +59,11 @@ struct ShellLayout {
   int columns = 1;
 
   int size() const { return layer(0, columns); }
+  // In single precision two fields more, behind these: what the thickness and the work against hourglass forces could
+  // not take of their parts (add_to_field).
+  static constexpr int rests = 2;
+  int rest_of_thickness() const { return size(); }
+  int rest_of_hourglass_energy() const { return size() + 1; }
   /// Stress xx yy xy xz yz of layer k of a column in the element's frame, followed by its history.
   int layer(int k, int column = 0) const {
     return first_layer + (column * layers + k) * (LayerTensor<double>::size + history);

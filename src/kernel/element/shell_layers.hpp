@@ -40,7 +40,8 @@ struct Column {
 /// Advances the layers of a column by a step. `first`: the state of its first layer.
 template <class R, class Law>
 [[gnu::always_inline]] inline Column<R> advance_column(const ShellProperties& shell, const LawKernel<Law>& law,
-                                                       const ShellRates<R>& d, const R& t, double dt, double* first) {
+                                                       const ShellRates<R>& d, const R& t, double dt,
+                                                       Number<R>* first) {
   const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
   Column<R> c;
   ShellResultants<R>& n = c.n;
@@ -48,8 +49,8 @@ template <class R, class Law>
     const auto point = at(k);
     const double zeta = 0.5 * (shell.layers.zeta[point] - shell.offset), weight = shell.layers.weight[point];
     const R z = zeta * t;
-    double* stress = first + k * stride;
-    double* history = stress + LayerTensor<R>::size * lanes<R>;
+    Number<R>* stress = first + k * stride;
+    Number<R>* history = stress + LayerTensor<R>::size * lanes<R>;
     LayerTensor<R> s = load_layer<R>(stress);
     LayerTensor<R> rate{d.xx + z * d.kxx, d.yy + z * d.kyy, d.xy + z * d.kxy, d.xz, d.yz};
     if constexpr (std::is_same_v<Law, Laminate>) {
@@ -80,12 +81,12 @@ template <class R, class Law>
 
 /// The thickness after a step, stored as the element's (ISTUPD).
 template <class R>
-[[gnu::always_inline]] inline R thinned(const ShellProperties& shell, const ThicknessStrain<R>& thinning, R t,
-                                        double* state) {
+[[gnu::always_inline]] inline R thinned(const ShellProperties& shell, const ShellLayout& layout,
+                                        const ThicknessStrain<R>& thinning, const R& t, Number<R>* state) {
   if (shell.thickness_update == ThicknessUpdate::none) return t;
-  t += t * (shell.thickness_update == ThicknessUpdate::all ? thinning.total : thinning.plastic);
-  store_field(state, ShellLayout::thickness, t);
-  return t;
+  return add_to_field(state, ShellLayout::thickness,
+                      t * (shell.thickness_update == ThicknessUpdate::all ? thinning.total : thinning.plastic),
+                      layout.rest_of_thickness());
 }
 
 /// The resultants of a shell of thickness t from those for a thickness of 1.
@@ -98,7 +99,9 @@ template <class R>
 
 /// Which elements have lost so many points that they are deleted: all, a number, or a percentage of the layers.
 template <class R, class Law>
-MaskOf<R> enough_points_failed(const LawKernel<Law>& law, const ShellLayout& layout, const double* state) {
+requires(!std::is_same_v<Law, Laminate>) MaskOf<R> enough_points_failed(const LawKernel<Law>& law,
+                                                                        const ShellLayout& layout,
+                                                                        const Number<R>* state) {
   const double limit = law.points_to_delete();
   const R none = R(0.0), one = R(1.0);
   R points = none, failed_layers = none;
@@ -118,7 +121,7 @@ MaskOf<R> enough_points_failed(const LawKernel<Law>& law, const ShellLayout& lay
 /// its percentage is that of all layers which have its law and failed. In any case an element is deleted with the last
 /// point of the layers that can fail.
 template <class R>
-MaskOf<R> enough_points_failed(const LawKernel<Laminate>& law, const ShellLayout& layout, const double* state) {
+MaskOf<R> enough_points_failed(const LawKernel<Laminate>& law, const ShellLayout& layout, const Number<R>* state) {
   const R none = R(0.0), one = R(1.0);
   auto failed_elements = none > one;
   R intact_points = none;
@@ -151,7 +154,7 @@ MaskOf<R> enough_points_failed(const LawKernel<Laminate>& law, const ShellLayout
 /// What failed layers have left of an element's stiffness in the plane [1]; of one law 1, the element is deleted with
 /// it.
 template <class R, class Law>
-R intact_fraction(const LawKernel<Law>& law, const ShellLayout& layout, const double* state) {
+R intact_fraction(const LawKernel<Law>& law, const ShellLayout& layout, const Number<R>* state) {
   if constexpr (std::is_same_v<Law, Laminate>) {
     R lost = R(0.0);
     for (int k = 0; k < layout.layers; ++k)
@@ -168,13 +171,13 @@ R intact_fraction(const LawKernel<Law>& law, const ShellLayout& layout, const do
 /// many failed points are deleted: `alive` is cleared for them.
 template <class R, class Law>
 [[gnu::always_inline]] inline ShellResultants<R> advance_layers(const ShellProperties& shell, const LawKernel<Law>& law,
-                                                                const ShellRates<R>& d, double dt, double* state,
-                                                                MaskOf<R>& alive) {
+                                                                const ShellLayout& layout, const ShellRates<R>& d,
+                                                                double dt, Number<R>* state, MaskOf<R>& alive) {
   using L = ShellLayout;
   const R t = load_field<R>(state, L::thickness);
   const Column<R> c = advance_column(shell, law, d, t, dt, state + L::first_layer * lanes<R>);
-  if (law.can_fail()) alive = alive && !enough_points_failed<R>(law, shell_layout(shell, law), state);
-  return on_thickness(shell, c.n, thinned(shell, c.thinning, t, state));
+  if (law.can_fail()) alive = alive && !enough_points_failed<R>(law, layout, state);
+  return on_thickness(shell, c.n, thinned(shell, layout, c.thinning, t, state));
 }
 
 /// What drilling stiffness goes by besides G t: the square of the thickness in elements that are large beside it, the
@@ -188,7 +191,7 @@ R drilling_length2(const R& t, const R& area) {
 /// (docs/theory/shell.md#bulk-viscosity-in-the-plane); 0 when stretched.
 template <class R, class Law>
 R viscous_membrane(const ShellProperties& shell, const LawKernel<Law>& law, const R& trace, const R& area,
-                   const double* state) {
+                   const Number<R>* state) {
   const R density = shell.density * load_field<R>(state, ShellLayout::density_scale);
   const R side = sqrt(area), c = sqrt(law.elastic().plane / density);
   const R q = density * side * (shell.bulk_quadratic * side * trace * trace - shell.bulk_linear * c * trace);

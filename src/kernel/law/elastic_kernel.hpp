@@ -22,30 +22,30 @@ class LawKernel<Elastic> {
   bool can_fail() const { return false; }
   static constexpr double points_to_delete() { return 0.0; }
   template <class R>
-  MaskOf<R> failed(const double*) const {
+  MaskOf<R> failed(const Number<R>*) const {
     return R(1.0) < R(0.0);
   }
   template <class R>
-  R wave_modulus(const double*) const {
+  R wave_modulus(const Number<R>*) const {
     return R(elastic_.bulk_wave());
   }
 
   template <class R>
-  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double*) const {
+  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, Number<R>*) const {
     const LayerTensor<R> strain = R(dt) * rate;
     elastic_.add(s, strain);
     return {-elastic_.thinning * (strain.xx + strain.yy), R(0.0)};
   }
   template <class R>
-  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double*) const {
+  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, Number<R>*) const {
     elastic_.add(s, R(dt) * rate);
   }
   template <class R>
-  void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double*) const {
+  void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, Number<R>*) const {
     elastic_.add(s, R(dt) * rate);
   }
   template <class R>
-  void rotate(const Frame<R>&, double*) const {}
+  void rotate(const Frame<R>&, Number<R>*) const {}
 
  private:
   ElasticConstants elastic_;

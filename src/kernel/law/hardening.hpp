@@ -39,7 +39,7 @@ class BilinearHardening {
   class At {
    public:
     static constexpr bool limited = false;
-    At(const BilinearHardening& hardening, const double* history)
+    At(const BilinearHardening& hardening, const Number<R>* history)
         : slope_(hardening.isotropic_),
           start_(hardening.yield_ + hardening.isotropic_ * load_field<R>(history, plastic_strain_field)) {}
     YieldStress<R> operator()(const R& increment) const { return {start_ + slope_ * increment, slope_}; }
@@ -75,7 +75,7 @@ class CurveHardening {
   class At {
    public:
     static constexpr bool limited = false;
-    At(const CurveHardening& hardening, const double* history)
+    At(const CurveHardening& hardening, const Number<R>* history)
         : hardening_(hardening), plastic_strain_(load_field<R>(history, plastic_strain_field)) {
       if (hardening.straight_) {
         const YieldCurve::Piece& line = hardening.curve_.last();
@@ -140,7 +140,7 @@ class WeldHardening : public CurveHardening {
   class At {
    public:
     static constexpr bool limited = true;
-    At(const WeldHardening& hardening, const double* history)
+    At(const WeldHardening& hardening, const Number<R>* history)
         : curve_(hardening, history), can_be_frozen_(hardening.can_be_frozen_) {
       if (!can_be_frozen_) return;
       const R at = load_field<R>(history, frozen_yield_field);

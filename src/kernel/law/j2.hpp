@@ -33,20 +33,20 @@ class J2 {
   static constexpr double points_to_delete() { return 0.0; }
 
   template <class R>
-  R wave_modulus(const double*) const {
+  R wave_modulus(const Number<R>*) const {
     return R(elastic_.bulk_wave());
   }
 
   /// Which points have failed.
   template <class R>
-  MaskOf<R> failed(const double* history) const {
+  MaskOf<R> failed(const Number<R>* history) const {
     return load_field<R>(history, plastic_strain_field) >= R(failure_strain_);
   }
 
   /// Adds a step of strain rate to a layer's stress (docs/theory/laws.md#j2-in-a-layer).
   template <class R>
   [[gnu::always_inline]] inline ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
-                                                         double* history) const {
+                                                         Number<R>* history) const {
     const LayerTensor<R> strain = R(dt) * rate;
     elastic_.add(s, strain);
     if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
@@ -60,7 +60,7 @@ class J2 {
   /// Adds a step of strain rate to a solid's stress: radial return.
   template <class R>
   [[gnu::always_inline]] inline void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt,
-                                           double* history) const {
+                                           Number<R>* history) const {
     elastic_.add(s, R(dt) * rate);
     if (can_fail()) s = select(failed<R>(history), SolidTensor<R>{}, s);
     if (any(parts(s, history).B > lowest2_)) flow(s, dt, history);
@@ -68,7 +68,7 @@ class J2 {
 
   /// Turns the history of a solid point with the material.
   template <class R>
-  void rotate(const Frame<R>& q, double* history) const {
+  void rotate(const Frame<R>& q, Number<R>* history) const {
     if constexpr (back_stress)
       store_solid(history + back_stress_field * lanes<R>,
                   rotated(q, load_solid<R>(history + back_stress_field * lanes<R>)));
@@ -77,7 +77,7 @@ class J2 {
   /// Adds a step of strain rate to a beam fibre's stress (docs/theory/laws.md#j2-in-a-fibre).
   template <class R>
   [[gnu::always_inline]] inline void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt,
-                                           double* history) const {
+                                           Number<R>* history) const {
     elastic_.add(s, R(dt) * rate);
     if (can_fail()) s = select(failed<R>(history), FibreTensor<R>{}, s);
     const Parts<FibreTensor<R>, R> trial = parts(s, history);
@@ -97,7 +97,8 @@ class J2 {
   };
 
   template <class R>
-  [[gnu::always_inline]] inline Parts<LayerTensor<R>, R> parts(const LayerTensor<R>& s, const double* history) const {
+  [[gnu::always_inline]] inline Parts<LayerTensor<R>, R> parts(const LayerTensor<R>& s,
+                                                               const Number<R>* history) const {
     Parts<LayerTensor<R>, R> p;
     p.relative = s;
     if constexpr (back_stress) {
@@ -111,7 +112,8 @@ class J2 {
     return p;
   }
   template <class R>
-  [[gnu::always_inline]] inline Parts<SolidTensor<R>, R> parts(const SolidTensor<R>& s, const double* history) const {
+  [[gnu::always_inline]] inline Parts<SolidTensor<R>, R> parts(const SolidTensor<R>& s,
+                                                               const Number<R>* history) const {
     Parts<SolidTensor<R>, R> p;
     p.mean = (1.0 / 3.0) * (s.xx + s.yy + s.zz);
     p.relative = {s.xx - p.mean, s.yy - p.mean, s.zz - p.mean, s.xy, s.yz, s.zx};
@@ -126,7 +128,8 @@ class J2 {
 
   /// A fibre's back stress is its effective part: that of the axial stress alone is 3/2 of its deviator's.
   template <class R>
-  [[gnu::always_inline]] inline Parts<FibreTensor<R>, R> parts(const FibreTensor<R>& s, const double* history) const {
+  [[gnu::always_inline]] inline Parts<FibreTensor<R>, R> parts(const FibreTensor<R>& s,
+                                                               const Number<R>* history) const {
     Parts<FibreTensor<R>, R> p;
     p.relative = s;
     if constexpr (back_stress) {
@@ -141,7 +144,7 @@ class J2 {
 
   /// Returns yielding layers to the yield surface. Kept out of line: most points of most cycles are elastic.
   template <class R>
-  [[gnu::noinline]] void flow(LayerTensor<R>& s, double dt, double* history, ThicknessStrain<R>& thickness) const {
+  [[gnu::noinline]] void flow(LayerTensor<R>& s, double dt, Number<R>* history, ThicknessStrain<R>& thickness) const {
     const Parts<LayerTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, plastic_strain_field), trial2 = trial.A + trial.B;
     typename Hardening::template At<R> yield(hardening_, history);
@@ -178,7 +181,7 @@ class J2 {
   }
 
   template <class R>
-  [[gnu::noinline]] void flow(SolidTensor<R>& s, double dt, double* history) const {
+  [[gnu::noinline]] void flow(SolidTensor<R>& s, double dt, Number<R>* history) const {
     const Parts<SolidTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, plastic_strain_field);
     typename Hardening::template At<R> yield(hardening_, history);
@@ -205,7 +208,7 @@ class J2 {
   }
 
   template <class R>
-  [[gnu::noinline]] void flow(FibreTensor<R>& s, double dt, double* history) const {
+  [[gnu::noinline]] void flow(FibreTensor<R>& s, double dt, Number<R>* history) const {
     const Parts<FibreTensor<R>, R> trial = parts(s, history);
     const R A = trial.A, B = trial.B, trial2 = A + B;
     const R plastic_strain = load_field<R>(history, plastic_strain_field);

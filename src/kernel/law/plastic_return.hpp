@@ -57,13 +57,14 @@ class ByIncrement {
 /// e and Y are functions of an unknown x in which both are smooth (ByIncrement; hardening.hpp has those of rate
 /// effects, which would need dozens of steps in e). Unless x is e itself, `Unknown` has range(trial, start,
 /// most), which says where x lies between e = 0 and e = `most`, and a first guess. Chebyshev's third-order step on
-/// (A/.. + B/..)^(-1/2) = 1, kept inside a bracket; relative residual 1e-12. A lane that has converged is frozen, so
-/// that a batch gives bit for bit what its elements give alone.
+/// (A/.. + B/..)^(-1/2) = 1, kept inside a bracket; relative residual
+/// 2e-12, in single precision, which rounds the sum of squares to some 5e-7, 2e-6. A lane that has converged is frozen,
+/// so that a batch gives bit for bit what its elements give alone.
 template <bool both, class R, class Unknown>
 [[gnu::always_inline]] inline PlasticReturn<R> plastic_return(const R& A, const R& B, const R& trial2, double ka,
                                                               double kb, Unknown& unknown, const YieldStress<R>& start,
                                                               MaskOf<R> active) {
-  constexpr double tolerance = 2e-12;
+  constexpr double tolerance = is_single<R> ? 2e-6 : 2e-12;
   constexpr int limit = 100;
   const R trial = sqrt(trial2), most = trial * (1.0 / (both ? std::min(ka, kb) : kb));
   R low, high, next;
@@ -73,9 +74,17 @@ template <bool both, class R, class Unknown>
     const R over_by = trial - start.value;
     if constexpr (both) {
       const R ga = start.slope + ka, gb = start.slope + kb;
-      const R sum = A * ga + B * gb, over = 1.0 / (sum * start.value), over_sum = over * start.value;
-      const R bend = 1.5 * A * B * ((ka - kb) * (ka - kb)) * over_by * over_sum * (over * sum) * over_sum;
-      next = trial2 * over_by * over_sum * (1.0 + bend);
+      const R sum = A * ga + B * gb;
+      if constexpr (is_single<R>) {
+        // The same with no product that leaves the range: stresses in Pa to the seventh power do.
+        const R over_sum = 1.0 / sum;
+        const R bend = 1.5 * ((A * (ka - kb)) * over_sum) * ((B * (ka - kb)) * over_sum) * (over_by / start.value);
+        next = (trial2 * over_sum) * over_by * (1.0 + bend);
+      } else {
+        const R over = 1.0 / (sum * start.value), over_sum = over * start.value;
+        const R bend = 1.5 * A * B * ((ka - kb) * (ka - kb)) * over_by * over_sum * (over * sum) * over_sum;
+        next = trial2 * over_by * over_sum * (1.0 + bend);
+      }
     } else {
       next = over_by / (start.slope + kb);
     }
@@ -102,7 +111,9 @@ template <bool both, class R, class Unknown>
     } else {
       r.over_b = 1.0 / b;
     }
-    const R b2 = B * (r.over_b * r.over_b), s = both ? a2 + b2 : b2, excess = s - 1.0;
+    const R b2 = B * (r.over_b * r.over_b), s = both ? a2 + b2 : b2;
+    R excess = s - 1.0;
+    if constexpr (is_single<R>) excess = select(b < 1e18, excess, R(-1.0));  // a rate so far off that a b is infinite
     active = active && abs(excess) > tolerance;
     if (!any(active) || i == limit) return r;
 
@@ -129,6 +140,7 @@ template <bool both, class R, class Unknown>
     else
       next = x + newton * select(bend < 0.0, 1.0 / (1.0 - bend), 1.0 + bend);
     next = select(next > low && next < high, next, 0.5 * (low + high));
+    if constexpr (is_single<R>) active = active && (next > x || next < x);  // no number is closer
     x = select(active, next, x);
   }
 }

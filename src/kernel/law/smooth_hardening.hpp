@@ -35,7 +35,7 @@ class SmoothHardening : public Formula {
   class At {
    public:
     static constexpr bool limited = true;
-    At(const SmoothHardening& hardening, const double* history)
+    At(const SmoothHardening& hardening, const Number<R>* history)
         : hardening_(hardening), plastic_strain_(load_field<R>(history, plastic_strain_field)) {
       if (hardening.heats()) heating_ = load_field<R>(history, temperature_rise_field);
       power_ = map([&](double strain) { return hardening.power(strain); }, plastic_strain_);

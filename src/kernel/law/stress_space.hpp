@@ -40,20 +40,36 @@ struct ThicknessStrain {
 // Fields of the state arrays: field i of lane l stands at state[i * lanes<R> + l].
 
 template <class R>
-R load_field(const double* state, int field) {
+R load_field(const Number<R>* state, int field) {
   return real_load<R>(state + field * lanes<R>);
 }
 template <class R>
-void store_field(double* state, int field, const R& value) {
+void store_field(Number<R>* state, int field, const R& value) {
   real_store(state + field * lanes<R>, value);
 }
 
+/// Adds to a sum of the state. In single precision, where many small parts would be lost beside the sum, field `rest`
+/// keeps what it could not take of them.
 template <class R>
-LayerTensor<R> load_layer(const double* s) {
+[[gnu::always_inline]] inline R add_to_field(Number<R>* state, int field, const R& more, int rest) {
+  const R old = load_field<R>(state, field);
+  R sum = old + more;
+  if constexpr (is_single<R>) {
+    const R part = more + load_field<R>(state, rest);
+    sum = old + part;
+    const R taken = sum - old;  // Knuth's two-sum: what is lost, whichever is larger
+    store_field(state, rest, (old - (sum - taken)) + (part - taken));
+  }
+  store_field(state, field, sum);
+  return sum;
+}
+
+template <class R>
+LayerTensor<R> load_layer(const Number<R>* s) {
   return {load_field<R>(s, 0), load_field<R>(s, 1), load_field<R>(s, 2), load_field<R>(s, 3), load_field<R>(s, 4)};
 }
 template <class R>
-void store_layer(double* s, const LayerTensor<R>& a) {
+void store_layer(Number<R>* s, const LayerTensor<R>& a) {
   store_field(s, 0, a.xx);
   store_field(s, 1, a.yy);
   store_field(s, 2, a.xy);
@@ -62,12 +78,12 @@ void store_layer(double* s, const LayerTensor<R>& a) {
 }
 
 template <class R>
-SolidTensor<R> load_solid(const double* s) {
+SolidTensor<R> load_solid(const Number<R>* s) {
   return {load_field<R>(s, 0), load_field<R>(s, 1), load_field<R>(s, 2),
           load_field<R>(s, 3), load_field<R>(s, 4), load_field<R>(s, 5)};
 }
 template <class R>
-void store_solid(double* s, const SolidTensor<R>& a) {
+void store_solid(Number<R>* s, const SolidTensor<R>& a) {
   store_field(s, 0, a.xx);
   store_field(s, 1, a.yy);
   store_field(s, 2, a.zz);
@@ -77,22 +93,22 @@ void store_solid(double* s, const SolidTensor<R>& a) {
 }
 
 template <class R>
-FibreTensor<R> load_fibre(const double* s) {
+FibreTensor<R> load_fibre(const Number<R>* s) {
   return {load_field<R>(s, 0), load_field<R>(s, 1), load_field<R>(s, 2)};
 }
 template <class R>
-void store_fibre(double* s, const FibreTensor<R>& a) {
+void store_fibre(Number<R>* s, const FibreTensor<R>& a) {
   store_field(s, 0, a.rr);
   store_field(s, 1, a.rs);
   store_field(s, 2, a.rt);
 }
 
 template <class R>
-Vec3<R> load_vector(const double* state, int field) {
+Vec3<R> load_vector(const Number<R>* state, int field) {
   return {load_field<R>(state, field), load_field<R>(state, field + 1), load_field<R>(state, field + 2)};
 }
 template <class R>
-void store_vector(double* state, int field, const Vec3<R>& a) {
+void store_vector(Number<R>* state, int field, const Vec3<R>& a) {
   store_field(state, field, a.x);
   store_field(state, field + 1, a.y);
   store_field(state, field + 2, a.z);

@@ -82,6 +82,7 @@ class RunArguments:
     weld_law: str
     resume: str
     weld_tie: str
+    precision: str
     load_case: int
     skip_unsupported: bool
 

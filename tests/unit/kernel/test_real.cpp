@@ -8,21 +8,22 @@
 namespace nugget {
 namespace {
 
-template <int W>
-Batch<W> ramp(double first, double step) {
-  Batch<W> a;
+template <int W, class Number>
+Batch<W, Number> ramp(double first, double step) {
+  Batch<W, Number> a;
   for (int l = 0; l < W; ++l) set_lane(a, l, first + l * step);
   return a;
 }
 
-template <int W>
-void lanes_behave_as_doubles() {
-  const Batch<W> a = ramp<W>(-1.5, 1.0), b = ramp<W>(2.0, -0.75);
+template <int W, class Number = double>
+void lanes_behave_as_numbers() {
+  using R = Batch<W, Number>;
+  const R a = ramp<W, Number>(-1.51, 1.0), b = ramp<W, Number>(2.03, -0.75);
   for (int l = 0; l < W; ++l) {
-    const double x = lane(a, l), y = lane(b, l);
+    const auto x = static_cast<Number>(lane(a, l)), y = static_cast<Number>(lane(b, l));
     EXPECT_EQ(lane(a + b, l), x + y);
-    EXPECT_EQ(lane(a - 1.0, l), x - 1.0);
-    EXPECT_EQ(lane(2.0 * a, l), 2.0 * x);
+    EXPECT_EQ(lane(a - 1.0, l), x - 1);
+    EXPECT_EQ(lane(2.0 * a, l), 2 * x);
     EXPECT_EQ(lane(a / b, l), x / y);
     EXPECT_EQ(lane(-a, l), -x);
     EXPECT_EQ(lane(abs(a), l), std::abs(x));
@@ -33,19 +34,25 @@ void lanes_behave_as_doubles() {
     EXPECT_EQ((a < b && !(a < 0.0))[l], x < y && x >= 0);
     EXPECT_EQ((a >= b || a <= -1.0)[l], x >= y || x <= -1);
     EXPECT_EQ(lane(select(a > b, a, b), l), x > y ? x : y);
-    EXPECT_EQ(lane(map([](double v) { return std::exp(v); }, a), l), std::exp(x));
-    EXPECT_EQ(lane(map([](double v, double u) { return v * u; }, a, b), l), x * y);
+    EXPECT_EQ(lane(map([](double v) { return std::exp(v); }, a), l), static_cast<Number>(std::exp(double{x})));
+    EXPECT_EQ(lane(map([](double v, double u) { return v * u; }, a, b), l), static_cast<Number>(double{x} * y));
   }
   EXPECT_TRUE(any(a > lane(a, W - 1) - 0.5));
   EXPECT_FALSE(any(a > lane(a, W - 1)));
-  double store[W + 1] = {};
+  Number store[W + 1] = {};
   real_store(store + 1, a);  // need not be aligned
-  EXPECT_EQ(lane(real_load<Batch<W>>(store + 1), W - 1), lane(a, W - 1));
+  EXPECT_EQ(lane(real_load<R>(store + 1), W - 1), lane(a, W - 1));
+  double sums[W] = {};
+  store_as_doubles(sums, a);
+  add_as_doubles(sums, b);
+  for (int l = 0; l < W; ++l) EXPECT_EQ(sums[l], lane(a, l) + lane(b, l));  // as doubles, not rounded again
 }
 
-TEST(Batch, LanesBehaveAsDoubles) {
-  lanes_behave_as_doubles<2>();
-  lanes_behave_as_doubles<native_width>();
+TEST(Batch, LanesBehaveAsNumbers) {
+  lanes_behave_as_numbers<2>();
+  lanes_behave_as_numbers<native_width>();
+  lanes_behave_as_numbers<4, float>();
+  lanes_behave_as_numbers<2 * native_width, float>();
 }
 
 template <class R>
@@ -76,6 +83,37 @@ TEST(Row, GatherAndScatter) {
   rows_go_and_come<double>();
   rows_go_and_come<Batch<2>>();
   rows_go_and_come<NativeBatch>();
+}
+
+TEST(Row, OfFloats) {
+  constexpr int W = lanes<SingleBatch>;
+  std::vector<Row> rows(20);
+  SingleRows single(20), out(20);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto n = static_cast<double>(i);
+    rows[i] = {1e6 + n / 3.0, n, -n, 9.0};
+    single[i] = {static_cast<float>(i) + 0.5f, 2.0f, 3.0f, 9.0f};
+  }
+  int id[W], from[W], to[W];
+  for (int l = 0; l < W; ++l) id[l] = 19 - l, from[l] = (7 * l) % 20, to[l] = (3 * l) % 20;
+  const Vec3<SingleBatch> rounded = gather_single<W>(rows.data(), id),
+                          difference = gather_differences<SingleBatch>(rows.data(), id, from),
+                          read = gather_single<W>(single.data(), id);
+  scatter_single<W>(out.data(), to, read);
+  for (int l = 0; l < W; ++l) {
+    EXPECT_EQ(lane(rounded.x, l), static_cast<float>(rows[at(id[l])].x));
+    EXPECT_EQ(lane(rounded.z, l), -id[l]);
+    // No digit goes into where the rows are: rounded first, the difference would be wrong by a hundredth.
+    EXPECT_EQ(lane(difference.x, l), static_cast<float>(rows[at(id[l])].x - rows[at(from[l])].x));
+    EXPECT_EQ(lane(difference.y, l), id[l] - from[l]);
+    const SingleRow &there = single[at(id[l])], &written = out[at(to[l])];
+    EXPECT_EQ(lane(read.x, l), there.x);
+    EXPECT_EQ(lane(read.z, l), 3.0);
+    EXPECT_EQ(written.x, there.x);
+    EXPECT_EQ(written.y, 2.0f);
+    EXPECT_EQ(written.pad, 0.0f);
+    EXPECT_EQ(four(there)[0], double{there.x});
+  }
 }
 
 TEST(Dual, Derivatives) {

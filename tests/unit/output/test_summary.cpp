@@ -74,6 +74,7 @@ TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
                                "ns_per_element_cycle",
                                "threads",
                                "lanes",
+                               "precision",
                                "ranks",
                                "weld",
                                "modes"}));
