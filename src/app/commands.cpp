@@ -238,6 +238,9 @@ std::pair<std::string, std::string_view> elements_and_remedy(const model::Model&
             form == 16
                 ? "a smaller DRCPRM of *CONTROL_SHELL: these shells have no hourglass modes, it is their stiffness "
                   "against drilling"
+            : form == 5
+                ? "ELFORM 9 in its *SECTION_SHELL, or *HOURGLASS with IHQ 4 and QM 0.05; smaller elements where "
+                  "single nodes are pushed"
                 : "ELFORM 16 in its *SECTION_SHELL, or *HOURGLASS with IHQ 4 and QM 0.05; smaller elements where "
                   "single nodes are pushed"};
   }

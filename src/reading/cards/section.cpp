@@ -34,10 +34,10 @@ const CardOf<ShellCards> shell_card{
     {&ShellCards::elform,
      integer("elform", 0, any_value,
              "formulation: 2 Belytschko-Tsay (10: with warping), 4 and 17 triangles (C0, discrete Kirchhoff), 16 "
-             "fully integrated (also for -16, 6, 7, 18, 20, 21); linear analyses: 1, 8, 11 also; blank: THEORY of "
-             "*CONTROL_SHELL")},
+             "fully integrated (also for -16, 6, 7, 18, 20, 21), 5 and 9 membranes of one and of 2x2 points; linear "
+             "analyses: 1, 8, 11 also, no membranes; blank: THEORY of *CONTROL_SHELL")},
     {&ShellCards::shear_factor, real("shrf", dimension::number, 1, above_zero(), "shear correction factor")},
-    {&ShellCards::layers, integer("nip", 2, between(1, 10), "layers through the thickness")},
+    {&ShellCards::layers, integer("nip", 2, between(1, 10), "layers through the thickness; membranes have one")},
     integer("propt", 1, any_value, "printout option, no effect"),
     {&ShellCards::qr_irid,
      or_negative(integer("qr_irid", 0, between(-99999999, 1),
