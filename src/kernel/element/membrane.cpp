@@ -165,21 +165,22 @@ Vec3<R> along_eta(const Differences<R>& f, double xi) {
   return 0.25 * (R(xi) * f.dh - f.d13 - f.d24);
 }
 
-/// The tangent plane at a point: e1 is the frame's e1 as seen in it; j[i][k], the tangents along xi and eta on e1, e2.
+/// The tangent plane at a point: e1 and e2 are those of the frame, turned with its normal by the shortest way; j11 to
+/// j22, the components along them of the tangents along xi and eta.
 template <class R>
 struct TangentPlane {
   Vec3<R> e1, e2;
-  R j11, j12, j21, j22, area;  ///< area: of the surface over that of xi, eta
+  R j11, j12, j21, j22;
+  R area;  ///< of the surface over that of xi, eta
 
   [[gnu::always_inline]] TangentPlane(const MembraneSurface<R>& s, double xi, double eta) {
     const Vec3<R> a = along_xi(s.x, eta), b = along_eta(s.x, xi), n = cross(a, b);
     const R size = norm(n);
     const R over = 1.0 / size;
     const Vec3<R> e3 = over * n;
-    // (1, 0, 0) less its part along e3.
-    const Vec3<R> seen{R(1.0) - e3.x * e3.x, -e3.x * e3.y, -e3.x * e3.z};
-    e1 = (1.0 / sqrt(dot(seen, seen))) * seen;
-    e2 = cross(e3, e1);
+    const R share = 1.0 / (1.0 + e3.z), mixed = -share * e3.x * e3.y;
+    e1 = {1.0 - share * e3.x * e3.x, mixed, -e3.x};
+    e2 = {mixed, 1.0 - share * e3.y * e3.y, -e3.y};
     j11 = dot(a, e1), j12 = dot(a, e2), j21 = dot(b, e1), j22 = dot(b, e2);
     area = size;
   }
