@@ -24,12 +24,19 @@ bool compresses_viscously(const ShellProperties& shell) {
   return shell.bulk_quadratic != 0.0 || shell.bulk_linear != 0.0;
 }
 
+/// What a viscous stress of the law leaves of the stable step.
+template <class Law>
+double step_share(const LawKernel<Law>& law) {
+  if constexpr (requires { law.step_share(); }) return law.step_share();
+  return 1.0;
+}
+
 /// The stable step; elements whose step is too short for their law are deleted.
 template <class R, class Law, int N>
 R step_and_deletion(const ShellProperties& shell, const LawKernel<Law>& law, const Vec3<R> (&x)[N], const R& area,
                  MaskOf<R>& alive, double* state) {
   const R scale = load_field<R>(state, ShellLayout::density_scale) * (shell.density / law.elastic().plane);
-  const R step = sqrt(length2(x, area, shell.length, law.elastic().nu) * scale);
+  const R step = step_share(law) * sqrt(length2(x, area, shell.length, law.elastic().nu) * scale);
   if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();
   if (law.can_fail() || law.deletion_step() > 0.0)
     store_field(state, ShellLayout::alive, select(alive, R(1.0), R(0.0)));
