@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gas in a chamber whose lid moves: pressure over volume, the work that it does on the lid; gas that flows in and out.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -424,6 +425,73 @@ TEST(ControlVolumes, WhatIsRefused) {
               HasSubstr("the gas that flows in has no temperature"));
   EXPECT_THAT(bag(fields({1, 2, 300, 7, 0, 0, 0.1, 1e-12}) + fields({0}) + constant_curve(7, -1)),
               HasSubstr("this curve has values below 0"));
+}
+
+/// *AIRBAG_WANG_NEFSKE: inflow at 400 K or by `temperature`, holes and curves as on its third card, what is on its fourth
+/// behind GC.
+std::string wang_nefske(double inflow_curve, double temperature, std::initializer_list<double> holes,
+                        std::initializer_list<double> more = {}) {
+  std::string outside = fmt::format("{:10}{:10.3g}{:10}", ambient, ambient_density, 1);
+  for (const double value : more) outside += fmt::format("{:10.4g}", value);
+  return "*AIRBAG_WANG_NEFSKE\n" + fields({1}) + fields({cv, cp, temperature == 0.0 ? 400.0 : 0.0, temperature, inflow_curve}) +
+         fields(holes) + outside + "\n" + fields({});
+}
+
+// LCT: the temperature of what flows in grows with time; its enthalpy over time is a parabola. Sabotage: the
+// temperature at the start of the run, or that of T.
+TEST(WangNefske, ARigidBoxIsFilledWithHotterAndHotterGas) {
+  constexpr double end = 4e-3, q = 2e-4, slope = 1e5;
+  Chamber chamber(end, true, true);
+  chamber.specimen.text(constant_curve(7, q))
+      .text(curve(8, {{0.0, 300.0}, {2.0 * end, 300.0 + 2.0 * end * slope}}))
+      .text(wang_nefske(7, 8, {}));
+  const impact::Bag gas = gas_of(chamber);
+  const double energy = ambient * area * height / (k - 1.0) + q * cp * (300.0 * end + 0.5 * slope * end * end);
+  expect_reference("flowing gas", "*AIRBAG_WANG_NEFSKE, a rigid box, LCT: pressure [MPa]", gas.pressure,
+                   (k - 1.0) * energy / (area * height), 1e-6);
+  expect_reference("flowing gas", "the same: mass [t]", gas.mass, ambient_density * area * height + q * end, 1e-9);
+}
+
+// POVER: more gas of the same temperature.
+TEST(WangNefske, OverpressureAtTheStart) {
+  Chamber chamber(1e-4, true, true);
+  chamber.specimen.text(wang_nefske(0, 0, {}, {0, 0.05}));
+  const impact::Bag gas = gas_of(chamber);
+  expect_reference("flowing gas", "POVER: pressure [MPa]", gas.pressure, ambient + 0.05, 1e-9);
+  expect_reference("flowing gas", "POVER: mass [t]", gas.mass,
+                   ambient_density * (1.0 + 0.05 / ambient) * area * height, 1e-9);
+}
+
+// Vent and leak are two holes: of the same shape, one as large as both. Sabotage: one of them left out.
+TEST(WangNefske, VentAndLeakAddUp) {
+  constexpr double end = 4e-3, q = 4e-4;
+  const auto pressure = [](const std::string& gas) {
+    Chamber chamber(end, true, true);
+    chamber.specimen.text(constant_curve(7, q)).text(constant_curve(8, 0.7)).text(constant_curve(9, 60.0)).text(gas);
+    return gas_of(chamber).pressure;
+  };
+  const double whole = pressure(air(7, 0.7, 100.0)), closed = pressure(air(7));
+  EXPECT_LT(whole, 0.9 * closed);
+  EXPECT_NEAR(pressure(wang_nefske(7, 0, {0.7, 0, 100.0})), whole, 1e-12);
+  EXPECT_NEAR(pressure(wang_nefske(7, 0, {0.7, 0, 60.0, 0, 0.7, 0, 40.0})), whole, 1e-12);
+  EXPECT_NEAR(pressure(wang_nefske(7, 0, {0, 8, 0, 9, 0, 8, 40.0})), whole, 1e-12);
+}
+
+// PPOP: until the pressure has been reached once, nothing leaves; from then on the vent is open. While it fills, the
+// box has p = pe + (k - 1) q cp T t / V. Sabotage: a vent that closes again below PPOP, an absolute pressure.
+TEST(WangNefske, TheVentOpensForGoodAtItsPressure) {
+  constexpr double end = 60e-3, filled = 3e-3, q = 4e-4, pop = 0.1;
+  const double rate = (k - 1.0) * q * cp * 400.0 / (area * height);
+  ASSERT_LT(pop / rate, 0.8 * filled);
+  Chamber chamber(end, true, true);
+  chamber.specimen.text(curve(7, {{0.0, q}, {filled, q}, {filled + 1e-9, 0.0}, {1.0, 0.0}}))
+      .text(wang_nefske(7, 0, {0.7, 0, 100.0}, {0, 0, pop}));
+  double opened = 0.0;
+  const impact::Bag gas = gas_of(chamber, [&](double t, const impact::Bag& bag) {
+    if (opened == 0.0 && bag.outflow > 0.0) opened = t;
+  });
+  expect_reference("flowing gas", "PPOP: time at which the vent opens [s]", opened, pop / rate, 5e-3);
+  EXPECT_LT(gas.pressure - ambient, 0.2 * pop);
 }
 
 }  // namespace

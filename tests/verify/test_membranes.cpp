@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/index.hpp"
+#include "model/control_volume.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -199,6 +201,139 @@ TEST(Membranes, Balloon) {
     expect_reference("membranes", fmt::format("balloon, ELFORM {}: thickness [mm]", elform), thin,
                      t * std::pow(low, -2.0 * nu / (1.0 - nu)), 0.005);
   }
+}
+
+// A square of fabric whose threads stand at an angle to the pull, between edges that hold x only: strain and stress are
+// even. S.W. Tsai and H.T. Hahn (1980): 1/E = c^4/EA + s^4/EB + c^2 s^2 (1/G - 2 nu/E). The strain is a logarithm.
+// Sabotage: BETA the other way round (AOPT 3, which is a along -y turned, tells), EA and EB exchanged.
+TEST(Membranes, FabricPulledAtAnAngle) {
+  constexpr double side = 100.0, t = 0.3, young_a = 400.0, young_b = 250.0, nu = 0.2, shear = 20.0, density = 1e-9,
+                   pull = 1.0;
+  struct Case {
+    int elform, aopt;
+    double beta, angle;  // [degrees]
+  };
+  // AOPT 3 with v along x: a = v x normal, along -y.
+  for (const Case& c : {Case{9, 0, 0, 0}, {9, 0, 90, 90}, {9, 0, 45, 45}, {5, 0, 30, 30}, {9, 3, 0, -90}, {9, 3, 60, -30}}) {
+    Specimen s;
+    s.text("*MAT_FABRIC\n" + fields({1, density, young_a, young_b, 0, nu}) + fields({shear, 0, 0, 1, 0, 0, 0, 0.05}) +
+           fields({1.0 * c.aopt}) + fields({}) + fields({1, 0, 0, 0, 0, 0, c.beta}))
+        .text("*SECTION_SHELL\n" + fields({1, 1.0 * c.elform, 1, 4}) + fields({t, t, t, t}))
+        .card("CONTROL_TERMINATION", {0.06})
+        .part(1, 1, 1);
+    const Grid grid = s.shells(1, {}, {side, side, 0}, 4, 4);
+    std::vector<int> left, right;
+    for (int j = 0; j <= 4; ++j) left.push_back(grid(0, j)), right.push_back(grid(4, j));
+    s.node_set(1, left).card("BOUNDARY_SPC_SET", {1, 0, 1, 0, 0});
+    s.node_set(2, grid.all()).card("BOUNDARY_SPC_SET", {2, 0, 0, 0, 1});
+    s.node_set(3, {grid(0, 0)}).card("BOUNDARY_SPC_SET", {3, 0, 0, 1, 0});
+    s.node_set(4, right).card("BOUNDARY_PRESCRIBED_MOTION_SET", {4, 1, 2, 1, pull});
+    s.text(smooth_ramp(1, 0.03)).card("DAMPING_GLOBAL", {0, 500.0});
+    Experiment experiment(s.deck());
+    std::array<double, 6> stress{};
+    run_to_end(experiment, [&](const impact::Snapshot& now) { stress = shell_layer(experiment, now, 6, 0).stress; });
+    const double angle = c.angle * std::numbers::pi / 180.0, cc = std::cos(angle) * std::cos(angle), ss = 1.0 - cc;
+    const double compliance = cc * cc / young_a + ss * ss / young_b + cc * ss * (1.0 / shear - 2.0 * nu / young_b);
+    expect_reference("membranes",
+                     fmt::format("fabric pulled at {} degrees to its threads, ELFORM {}, AOPT {}: stress [MPa]",
+                                 c.angle, c.elform, c.aopt),
+                     stress[0], std::log(1.0 + pull / side) / compliance, 0.01);
+    EXPECT_LT(std::abs(stress[1]) + std::abs(stress[3]), 0.01 * stress[0]);
+  }
+}
+
+// The same square pushed together: with CSE 1 no work is done on it, with CSE 0 that of EA.
+TEST(Membranes, FabricPushedTogether) {
+  constexpr double side = 100.0, t = 0.3, young = 400.0, density = 1e-9, push = 1.0;
+  for (const double cse : {0.0, 1.0}) {
+    Specimen s;
+    s.text("*MAT_FABRIC\n" + fields({1, density, young, 0, 0, 0.0}) + fields({0, 0, 0, cse}) + fields({0}) +
+           fields({}) + fields({}))
+        .text("*SECTION_SHELL\n" + fields({1, 9}) + fields({t, t, t, t}))
+        .card("CONTROL_TERMINATION", {0.03})
+        .part(1, 1, 1);
+    const Grid grid = s.shells(1, {}, {side, side, 0}, 4, 4);
+    std::vector<int> left, right;
+    for (int j = 0; j <= 4; ++j) left.push_back(grid(0, j)), right.push_back(grid(4, j));
+    s.node_set(1, left).card("BOUNDARY_SPC_SET", {1, 0, 1, 0, 0});
+    s.node_set(2, grid.all()).card("BOUNDARY_SPC_SET", {2, 0, 0, 1, 1});
+    s.node_set(4, right).card("BOUNDARY_PRESCRIBED_MOTION_SET", {4, 1, 2, 1, -push});
+    s.text(smooth_ramp(1, 0.03)).card("DAMPING_GLOBAL", {0, 500.0});
+    Experiment experiment(s.deck());
+    double internal = 0.0;
+    run_to_end(experiment, [&](const impact::Snapshot& now) { internal = now.energy.internal; });
+    const double elastic = 0.5 * young * t * side * side * std::pow(push / side, 2);
+    if (cse == 0.0)
+      expect_reference("membranes", "fabric pushed together, CSE 0: energy [N mm]", internal, elastic, 0.02);
+    else
+      expect_reference("membranes", "fabric pushed together, CSE 1: energy [N mm]", internal, 0.0, 1e-3, elastic);
+  }
+}
+
+// A ball of fabric, blown up by hot gas against the air outside. With the stretch l its walls hold p - pe = 2 s t/(r l),
+// s = E/(1 - nu) ln l, and store 8 pi r^2 t E/(1 - nu) (l^2/2 ln l - l^2/4 + 1/4); the gas keeps its energy, what flows
+// in brings its enthalpy, and loses what the walls store and what the air outside takes, pe (V - V0).
+// Sabotage: the enthalpy of the inflow, the work on the walls, a face that presses along its old normal.
+TEST(Membranes, FabricBallFilledByWangAndNefske) {
+  constexpr double r = 100.0, t = 0.5, E = 100.0, nu = 0.3, density = 1e-9, ambient = 0.1, ambient_density = 1.2e-12,
+                   cv = 7.18e8, cp = 10.05e8, inflow_temperature = 400.0, mass_in = 4e-6, rise = 0.02;
+  constexpr int n = 6;
+  Specimen s;
+  s.text("*MAT_FABRIC\n" + fields({1, density, E, 0, 0, nu}) + fields({0, 0, 0, 1}) + fields({0}) + fields({}) +
+         fields({}))
+      .text("*SECTION_SHELL\n" + fields({1, 9}) + fields({t, t, t, t}))
+      .card("CONTROL_TERMINATION", {0.03})
+      .part(1, 1, 1);
+  std::vector<Vec3d> places;
+  std::vector<int> ids;
+  const auto node = [&](const Vec3d& on_cube) {
+    const Vec3d x = (r / norm(on_cube)) * on_cube;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (norm(places[k] - x) < 1e-6) return ids[k];
+    places.push_back(x);
+    ids.push_back(s.node(x));
+    return ids.back();
+  };
+  for (int face = 0; face < 6; ++face)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const double side = face < 3 ? 1.0 : -1.0;
+        const auto corner = [&](int u, int v) {
+          const double one = std::tan(std::numbers::pi * (0.5 * u / n - 0.25)),
+                       two = std::tan(std::numbers::pi * (0.5 * v / n - 0.25)), a = side * one;
+          return node(face % 3 == 0 ? Vec3d{side, a, two} : face % 3 == 1 ? Vec3d{two, side, a} : Vec3d{a, two, side});
+        };
+        s.shell(1, {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
+      }
+  s.text("*SET_PART_LIST\n" + fields({1}) + fields({1}))
+      .text(curve(7, {{0.0, 0.0}, {0.5 * rise, 2.0 * mass_in / rise}, {rise, 0.0}, {1.0, 0.0}}))
+      .text("*AIRBAG_WANG_NEFSKE\n" + fields({1, 1}) + fields({cv, cp, inflow_temperature, 0, 7}) + fields({}) +
+            fields({ambient, ambient_density, 1}) + fields({}))
+      .card("DAMPING_GLOBAL", {0, 100.0});
+  Experiment experiment(s.deck());
+  ASSERT_EQ(experiment.findings().errors(), 0);
+  double radius = 0.0, pressure = 0.0, start = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    const auto& gas = now.components.loads.of<model::ControlVolume>().front().gas();
+    start = gas.at_start;
+    pressure = gas.bag.pressure;
+    radius = r * std::cbrt(gas.volume / start);
+  });
+  const double k = cp / cv, stiffness = E / (1.0 - nu);
+  const auto gas_pressure = [&](double l) {
+    const double volume = start * l * l * l;
+    const double walls = 8.0 * std::numbers::pi * r * r * t * stiffness * (0.5 * l * l * std::log(l) - 0.25 * l * l + 0.25);
+    const double energy = ambient * start / (k - 1.0) + mass_in * cp * inflow_temperature - walls - ambient * (volume - start);
+    return (k - 1.0) * energy / volume;
+  };
+  const auto excess = [&](double l) {
+    return ambient + 2.0 * stiffness * std::log(l) * t / (r * l) - gas_pressure(l);
+  };
+  double low = 1.0, high = 1.3;
+  ASSERT_GT(excess(high), 0.0);
+  for (int i = 0; i < 60; ++i) (excess(0.5 * (low + high)) < 0.0 ? low : high) = 0.5 * (low + high);
+  expect_reference("membranes", "ball of fabric filled by hot gas: stretch less 1 [1]", radius / r - 1.0, low - 1.0, 0.03);
+  expect_reference("membranes", "ball of fabric filled by hot gas: pressure [MPa]", pressure, gas_pressure(low), 0.01);
 }
 
 }  // namespace

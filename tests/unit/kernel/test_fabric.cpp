@@ -88,7 +88,9 @@ TEST(Fabric, WrinklesAcrossAThreadLeaveTheThread) {
 }
 
 /// Least elastic energy over all waves, beta n n with beta >= 0, by trial: over directions, with the best beta of each.
+/// Where no strain is above 0, waves in two directions take all of it up.
 double relaxed_energy(const SheetModuli& m, const AxesTensor& e) {
+  if (0.5 * (e.a + e.b) + std::hypot(0.5 * (e.a - e.b), 0.5 * e.ab) <= 0.0) return 0.0;
   const auto energy = [&](const AxesTensor& strain) {
     const AxesTensor s = m.times(strain);
     return 0.5 * (s.a * strain.a + s.b * strain.b + s.ab * strain.ab);
