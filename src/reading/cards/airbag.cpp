@@ -221,7 +221,6 @@ std::string faces_along(const Builder& b, const std::vector<Segment>& segments, 
 /// Finds the surface, its openings and its volume at the start.
 void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) {
   volume.segments = faces(b, row);
-  volume.share = share_pressure(b.model, volume.segments);
   if (volume.segments.empty()) return;
   SurfaceBorder border = surface_border(volume.segments);
   if (!border.twisted.empty()) {
@@ -232,11 +231,25 @@ void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) 
                               b.model.nodes.id[edge[1]], faces_along(b, volume.segments, edge)),
                   "turn the elements so that all normals point out of the volume");
   }
+  const auto enclosed = [&] {
+    return enclosed_volume(volume.segments, border.openings, [&](Index n) { return b.model.nodes.x[n]; });
+  };
+  double v = enclosed();
+  const double nothing = 1e-9 * std::pow(surface_area(volume.segments, [&](Index n) { return b.model.nodes.x[n]; }), 1.5);
+  if (v < -nothing) {
+    row[&VolumeCard::sid].report(b.findings, Severity::warning,
+                                 "all normals point into the volume: its faces are taken the other way round",
+                                 "turn the elements so that the normals point outwards");
+    for (Segment& s : volume.segments)
+      s = s[3] == s[2] ? Segment{s[2], s[1], s[0], s[0]} : Segment{s[3], s[2], s[1], s[0]};
+    border = surface_border(volume.segments);
+    v = enclosed();
+  }
+  if (!(v > nothing))
+    return refuse(b, row[&VolumeCard::sid], "the faces enclose no volume at the start",
+                  "give a bag that is not quite flat, with normals that point outwards");
+  volume.share = share_pressure(b.model, volume.segments);
   volume.openings = std::move(border.openings);
-  const double v = enclosed_volume(volume.segments, volume.openings, [&](Index n) { return b.model.nodes.x[n]; });
-  if (!(v > 0.0))
-    return refuse(b, row[&VolumeCard::sid], fmt::format("the enclosed volume is {:.6g}: the normals point into it", v),
-                  "turn the elements so that the normals point outwards");
   if (row->mwd != 0.0)
     row[&VolumeCard::mwd].report(b.findings, Severity::warning, "not obeyed: the surface is not damped",
                                  "use *DAMPING_PART_MASS");
