@@ -425,8 +425,9 @@ TEST(ControlVolumes, WhatIsRefused) {
   };
   using testing::HasSubstr;
   EXPECT_THAT(message("*AIRBAG_SIMPLE_PRESSURE_VOLUME\n" + fields({2}) + fields({1, 1}), true),
-              testing::ContainsRegex("normals of neighbours disagree at 1 edge, the first from node [0-9]+ to [0-9]+, between shell 17 and "
-                                      "face [0-9]+ [0-9]+ [0-9]+ [0-9]+"));
+              testing::ContainsRegex(
+                  "normals of neighbours disagree at 1 edge, the first from node [0-9]+ to [0-9]+, between shell "
+                  "17 and shell (18|21)"));
   EXPECT_THAT(message("*AIRBAG_SIMPLE_PRESSURE_VOLUME\n" + fields({1}) + fields({0.2}), false),
               HasSubstr("neither LCID nor CN times BETA is given"));
   EXPECT_THAT(message("*SET_PART_LIST\n" + fields({3}) + fields({1}) + "*AIRBAG_SIMPLE_PRESSURE_VOLUME\n" +
@@ -450,14 +451,15 @@ TEST(ControlVolumes, WhatIsRefused) {
               HasSubstr("this curve has values below 0"));
 }
 
-/// *AIRBAG_WANG_NEFSKE: inflow at 400 K or by `temperature`, holes and curves as on its third card, what is on its fourth
-/// behind GC.
+/// *AIRBAG_WANG_NEFSKE: inflow at 400 K or by `temperature`, holes and curves as on its third card, what is on its
+/// fourth behind GC.
 std::string wang_nefske(double inflow_curve, double temperature, std::initializer_list<double> holes,
                         std::initializer_list<double> more = {}) {
   std::string outside = fmt::format("{:10}{:10.3g}{:10}", ambient, ambient_density, 1);
   for (const double value : more) outside += fmt::format("{:10.4g}", value);
-  return "*AIRBAG_WANG_NEFSKE\n" + fields({1}) + fields({cv, cp, temperature == 0.0 ? 400.0 : 0.0, temperature, inflow_curve}) +
-         fields(holes) + outside + "\n" + fields({});
+  return "*AIRBAG_WANG_NEFSKE\n" + fields({1}) +
+         fields({cv, cp, temperature == 0.0 ? 400.0 : 0.0, temperature, inflow_curve}) + fields(holes) + outside +
+         "\n" + fields({});
 }
 
 // LCT: the temperature of what flows in grows with time; its enthalpy over time is a parabola. Sabotage: the
@@ -481,40 +483,43 @@ TEST(WangNefske, OverpressureAtTheStart) {
   chamber.specimen.text(wang_nefske(0, 0, {}, {0, 0.05}));
   const impact::Bag gas = gas_of(chamber);
   expect_reference("flowing gas", "POVER: pressure [MPa]", gas.pressure, ambient + 0.05, 1e-9);
-  expect_reference("flowing gas", "POVER: mass [t]", gas.mass,
-                   ambient_density * (1.0 + 0.05 / ambient) * area * height, 1e-9);
+  expect_reference("flowing gas", "POVER: mass [t]", gas.mass, ambient_density * (1.0 + 0.05 / ambient) * area * height,
+                   1e-9);
 }
 
 // Vent and leak are two holes: of the same shape, one as large as both. Sabotage: one of them left out.
 TEST(WangNefske, VentAndLeakAddUp) {
   constexpr double end = 4e-3, q = 4e-4;
-  const auto pressure = [](const std::string& gas) {
+  const auto pressure_of = [](const std::string& gas) {
     Chamber chamber(end, true, true);
     chamber.specimen.text(constant_curve(7, q)).text(constant_curve(8, 0.7)).text(constant_curve(9, 60.0)).text(gas);
     return gas_of(chamber).pressure;
   };
-  const double whole = pressure(air(7, 0.7, 100.0)), closed = pressure(air(7));
+  const double whole = pressure_of(air(7, 0.7, 100.0)), closed = pressure_of(air(7));
   EXPECT_LT(whole, 0.9 * closed);
-  EXPECT_NEAR(pressure(wang_nefske(7, 0, {0.7, 0, 100.0})), whole, 1e-12);
-  EXPECT_NEAR(pressure(wang_nefske(7, 0, {0.7, 0, 60.0, 0, 0.7, 0, 40.0})), whole, 1e-12);
-  EXPECT_NEAR(pressure(wang_nefske(7, 0, {0, 8, 0, 9, 0, 8, 40.0})), whole, 1e-12);
+  EXPECT_NEAR(pressure_of(wang_nefske(7, 0, {0.7, 0, 100.0})), whole, 1e-12);
+  EXPECT_NEAR(pressure_of(wang_nefske(7, 0, {0.7, 0, 60.0, 0, 0.7, 0, 40.0})), whole, 1e-12);
+  EXPECT_NEAR(pressure_of(wang_nefske(7, 0, {0, 8, 0, 9, 0, 8, 40.0})), whole, 1e-12);
 }
 
 // PPOP: until the pressure has been reached once, nothing leaves; from then on the vent is open. While it fills, the
 // box has p = pe + (k - 1) q cp T t / V. Sabotage: a vent that closes again below PPOP, an absolute pressure.
 TEST(WangNefske, TheVentOpensForGoodAtItsPressure) {
-  constexpr double end = 60e-3, filled = 3e-3, q = 4e-4, pop = 0.1;
+  constexpr double filled = 3e-3, q = 4e-4, pop = 0.1;
   const double rate = (k - 1.0) * q * cp * 400.0 / (area * height);
-  ASSERT_LT(pop / rate, 0.8 * filled);
-  Chamber chamber(end, true, true);
-  chamber.specimen.text(curve(7, {{0.0, q}, {filled, q}, {filled + 1e-9, 0.0}, {1.0, 0.0}}))
-      .text(wang_nefske(7, 0, {0.7, 0, 100.0}, {0, 0, pop}));
+  ASSERT_LT(pop / rate, 1e-3);
   double opened = 0.0;
-  const impact::Bag gas = gas_of(chamber, [&](double t, const impact::Bag& bag) {
-    if (opened == 0.0 && bag.outflow > 0.0) opened = t;
-  });
+  const auto end_of = [&](double end) {
+    Chamber chamber(end, true, true);
+    chamber.specimen.text(curve(7, {{0.0, q}, {filled, q}, {filled + 1e-9, 0.0}, {1.0, 0.0}}))
+        .text(wang_nefske(7, 0, {0.7, 0, 100.0}, {0, 0, pop}));
+    return gas_of(chamber, [&](double t, const impact::Bag& bag) {
+      if (opened == 0.0 && bag.outflow > 0.0) opened = t;
+    });
+  };
+  end_of(1e-3);
   expect_reference("flowing gas", "PPOP: time at which the vent opens [s]", opened, pop / rate, 5e-3);
-  EXPECT_LT(gas.pressure - ambient, 0.2 * pop);
+  EXPECT_LT(end_of(60e-3).pressure - ambient, 0.2 * pop);
 }
 
 }  // namespace

@@ -162,7 +162,8 @@ TEST(Membranes, Balloon) {
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
           const auto corner = [&](int u, int v) {
-            const double one = std::tan(0.25 * std::numbers::pi * u / n), two = std::tan(0.25 * std::numbers::pi * v / n);
+            const double one = std::tan(0.25 * std::numbers::pi * u / n),
+                         two = std::tan(0.25 * std::numbers::pi * v / n);
             return node(face == 0 ? Vec3d{1, one, two} : face == 1 ? Vec3d{two, 1, one} : Vec3d{one, two, 1});
           };
           s.shell(1, {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
@@ -174,7 +175,8 @@ TEST(Membranes, Balloon) {
       if (places[k].z < 1e-6) on[2].push_back(ids[k]);
     }
     for (int k = 0; k < 3; ++k)
-      s.node_set(k + 1, on[k]).card("BOUNDARY_SPC_SET", {1.0 + k, 0, k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0});
+      s.node_set(k + 1, on[k])
+          .card("BOUNDARY_SPC_SET", {1.0 + k, 0, k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0});
     s.text("*SET_SHELL_GENERAL\n         5\n       ALL\n").text(smooth_ramp(1, 0.01));
     s.card("LOAD_SHELL_SET", {5, 1, -p}).card("DAMPING_GLOBAL", {0, 600.0});
     Experiment experiment(s.deck());
@@ -194,8 +196,8 @@ TEST(Membranes, Balloon) {
     double low = 1.0, high = 1.15;
     ASSERT_GT(excess(high), 0.0);
     for (int k = 0; k < 60; ++k) (excess(0.5 * (low + high)) < 0.0 ? low : high) = 0.5 * (low + high);
-    expect_reference("membranes", fmt::format("balloon, ELFORM {}: radius over that of the start [1]", elform), radius / r,
-                     low, 0.002);
+    expect_reference("membranes", fmt::format("balloon, ELFORM {}: radius over that of the start [1]", elform),
+                     radius / r, low, 0.002);
     expect_reference("membranes", fmt::format("balloon, ELFORM {}: stress [MPa]", elform), stress,
                      E / (1.0 - nu) * std::log(low), 0.02);
     expect_reference("membranes", fmt::format("balloon, ELFORM {}: thickness [mm]", elform), thin,
@@ -214,7 +216,8 @@ TEST(Membranes, FabricPulledAtAnAngle) {
     double beta, angle;  // [degrees]
   };
   // AOPT 3 with v along x: a = v x normal, along -y.
-  for (const Case& c : {Case{9, 0, 0, 0}, {9, 0, 90, 90}, {9, 0, 45, 45}, {5, 0, 30, 30}, {9, 3, 0, -90}, {9, 3, 60, -30}}) {
+  for (const Case& c :
+       {Case{9, 0, 0, 0}, {9, 0, 90, 90}, {9, 0, 45, 45}, {5, 0, 30, 30}, {9, 3, 0, -90}, {9, 3, 60, -30}}) {
     Specimen s;
     s.text("*MAT_FABRIC\n" + fields({1, density, young_a, young_b, 0, nu}) + fields({shear, 0, 0, 1, 0, 0, 0, 0.05}) +
            fields({1.0 * c.aopt}) + fields({}) + fields({1, 0, 0, 0, 0, 0, c.beta}))
@@ -270,10 +273,10 @@ TEST(Membranes, FabricPushedTogether) {
   }
 }
 
-// A ball of fabric, blown up by hot gas against the air outside. With the stretch l its walls hold p - pe = 2 s t/(r l),
-// s = E/(1 - nu) ln l, and store 8 pi r^2 t E/(1 - nu) (l^2/2 ln l - l^2/4 + 1/4); the gas keeps its energy, what flows
-// in brings its enthalpy, and loses what the walls store and what the air outside takes, pe (V - V0).
-// Sabotage: the enthalpy of the inflow, the work on the walls, a face that presses along its old normal.
+// A ball of fabric, blown up by hot gas against the air outside. With the stretch l its walls hold p - pe = 2 s t/(r
+// l), s = E/(1 - nu) ln l, and store 8 pi r^2 t E/(1 - nu) (l^2/2 ln l - l^2/4 + 1/4); the gas keeps its energy, what
+// flows in brings its enthalpy, and loses what the walls store and what the air outside takes, pe (V - V0). Sabotage:
+// the enthalpy of the inflow, the work on the walls, a face that presses along its old normal.
 TEST(Membranes, FabricBallFilledByWangAndNefske) {
   constexpr double r = 100.0, t = 0.5, E = 100.0, nu = 0.3, density = 1e-9, ambient = 0.1, ambient_density = 1.2e-12,
                    cv = 7.18e8, cp = 10.05e8, inflow_temperature = 400.0, mass_in = 4e-6, rise = 0.02;
@@ -322,17 +325,18 @@ TEST(Membranes, FabricBallFilledByWangAndNefske) {
   const double k = cp / cv, stiffness = E / (1.0 - nu);
   const auto gas_pressure = [&](double l) {
     const double volume = start * l * l * l;
-    const double walls = 8.0 * std::numbers::pi * r * r * t * stiffness * (0.5 * l * l * std::log(l) - 0.25 * l * l + 0.25);
-    const double energy = ambient * start / (k - 1.0) + mass_in * cp * inflow_temperature - walls - ambient * (volume - start);
+    const double walls =
+        8.0 * std::numbers::pi * r * r * t * stiffness * (0.5 * l * l * std::log(l) - 0.25 * l * l + 0.25);
+    const double energy =
+        ambient * start / (k - 1.0) + mass_in * cp * inflow_temperature - walls - ambient * (volume - start);
     return (k - 1.0) * energy / volume;
   };
-  const auto excess = [&](double l) {
-    return ambient + 2.0 * stiffness * std::log(l) * t / (r * l) - gas_pressure(l);
-  };
+  const auto excess = [&](double l) { return ambient + 2.0 * stiffness * std::log(l) * t / (r * l) - gas_pressure(l); };
   double low = 1.0, high = 1.3;
   ASSERT_GT(excess(high), 0.0);
   for (int i = 0; i < 60; ++i) (excess(0.5 * (low + high)) < 0.0 ? low : high) = 0.5 * (low + high);
-  expect_reference("membranes", "ball of fabric filled by hot gas: stretch less 1 [1]", radius / r - 1.0, low - 1.0, 0.03);
+  expect_reference("membranes", "ball of fabric filled by hot gas: stretch less 1 [1]", radius / r - 1.0, low - 1.0,
+                   0.03);
   expect_reference("membranes", "ball of fabric filled by hot gas: pressure [MPa]", pressure, gas_pressure(low), 0.01);
 }
 

@@ -9,8 +9,8 @@
 
 namespace nugget::impact {
 
-/// The gas of *AIRBAG_SIMPLE_AIRBAG_MODEL and _WANG_NEFSKE: one ideal gas of uniform pressure and temperature, in walls that take no
-/// heat (docs/theory/gas.md#gas-that-flows).
+/// The gas of *AIRBAG_SIMPLE_AIRBAG_MODEL and _WANG_NEFSKE: one ideal gas of uniform pressure and temperature, in walls
+/// that take no heat (docs/theory/gas.md#gas-that-flows).
 struct Bag {
   double volume = 0.0;  ///< [length^3]
   double mass = 0.0;

@@ -34,7 +34,7 @@ double step_share(const LawKernel<Law>& law) {
 /// The stable step; elements whose step is too short for their law are deleted.
 template <class R, class Law, int N>
 R step_and_deletion(const ShellProperties& shell, const LawKernel<Law>& law, const Vec3<R> (&x)[N], const R& area,
-                 MaskOf<R>& alive, double* state) {
+                    MaskOf<R>& alive, double* state) {
   const R scale = load_field<R>(state, ShellLayout::density_scale) * (shell.density / law.elastic().plane);
   const R step = step_share(law) * sqrt(length2(x, area, shell.length, law.elastic().nu) * scale);
   if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();
@@ -217,7 +217,8 @@ NodalForces<R, 4> full_membrane_cycle(const ShellProperties& shell, const LawKer
     const TangentPlane<R> plane(mid, place_xi[p], place_eta[p]);
     const Vec3<R> v_xi = along_xi(v, place_eta[p]), v_eta = along_eta(v, place_xi[p]);
     const R over = 1.0 / plane.area;
-    const Vec3<R> v1 = over * (plane.j22 * v_xi - plane.j12 * v_eta), v2 = over * (plane.j11 * v_eta - plane.j21 * v_xi);
+    const Vec3<R> v1 = over * (plane.j22 * v_xi - plane.j12 * v_eta),
+                  v2 = over * (plane.j11 * v_eta - plane.j21 * v_xi);
     ShellRates<R> d;
     d.xx = dot(v1, plane.e1);
     d.yy = dot(v2, plane.e2);
@@ -241,8 +242,7 @@ NodalForces<R, 4> full_membrane_cycle(const ShellProperties& shell, const LawKer
     const R xx = now * n[p].nxx - viscous, yy = now * n[p].nyy - viscous, xy = now * n[p].nxy;
     const Vec3<R> on_1 = xx * plane.e1 + xy * plane.e2, on_2 = xy * plane.e1 + yy * plane.e2;
     // Forces on the derivatives along xi and eta.
-    const Vec3<R> xi = 0.25 * (plane.j22 * on_1 - plane.j21 * on_2),
-                  eta = 0.25 * (plane.j11 * on_2 - plane.j12 * on_1);
+    const Vec3<R> xi = 0.25 * (plane.j22 * on_1 - plane.j21 * on_2), eta = 0.25 * (plane.j11 * on_2 - plane.j12 * on_1);
     f13 -= xi + eta;
     f24 += xi - eta;
     pattern += R(place_eta[p]) * xi + R(place_xi[p]) * eta;
@@ -287,12 +287,12 @@ NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties& shell, const La
   return out;
 }
 
-#define NUGGET_MEMBRANE(R, Law)                                                                                 \
-  template NodalForces<R, 4> membrane_cycle(const ShellProperties&, const LawKernel<Law>&,                      \
-                                            const NodalMotion<R, 4>&, double, double*);                         \
-  template NodalForces<R, 4> full_membrane_cycle(const ShellProperties&, const LawKernel<Law>&,                 \
-                                                 const NodalMotion<R, 4>&, double, double*);                    \
-  template NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties&, const LawKernel<Law>&,             \
+#define NUGGET_MEMBRANE(R, Law)                                                                                      \
+  template NodalForces<R, 4> membrane_cycle(const ShellProperties&, const LawKernel<Law>&, const NodalMotion<R, 4>&, \
+                                            double, double*);                                                        \
+  template NodalForces<R, 4> full_membrane_cycle(const ShellProperties&, const LawKernel<Law>&,                      \
+                                                 const NodalMotion<R, 4>&, double, double*);                         \
+  template NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties&, const LawKernel<Law>&,                  \
                                                      const NodalMotion<R, 3>&, double, double*);
 #define NUGGET_MEMBRANE_OF(Law) NUGGET_MEMBRANE(double, Law) NUGGET_MEMBRANE(NativeBatch, Law)
 NUGGET_MEMBRANE_OF(Elastic)

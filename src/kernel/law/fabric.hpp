@@ -16,10 +16,10 @@ struct Fabric {
   /// Of an isotropic material as stiff as the fastest wave in the plane: for contact, step and hourglass stiffness
   /// [stress], [1].
   double E = 0.0, nu = 0.0;
-  double young_a = 0.0, young_b = 0.0;  ///< EA, EB [stress]
-  double poisson_ba = 0.0;              ///< PRBA [1]
-  double shear_ab = 0.0;                ///< GAB [stress]
-  bool no_compression = false;          ///< CSE 1
+  double young_a = 0.0, young_b = 0.0;            ///< EA, EB [stress]
+  double poisson_ba = 0.0;                        ///< PRBA [1]
+  double shear_ab = 0.0;                          ///< GAB [stress]
+  bool no_compression = false;                    ///< CSE 1
   double liner_young = 0.0, liner_poisson = 0.0;  ///< EL [stress], PRL [1]
   double liner_share = 0.0;                       ///< LRATIO: of the thickness [1]
   double damping = 0.0;                           ///< DAMP, share of critical damping [1]

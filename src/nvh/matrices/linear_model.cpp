@@ -179,8 +179,8 @@ void refuse_membranes(const model::Model& m, Findings& findings) {
   for (std::size_t p = 0; p < m.parts.size(); ++p)
     if (m.has_membranes(static_cast<model::Index>(p)))
       findings.error(m.parts[p].place, "*PART",
-                     fmt::format("part {} is of membranes (ELFORM {}), which linear analyses do not have", m.parts[p].id,
-                                 m.shell_sections[m.parts[p].section].elform),
+                     fmt::format("part {} is of membranes (ELFORM {}), which linear analyses do not have",
+                                 m.parts[p].id, m.shell_sections[m.parts[p].section].elform),
                      "give its section ELFORM 16, which bends, or take the part out");
 }
 

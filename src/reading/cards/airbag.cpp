@@ -110,8 +110,7 @@ const CardOf<InflatorCard> inflator_card{
     {&InflatorCard::cv,
      real("cv", specific_heat, 0, at_least(0), "heat capacity at constant volume; 0: of A, B, MW and GASC")},
     {&InflatorCard::cp, real("cp", specific_heat, 0, at_least(0), "heat capacity at constant pressure")},
-    {&InflatorCard::t,
-     real("t", dimension::number, 0, at_least(0), "absolute temperature of the gas that flows in")},
+    {&InflatorCard::t, real("t", dimension::number, 0, at_least(0), "absolute temperature of the gas that flows in")},
     {&InflatorCard::lct, id("lct", IdSpace::function, 0, "curve of it over time, in the place of T")},
     {&InflatorCard::lcmt, id("lcmt", IdSpace::function, 0, "curve over time of the mass flow into the volume")},
     real("tvol", dimension::volume, 0, only(0), "volume of a tank, whose pressure LCMT would be"),
@@ -132,7 +131,8 @@ struct HolesCard {
 const CardOf<HolesCard> holes_card{
     {&HolesCard::c23, real("c23", dimension::number, 0, at_least(0), "shape factor of the vent")},
     {&HolesCard::lcc23, id("lcc23", IdSpace::function, 0, "curve of it over time, where C23 is 0")},
-    {&HolesCard::a23, real("a23", dimension::area, 0, at_least(0), "area of the vent; below 0, of parts, is not built")},
+    {&HolesCard::a23,
+     real("a23", dimension::area, 0, at_least(0), "area of the vent; below 0, of parts, is not built")},
     {&HolesCard::lca23, id("lca23", IdSpace::function, 0, "curve of it over the absolute pressure, where A23 is 0")},
     {&HolesCard::cp23, real("cp23", dimension::number, 0, at_least(0), "shape factor of what leaks")},
     {&HolesCard::lccp23, id("lccp23", IdSpace::function, 0, "curve of it over time, where CP23 is 0")},
@@ -170,7 +170,8 @@ struct MoleCard {
 };
 const CardOf<MoleCard> mole_card{
     {&MoleCard::text, real("text", dimension::number, 0, at_least(0), "absolute temperature of the gas at the start")},
-    {&MoleCard::a, real("a", molar_heat, 0, any_value, "heat capacity of a mole at constant pressure, at temperature 0")},
+    {&MoleCard::a,
+     real("a", molar_heat, 0, any_value, "heat capacity of a mole at constant pressure, at temperature 0")},
     {&MoleCard::b, real("b", molar_heat, 0, any_value, "what it grows by, per temperature")},
     {&MoleCard::mw, real("mw", dimension::mass, 0, at_least(0), "mass of a mole")},
     {&MoleCard::gasc, real("gasc", molar_heat, 0, at_least(0), "universal gas constant")},
@@ -225,17 +226,19 @@ void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) 
   SurfaceBorder border = surface_border(volume.segments);
   if (!border.twisted.empty()) {
     const auto& edge = border.twisted.front();
-    return refuse(b, row[&VolumeCard::sid],
-                  fmt::format("the normals of neighbours disagree at {} edge{}, the first from node {} to {}, between {}",
-                              border.twisted.size(), border.twisted.size() == 1 ? "" : "s", b.model.nodes.id[edge[0]],
-                              b.model.nodes.id[edge[1]], faces_along(b, volume.segments, edge)),
-                  "turn the elements so that all normals point out of the volume");
+    return refuse(
+        b, row[&VolumeCard::sid],
+        fmt::format("the normals of neighbours disagree at {} edge{}, the first from node {} to {}, between {}",
+                    border.twisted.size(), border.twisted.size() == 1 ? "" : "s", b.model.nodes.id[edge[0]],
+                    b.model.nodes.id[edge[1]], faces_along(b, volume.segments, edge)),
+        "turn the elements so that all normals point out of the volume");
   }
   const auto enclosed = [&] {
     return enclosed_volume(volume.segments, border.openings, [&](Index n) { return b.model.nodes.x[n]; });
   };
   double v = enclosed();
-  const double nothing = 1e-9 * std::pow(surface_area(volume.segments, [&](Index n) { return b.model.nodes.x[n]; }), 1.5);
+  const double nothing =
+      1e-9 * std::pow(surface_area(volume.segments, [&](Index n) { return b.model.nodes.x[n]; }), 1.5);
   if (v < -nothing) {
     row[&VolumeCard::sid].report(b.findings, Severity::warning,
                                  "all normals point into the volume: its faces are taken the other way round",
@@ -387,7 +390,8 @@ void expect_no_backflow(Builder& b, const deck::Entry& field, Index curve) {
 /// Temperature and density of the gas at the start: a quick check of the units.
 void note_gas(Builder& b, const RowOf<VolumeCard>& row, const ControlVolume& volume) {
   const FlowingGas& gas = volume.flowing;
-  const double density = gas.density + (gas.overpressure > 0.0 ? gas.overpressure / (gas.constant * gas.temperature) : 0.0);
+  const double density =
+      gas.density + (gas.overpressure > 0.0 ? gas.overpressure / (gas.constant * gas.temperature) : 0.0);
   b.findings.note(volume.place, row.keyword(),
                   fmt::format("the gas at the start has a temperature of {:.4g} and a density of {:.4g}; its gas "
                               "constant is {:.4g}",
@@ -554,12 +558,12 @@ Keyword volume_keyword(std::string_view name, std::initializer_list<const Card*>
 }  // namespace
 
 std::vector<Keyword> airbag_keywords() {
-  return {volume_keyword("AIRBAG_SIMPLE_PRESSURE_VOLUME", {&coefficient_card}, read_pressure_volume),
-          volume_keyword("AIRBAG_SIMPLE_AIRBAG_MODEL", {&heat_card, &outflow_card}, read_simple_airbag),
-          volume_keyword("AIRBAG_WANG_NEFSKE",
-                         {&inflator_card, &holes_card, &ambience_card, &inflator_model_card, &mole_card},
-                         read_wang_nefske),
-          volume_keyword("AIRBAG_ADIABATIC_GAS_MODEL", {&adiabatic_card}, read_adiabatic)};
+  return {
+      volume_keyword("AIRBAG_SIMPLE_PRESSURE_VOLUME", {&coefficient_card}, read_pressure_volume),
+      volume_keyword("AIRBAG_SIMPLE_AIRBAG_MODEL", {&heat_card, &outflow_card}, read_simple_airbag),
+      volume_keyword("AIRBAG_WANG_NEFSKE",
+                     {&inflator_card, &holes_card, &ambience_card, &inflator_model_card, &mole_card}, read_wang_nefske),
+      volume_keyword("AIRBAG_ADIABATIC_GAS_MODEL", {&adiabatic_card}, read_adiabatic)};
 }
 
 }  // namespace nugget::reading

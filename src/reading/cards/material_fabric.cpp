@@ -149,7 +149,8 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
     const int written = later.model.shell_sections[part.section].elform;
     const int elform = written == 0 ? later.model.control.default_shell : written;
     if (!is_membrane(elform))
-      refuse(later, row[&PartCard::mid], fmt::format("*MAT_FABRIC is a law of membranes, but the shells have ELFORM {}", elform),
+      refuse(later, row[&PartCard::mid],
+             fmt::format("*MAT_FABRIC is a law of membranes, but the shells have ELFORM {}", elform),
              "write ELFORM 9 or 5 in their section");
   };
 }

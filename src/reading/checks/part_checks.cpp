@@ -82,12 +82,11 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& re
                   fmt::format("formulation {} is {}; models in two dimensions are not built", section.elform,
                               section.elform < 14 ? "a plane element" : "an axisymmetric solid"),
                   "model it in three dimensions: a layer of bricks, or a sector of the body");
-  refuse(
-      b, b.shell_formulations[s],
-      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 and 17 (triangles), 5 and 9 "
-                  "(membranes), 10 (2 with warping coupling) and 16 (fully integrated)",
-                  section.elform),
-      "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
+  refuse(b, b.shell_formulations[s],
+         fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 and 17 (triangles), 5 and 9 "
+                     "(membranes), 10 (2 with warping coupling) and 16 (fully integrated)",
+                     section.elform),
+         "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
 }
 
 /// Adhesive has a law of its own, and the law only such bricks.

@@ -76,7 +76,8 @@ TEST(Fabric, NoStressUnderCompressionAndTheSameOnTheWayBack) {
   }
 }
 
-// Pulled along a thread, pushed together across it by more than Poisson's ratio: EA times the strain, whatever the push.
+// Pulled along a thread, pushed together across it by more than Poisson's ratio: EA times the strain, whatever the
+// push.
 TEST(Fabric, WrinklesAcrossAThreadLeaveTheThread) {
   for (const double push : {0.01, 0.05, 0.3}) {
     LayerPoint<Fabric> p = point(woven(true), 0.0);

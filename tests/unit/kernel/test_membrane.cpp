@@ -73,8 +73,7 @@ TYPED_TEST(Membranes, ForcesDoTheWorkOfTheStresses) {
   const Elastic law{1e6, 0.25};
   Driven<Elastic, TypeParam> d(section(1), law, m, 0.7);
   double area = 0.0;
-  for (int i = 0; i < TypeParam::corners; ++i)
-    area += 0.5 * cross(m.x[i], m.x[(i + 1) % TypeParam::corners]).z;
+  for (int i = 0; i < TypeParam::corners; ++i) area += 0.5 * cross(m.x[i], m.x[(i + 1) % TypeParam::corners]).z;
   for (int i = 0; i < TypeParam::corners; ++i) {
     const double x = m.x[i].x, y = m.x[i].y;
     d.nodes.v[i] = {1e-9 * (x + 0.5 * y), 1e-9 * (y + 0.5 * x), 3e-9 * x - 2e-9 * y};
