@@ -10,7 +10,7 @@ namespace nugget::kernel {
 
 /// Woven fabric of membranes (MAT_034, FORM 0 and 1): orthotropic elasticity from the total strain, which is the sum of
 /// the strain increments in axes that turn with the element: strain_a = stress_a/EA - PRBA stress_b/EB and so on, shear
-/// by GAB. Without compression (CSE 1) it wrinkles: see without_compression. A liner (LRATIO) is isotropic and carries
+/// by GAB. Without compression (CSE 1) it wrinkles: see Wrinkling. A liner (LRATIO) is isotropic and carries
 /// compression. The thickness stays as it is. Sources: LS-DYNA Keyword Manual and Theory Manual, material 34.
 struct Fabric {
   /// Of an isotropic material as stiff as the fastest wave in the plane: for contact, step and hourglass stiffness
@@ -43,12 +43,32 @@ struct SheetModuli {
   }
 };
 
-/// Stress [stress] of a sheet that carries no compression, for the strain `strain` of its plane [1]: taut where the
-/// elastic stress has no principal value below 0; slack, 0, where no direction is stretched; else wrinkled, a uniaxial
-/// tension along t with the strain that the waves take up, beta n n, across it: of all n and beta >= 0 those of the
-/// least elastic energy (A.C. Pipkin, IMA J. Appl. Math. 36, 1986: the relaxed energy of a membrane). What is left of
-/// the shear between t and n at the end is below 1e-12 of the stress.
-AxesTensor without_compression(const SheetModuli& moduli, const AxesTensor& strain);
+/// A sheet that carries no compression: taut, its stress is elastic where that has no principal value below 0; slack, it
+/// is 0 where no direction is stretched; else wrinkled, a uniaxial tension along t with the strain that the waves take
+/// up, beta n n, across it: of all n and beta >= 0 those of the least elastic energy (A.C. Pipkin, IMA J. Appl. Math. 36,
+/// 1986: the relaxed energy of a membrane). What is left of the shear between t and n at the end is below 1e-12 of the
+/// stress.
+class Wrinkling {
+ public:
+  explicit Wrinkling(const SheetModuli& moduli);
+  /// Stress [stress] for the strain of its plane [1].
+  AxesTensor stress(const AxesTensor& strain) const;
+
+  /// A direction in the plane, a unit vector.
+  struct Direction {
+    double a, b;
+  };
+
+ private:
+  static constexpr std::size_t tried = 12;  ///< directions over half a turn
+  struct Tried {
+    double a, b, aa, bb, ab2, over_stiffness;  ///< n, n n, and 1 / C_nnnn
+  };
+  Direction between_neighbours(const AxesTensor& stress, std::size_t best, double enough) const;
+
+  SheetModuli moduli_;
+  std::array<Tried, tried> tried_;
+};
 
 /// History of a point: the material axes as of Orthotropic, strain, stress without and with damping, all in these axes.
 /// The stress of the point is changed by what these change by, so that a stress it begins with stays beside them.
@@ -110,7 +130,7 @@ class LawKernel<Fabric> {
   template <class R>
   void take_compression_out(const R& ea, const R& eb, const R& eab, std::array<R, 3>& stress) const {
     for (int l = 0; l < lanes<R>; ++l) {
-      const AxesTensor left = without_compression(fabric_, {lane(ea, l), lane(eb, l), lane(eab, l)});
+      const AxesTensor left = wrinkling_.stress({lane(ea, l), lane(eb, l), lane(eab, l)});
       set_lane(stress[0], l, left.a);
       set_lane(stress[1], l, left.b);
       set_lane(stress[2], l, left.ab);
@@ -119,6 +139,7 @@ class LawKernel<Fabric> {
 
   MaterialAxes axes_;
   SheetModuli fabric_, liner_;  ///< times their shares of the thickness
+  Wrinkling wrinkling_;
   bool no_compression_, has_liner_;
   double damping_, step_share_;
 };
