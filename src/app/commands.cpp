@@ -244,12 +244,14 @@ std::string energy_warning(const output::Summary& summary) {
 std::pair<std::string, std::string_view> elements_and_remedy(const model::Model& model, const model::Part& part) {
   if (part.kind == model::ElementKind::shell) {
     const int form = model.shell_sections[part.section].elform;
-    return {fmt::format("shells of ELFORM {}", form),
-            form == 16
-                ? "a smaller DRCPRM of *CONTROL_SHELL: these shells have no hourglass modes, it is their stiffness "
-                  "against drilling"
-                : "ELFORM 16 in its *SECTION_SHELL, or *HOURGLASS with IHQ 4 and QM 0.05; smaller elements where "
-                  "single nodes are pushed"};
+    return {
+        fmt::format("shells of ELFORM {}", form),
+        form == 16  ? "a smaller DRCPRM of *CONTROL_SHELL: these shells have no hourglass modes, it is their stiffness "
+                      "against drilling"
+        : form == 5 ? "ELFORM 9 in its *SECTION_SHELL, or *HOURGLASS with IHQ 4 and QM 0.05; smaller elements where "
+                      "single nodes are pushed"
+                    : "ELFORM 16 in its *SECTION_SHELL, or *HOURGLASS with IHQ 4 and QM 0.05; smaller elements where "
+                      "single nodes are pushed"};
   }
   if (part.kind == model::ElementKind::solid)
     return {fmt::format("bricks of ELFORM {}", model.solid_sections[part.section].elform),

@@ -16,17 +16,26 @@ struct Opening {
   std::vector<Index> nodes;  ///< of the border, ascending
 };
 
-/// An ideal gas that flows in and out (*AIRBAG_SIMPLE_AIRBAG_MODEL). Its heat capacity at constant pressure is
-/// cp = heat + heat_slope T, that at constant volume cp - constant, all per mass.
-struct FlowingGas {
-  double constant = 0.0;                        ///< R, pressure / (density temperature)
-  double heat = 0.0, heat_slope = 0.0;          ///< CP and 0, or A / MW and B / MW
-  double temperature = 0.0, density = 0.0;      ///< at the start, at the ambient pressure; 0: vacuum
-  double inflow_temperature = 0.0;              ///< T
-  Index inflow_curve = none;                    ///< LCID: mass flow over time
-  double shape = 0.0, area = 0.0;               ///< of the vent: MU, AREA
+/// A hole through which gas leaves: its area times the share of it that the jet fills.
+struct Vent {
+  double shape = 0.0, area = 0.0;               ///< [1], [length^2]
   Index shape_curve = none, area_curve = none;  ///< in the place of these, over the absolute pressure
-  Index outflow_curve = none;                   ///< LOU: mass flow over the gauge pressure; in the place of the vent
+  Index shape_over_time = none;                 ///< in the place of the shape
+};
+
+/// An ideal gas that flows in and out (*AIRBAG_SIMPLE_AIRBAG_MODEL, _WANG_NEFSKE). Its heat capacity at constant
+/// pressure is cp = heat + heat_slope T, that at constant volume cp - constant, all per mass.
+struct FlowingGas {
+  double constant = 0.0;                    ///< R, pressure / (density temperature)
+  double heat = 0.0, heat_slope = 0.0;      ///< CP and 0, or A / MW and B / MW
+  double temperature = 0.0, density = 0.0;  ///< at the start, at the ambient pressure; 0: vacuum
+  double overpressure = 0.0;                ///< POVER: of the gas at the start, at this temperature [stress]
+  double inflow_temperature = 0.0;          ///< T
+  Index inflow_temperature_curve = none;    ///< LCT: in the place of it, over time
+  Index inflow_curve = none;                ///< LCID, LCMT: mass flow over time
+  Vent vent, leak;                          ///< MU, AREA; C23, A23 and CP23, AP23
+  double pop_pressure = 0.0;                ///< PPOP: gauge pressure that opens the vent for good [stress]
+  Index outflow_curve = none;               ///< LOU, LCEFR: mass flow over the gauge pressure; in the place of the vent
 };
 
 /// Gas behind faces (*AIRBAG_...): its pressure follows from the volume that they enclose.
@@ -42,7 +51,7 @@ struct ControlVolume {
     coefficient,  ///< SIMPLE_PRESSURE_VOLUME: p = beta CN / (V/V0)
     curve,        ///< the same with LCID: p(V/V0)
     adiabatic,    ///< ADIABATIC_GAS_MODEL: p = PSF ((P0 + PE) (V/V0)^-gamma - PE)
-    flowing       ///< SIMPLE_AIRBAG_MODEL: an ideal gas with inflow and outflow, p - PE
+    flowing       ///< SIMPLE_AIRBAG_MODEL, WANG_NEFSKE: an ideal gas with inflow and outflow, p - PE
   };
   Gas gas = Gas::coefficient;
   Index curve = none;              ///< of `curve`

@@ -39,4 +39,12 @@ Index Model::curve_index(int id) const {
   return at == curves.end() ? none : static_cast<Index>(at - curves.begin());
 }
 
+bool Model::has_membranes(Index part) const {
+  const Part& p = parts[part];
+  if (p.kind != ElementKind::shell || p.section == none || p.material == none) return false;
+  const Law& law = materials[p.material].law;
+  return is_membrane(shell_sections[p.section].elform) && !std::holds_alternative<kernel::Rigid>(law) &&
+         !std::holds_alternative<kernel::Null>(law);
+}
+
 }  // namespace nugget::model

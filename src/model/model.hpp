@@ -245,6 +245,8 @@ struct Model : LoadLists {
   Index node_index(int id) const;
   Index part_index(int id) const;
   Index curve_index(int id) const;
+  /// Whether a part's elements are membranes: shells without bending, neither rigid nor for contact alone (MAT_NULL).
+  bool has_membranes(Index part) const;
 };
 
 }  // namespace nugget::model

@@ -46,6 +46,11 @@ struct Material {
   double poisson() const;  ///< Poisson's ratio
 };
 
+/// ELFORM of shells without bending, whose nodes have no rotations: 5 of one point in the plane, 9 of 2 x 2.
+inline bool is_membrane(int elform) {
+  return elform == 5 || elform == 9;
+}
+
 struct SectionShell {
   int id = 0;
   int elform = 2;

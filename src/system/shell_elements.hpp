@@ -10,6 +10,7 @@
 #include "kernel/element/c0_triangle.hpp"
 #include "kernel/element/full_shell.hpp"
 #include "kernel/element/kirchhoff_triangle.hpp"
+#include "kernel/element/membrane.hpp"
 #include "kernel/law/laminate_kernel.hpp"
 #include "kernel/law/own_kernels.hpp"
 #include "model/model.hpp"
@@ -26,8 +27,19 @@ std::array<double, 6> global_stress(const Frame3d& frame, double xx, double yy, 
 /// Components xx yy xy xz yz in the element's frame of a global stress; what else it has there is lost.
 std::array<double, 5> local_stress(const Frame3d& frame, const std::array<double, 6>& stress);
 
-/// ELFORM 2, 4, 16 and 17.
-enum class ShellKind { one_point, triangle, full, kirchhoff };
+/// ELFORM 2, 4, 16 and 17; 5 and 9, and the triangles of both.
+enum class ShellKind { one_point, triangle, full, kirchhoff, membrane, full_membrane, membrane_triangle };
+
+constexpr bool is_membrane(ShellKind kind) {
+  return kind == ShellKind::membrane || kind == ShellKind::full_membrane || kind == ShellKind::membrane_triangle;
+}
+constexpr bool is_triangle(ShellKind kind) {
+  return kind == ShellKind::triangle || kind == ShellKind::kirchhoff || kind == ShellKind::membrane_triangle;
+}
+/// Four columns of layers, as those of full_shell_cycle.
+constexpr bool is_full(ShellKind kind) {
+  return kind == ShellKind::full || kind == ShellKind::full_membrane;
+}
 
 /// Formulation of the shells of three nodes in a section: 4, 17, or 0 where they are collapsed quads.
 inline int triangle_formulation(const model::SectionShell& section, const model::Control& control) {
@@ -43,11 +55,11 @@ kernel::LayerRule layer_rule(const model::Model& model, model::Index part);
 
 template <class Law, ShellKind Kind>
 struct ShellElement {
-  static constexpr int corners = Kind == ShellKind::triangle || Kind == ShellKind::kirchhoff ? 3 : 4;
-  static constexpr int columns = Kind == ShellKind::full        ? kernel::full_shell_columns
+  static constexpr int corners = is_triangle(Kind) ? 3 : 4;
+  static constexpr int columns = is_full(Kind)                  ? kernel::full_shell_columns
                                  : Kind == ShellKind::kirchhoff ? kernel::kirchhoff_columns
                                                                 : 1;
-  static constexpr bool rotational = true;
+  static constexpr bool rotational = !is_membrane(Kind);
   static constexpr bool single_precision =
       (Kind == ShellKind::one_point || Kind == ShellKind::full) && kernel::built_for_single<Law>;
   using Layout = kernel::ShellLayout;
@@ -61,7 +73,7 @@ struct ShellElement {
   double mass_per_area;
 
   kernel::ShellLayout layout() const {
-    if constexpr (Kind == ShellKind::full)
+    if constexpr (is_full(Kind))
       return kernel::full_shell_layout(shell, law);
     else if constexpr (Kind == ShellKind::kirchhoff)
       return kernel::kirchhoff_layout(shell, law);
@@ -110,7 +122,11 @@ struct ShellElement {
   kernel::NodalMass nodal_mass(model::Index e, const Places& x) const {
     const double t = shells.thickness[e];
     const double shear_share = shell.shear_factor * law.elastic().shear / law.elastic().plane;
-    if constexpr (corners == 4)
+    if constexpr (is_membrane(Kind) && corners == 4)
+      return {kernel::shell_nodal_mass(x, t, shell.density, 0.0, mass_per_area).mass, 0.0};
+    else if constexpr (is_membrane(Kind))
+      return {kernel::triangle_nodal_mass(x, t, shell.density, 0.0, mass_per_area).mass, 0.0};
+    else if constexpr (corners == 4)
       return kernel::shell_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shear_share, shell.profile);
     else if constexpr (Kind == ShellKind::kirchhoff)
       return kernel::kirchhoff_nodal_mass(x, t, shell.density, shell.offset, mass_per_area, shell.profile);
@@ -128,6 +144,12 @@ struct ShellElement {
       return kernel::full_shell_cycle(shell, law, motion, dt, state);
     else if constexpr (Kind == ShellKind::kirchhoff)
       return kernel::kirchhoff_triangle_cycle(shell, law, motion, dt, state);
+    else if constexpr (Kind == ShellKind::membrane)
+      return kernel::membrane_cycle(shell, law, motion, dt, state);
+    else if constexpr (Kind == ShellKind::full_membrane)
+      return kernel::full_membrane_cycle(shell, law, motion, dt, state);
+    else if constexpr (Kind == ShellKind::membrane_triangle)
+      return kernel::membrane_triangle_cycle(shell, law, motion, dt, state);
     else
       return kernel::triangle_cycle(shell, law, motion, dt, state);
   }
@@ -178,6 +200,7 @@ struct ShellElement {
     e.shell.bulk_quadratic = e.shell.bulk_linear = 0.0;
     if (e.shell.hourglass <= 3)
       e.shell.membrane_hourglass = e.shell.bending_hourglass = e.shell.warping_hourglass = 0.0;
+    if (is_membrane(Kind)) e.shell.warping_hourglass = 0.0;
     return e;
   }
   template <class Field>

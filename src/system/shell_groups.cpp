@@ -66,13 +66,14 @@ std::array<double, 5> local_stress(const Frame3d& f, const std::array<double, 6>
 
 namespace {
 
-/// The same of shells, which may have layers.
-template <class With>
+/// The same of shells, which may have layers, but for membranes.
+template <ShellKind Kind, class With>
 bool with_shell_law(const model::Law& law, const With& with) {
-  if (const auto* laminate = std::get_if<kernel::Laminate>(&law)) {
-    with(*laminate);
-    return true;
-  }
+  if constexpr (!is_membrane(Kind))
+    if (const auto* laminate = std::get_if<kernel::Laminate>(&law)) {
+      with(*laminate);
+      return true;
+    }
   return with_law(law, with);
 }
 
@@ -132,7 +133,7 @@ void System::add_shells(std::size_t p, const std::vector<model::Index>& chosen, 
   const Members m = members(model.shells, chosen);
   constexpr int corners = ShellElement<kernel::Elastic, Kind>::corners;
   const model::Law shell_law = softening == weld::Softening{} ? material.law : weld::softened(material.law, softening);
-  const bool computed = with_shell_law(shell_law, [&]<class Law>(const Law& law) {
+  const bool computed = with_shell_law<Kind>(shell_law, [&]<class Law>(const Law& law) {
     add_group(ShellElement<Law, Kind>{shell, kernel::LawKernel<Law>(law), model.shells, section.extra_mass},
               model::ElementKind::shell, p, m, shell_location);
   });
@@ -160,7 +161,16 @@ void System::make_shells() {
     const int formulation = triangle_formulation(section, model.control);
     std::vector<model::Index> quads, triangles;
     for (model::Index e : sorted[p])
-      (formulation != 0 && model.shells.triangle(at(e)) ? triangles : quads).push_back(e);
+      ((formulation != 0 || model::is_membrane(section.elform)) && model.shells.triangle(at(e)) ? triangles : quads)
+          .push_back(e);
+    if (model::is_membrane(section.elform)) {
+      if (section.elform == 5)
+        add_shells<ShellKind::membrane>(p, quads, softening);
+      else
+        add_shells<ShellKind::full_membrane>(p, quads, softening);
+      add_shells<ShellKind::membrane_triangle>(p, triangles, softening);
+      continue;
+    }
     if (fully_integrated(section))
       add_shells<ShellKind::full>(p, quads, softening);
     else

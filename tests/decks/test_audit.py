@@ -218,7 +218,7 @@ class RefusedDecks(CommandTest):
         self.write(lap_joint())
         self.nugget("check", "model.k", "-o", "sound")
         sound = self.read("sound/welds.csv")
-        self.write(lap_joint(("*PART\nlower sheet", "*AIRBAG_WANG_NEFSKE\n1\n*PART\nlower sheet")))
+        self.write(lap_joint(("*PART\nlower sheet", "*AIRBAG_HYBRID\n1\n*PART\nlower sheet")))
         run, welds, found = self.refused("model.k")
         self.assertEqual(self.read("audit/welds.csv"), sound)
         self.assertEqual((len(welds), welds[0]["tied"], welds[0]["sheet1"], welds[0]["sheet2"]), (1, "yes", "1", "2"))
@@ -228,7 +228,7 @@ class RefusedDecks(CommandTest):
 
     def test_a_run_that_is_refused_says_of_the_welds_what_a_check_says(self):
         """Findings and account. Sabotage: the run that is refused at its first error."""
-        for change in (("*PART\nlower sheet", "*AIRBAG_WANG_NEFSKE\n1\n*PART\nlower sheet"),
+        for change in (("*PART\nlower sheet", "*AIRBAG_HYBRID\n1\n*PART\nlower sheet"),
                        ("         3         1         3         2\n", "         3        77         3         2\n")):
             with self.subTest(change):
                 self.write(lap_joint(change))
@@ -267,7 +267,7 @@ class RefusedDecks(CommandTest):
                   "       0.0         6       0.0\n*DEFINE_SPOTWELD_RUPTURE_STRESS\n         3     500.0     300.0\n")
         for refuse, expect in ((False, 0), (True, 1)):
             with self.subTest(refuse=refuse):
-                more = [("*PART\nlower sheet", "*AIRBAG_WANG_NEFSKE\n1\n*PART\nlower sheet")] if refuse else []
+                more = [("*PART\nlower sheet", "*AIRBAG_HYBRID\n1\n*PART\nlower sheet")] if refuse else []
                 self.write(lap_joint(change, *more))
                 _, _, found = self.refused("model.k", expect)
                 told = [f["text"] for f in found if "OPT 6, but neither sheet" in f["text"]]

@@ -125,15 +125,15 @@ class BrokenDecks(CommandTest):
         """Five kinds of physics that are not built, all told in one go."""
         self.check(1, [
             ("*SECTION_BEAM\n",
-             "*ALE_REFERENCE_SYSTEM\n         1\n*EM_CONTROL\n         1\n*AIRBAG_WANG_NEFSKE\n"
+             "*ALE_REFERENCE_SYSTEM\n         1\n*EM_CONTROL\n         1\n*AIRBAG_HYBRID\n"
              "         1\n*CONTROL_THERMAL_SOLVER\n         1\n*ICFD_CONTROL_TIME\n         1\n*SECTION_BEAM\n"),
         ], [
             "model.k:42:1: error: *ALE_REFERENCE_SYSTEM: fluids and large distortions by ALE are not built "
             "[remove it, or run with --skip-unsupported to leave such cards out at your own risk]",
             "model.k:44:1: error: *EM_CONTROL: electromagnetics are not built [remove it, or run with "
             "--skip-unsupported to leave such cards out at your own risk]",
-            "model.k:46:1: error: *AIRBAG_WANG_NEFSKE: this gas of airbags is not built; "
-            "_SIMPLE_AIRBAG_MODEL, _SIMPLE_PRESSURE_VOLUME and _ADIABATIC_GAS_MODEL are "
+            "model.k:46:1: error: *AIRBAG_HYBRID: this gas of airbags is not built; "
+            "_SIMPLE_AIRBAG_MODEL, _WANG_NEFSKE, _SIMPLE_PRESSURE_VOLUME and _ADIABATIC_GAS_MODEL are "
             "[remove it, or run with --skip-unsupported to leave such cards out at your own risk]",
             "model.k:48:1: error: *CONTROL_THERMAL_SOLVER: heat conduction is not built [remove it, or run with "
             "--skip-unsupported to leave such cards out at your own risk]",

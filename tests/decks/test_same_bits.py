@@ -6,6 +6,7 @@ import subprocess
 import sys
 import unittest
 
+from fabric_bag import pillow
 from lap_joint import deck
 from nugget_command import SOURCE
 from repeated_runs import LANES, RepeatedRuns, with_lanes
@@ -35,6 +36,11 @@ class SameBits(RepeatedRuns):
         files = self.compare("double_hat.k", "--until", "2.0e-4")
         self.assertLessEqual({"d3plot", "d3plot01", "swforc", "glstat", "matsum", "nodout", "rwforc", "rbdout"}, set(files))
         self.assertGreater(len(files["swforc"]), 10000)
+
+    def test_a_bag_of_fabric(self):
+        self.write(pillow(9))
+        files = self.compare("model.k", "--until", "2.0e-3")
+        self.assertLessEqual({"d3plot", "glstat", "abstat"}, set(files))
 
     def test_bricks_beside_shells_under_the_assembled_step(self):
         """Which elements that step counts must not depend on how many stand in a block: here shells beside cubes."""

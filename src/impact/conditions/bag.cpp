@@ -47,25 +47,32 @@ Bag bag_at_start(const ControlVolume& source, double volume) {
   Bag bag;
   bag.volume = volume;
   bag.mass = gas.density * volume;
+  if (gas.overpressure > 0.0) bag.mass += gas.overpressure * volume / (gas.constant * gas.temperature);
   bag.energy = bag.mass * (enthalpy(gas, gas.temperature) - gas.constant * gas.temperature);
   set_pressure(bag, gas);
   return bag;
 }
 
-double outflow(const ControlVolume& source, const std::vector<Curve>& curves, double pressure, double temperature) {
+double outflow(const ControlVolume& source, const std::vector<Curve>& curves, double pressure, double temperature,
+               double time, bool popped) {
   const FlowingGas& gas = source.flowing;
   if (!(pressure > source.ambient)) return 0.0;
-  if (gas.outflow_curve != model::none) return curves[gas.outflow_curve].clamped(pressure - source.ambient);
-  const auto by_pressure = [&](double value, model::Index curve) {
-    return curve == model::none ? value : curves[curve].clamped(pressure);
+  const auto by_curve = [&](double value, model::Index curve, double at) {
+    return curve == model::none ? value : curves[curve].clamped(at);
   };
-  const double opening = by_pressure(gas.shape, gas.shape_curve) * by_pressure(gas.area, gas.area_curve);
-  if (opening == 0.0) return 0.0;
+  const auto opening_of = [&](const model::Vent& vent) {
+    const double shape = by_curve(vent.shape, vent.shape_curve, pressure);
+    return by_curve(shape, vent.shape_over_time, time) * by_curve(vent.area, vent.area_curve, pressure);
+  };
+  const bool by_flow = gas.outflow_curve != model::none;
+  const double given = by_flow && popped ? curves[gas.outflow_curve].clamped(pressure - source.ambient) : 0.0;
+  const double opening = (by_flow || !popped ? 0.0 : opening_of(gas.vent)) + opening_of(gas.leak);
+  if (opening == 0.0) return given;
   const double k = heat_ratio(gas, temperature);
   const double ratio = std::max(source.ambient / pressure, std::pow(2.0 / (k + 1.0), k / (k - 1.0)));
   const double density = pressure / (gas.constant * temperature);
   const double flow = k / (k - 1.0) * (std::pow(ratio, 2.0 / k) - std::pow(ratio, (k + 1.0) / k));
-  return opening * std::sqrt(2.0 * pressure * density * flow);
+  return given + opening * std::sqrt(2.0 * pressure * density * flow);
 }
 
 void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& curves, double volume,
@@ -76,6 +83,10 @@ void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& cu
   const double in = inflow ? integral(*inflow, time - dt, time) : 0.0;
   bag.volume = volume;
   bag.inflow = inflow ? inflow->zero_outside(time) : 0.0;
+  bag.popped = bag.popped || before.pressure - source.ambient >= gas.pop_pressure;
+  const double inflow_temperature = gas.inflow_temperature_curve == model::none
+                                        ? gas.inflow_temperature
+                                        : curves[gas.inflow_temperature_curve].clamped(time - 0.5 * dt);
   double out = 0.0;
   // Each pass is nearer by the share of the gas that moves within the step.
   constexpr int passes = 4;
@@ -83,7 +94,7 @@ void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& cu
     const double pressure = 0.5 * (before.pressure + bag.pressure);
     const double temperature = 0.5 * (before.temperature + bag.temperature);
     bag.mass = before.mass + in;
-    bag.energy = before.energy + in * enthalpy(gas, gas.inflow_temperature) - pressure * (volume - before.volume);
+    bag.energy = before.energy + in * enthalpy(gas, inflow_temperature) - pressure * (volume - before.volume);
     set_pressure(bag, gas);
     if (!open || !(bag.pressure > source.ambient)) {
       out = 0.0;
@@ -91,7 +102,8 @@ void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& cu
     }
     // No more than what is above the ambient pressure: a small volume with a large vent.
     const double left = std::pow(source.ambient / bag.pressure, 1.0 / heat_ratio(gas, bag.temperature));
-    out = std::min(dt * impact::outflow(source, curves, pressure, temperature), bag.mass * (1.0 - left));
+    out = std::min(dt * impact::outflow(source, curves, pressure, temperature, time - 0.5 * dt, bag.popped),
+                   bag.mass * (1.0 - left));
     bag.mass -= out;
     bag.energy -= out * enthalpy(gas, temperature);
     set_pressure(bag, gas);

@@ -9,8 +9,8 @@
 
 namespace nugget::impact {
 
-/// The gas of *AIRBAG_SIMPLE_AIRBAG_MODEL: one ideal gas of uniform pressure and temperature, in walls that take no
-/// heat (docs/theory/gas.md#gas-that-flows).
+/// The gas of *AIRBAG_SIMPLE_AIRBAG_MODEL and _WANG_NEFSKE: one ideal gas of uniform pressure and temperature, in walls
+/// that take no heat (docs/theory/gas.md#gas-that-flows).
 struct Bag {
   double volume = 0.0;  ///< [length^3]
   double mass = 0.0;
@@ -19,11 +19,12 @@ struct Bag {
   double temperature = 0.0;  ///< absolute
   double inflow = 0.0;       ///< of now [mass/time]
   double outflow = 0.0;      ///< mean over the last step [mass/time]
+  bool popped = false;       ///< the pressure has opened the vent
 
-  void archive(Archive& a) { a(volume, mass, energy, pressure, temperature, inflow, outflow); }
+  void archive(Archive& a) { a(volume, mass, energy, pressure, temperature, inflow, outflow, popped); }
 };
 
-/// Gas at the ambient pressure.
+/// Gas at the ambient pressure and what POVER adds to it.
 Bag bag_at_start(const model::ControlVolume& source, double volume);
 
 /// Takes the gas over a step of length `dt` to `time`, when it has `volume`. `inflow`: mass flow over time, 0
@@ -33,10 +34,10 @@ Bag bag_at_start(const model::ControlVolume& source, double volume);
 void advance(Bag& bag, const model::ControlVolume& source, const std::vector<Curve>& curves, double volume,
              const Curve* inflow, bool open, double time, double dt);
 
-/// Mass flow through the vent [mass/time] from a gas at `pressure` and `temperature`, by the isentropic flow through a
-/// nozzle, which is choked below the critical ratio of pressures; or that of LOU. None where the pressure is not above
-/// the ambient one.
+/// Mass flow through vent and leak at `time` [mass/time] from a gas at `pressure` and `temperature`, by the isentropic
+/// flow through a nozzle, which is choked below the critical ratio of pressures; or that of LOU in the place of the
+/// vent, where that is `popped`. None where the pressure is not above the ambient one.
 double outflow(const model::ControlVolume& source, const std::vector<Curve>& curves, double pressure,
-               double temperature);
+               double temperature, double time, bool popped);
 
 }  // namespace nugget::impact

@@ -179,9 +179,9 @@ class AssembledStep::Vibration {
               (far ? roughly_settled : settled) * values_.back())
         break;
     }
-    const double value = values_.empty() ? 0.0 : values_.back();
     values_.clear();
-    return value;
+    // Where few elements have nothing left to look at, the last step is one that was not asked above.
+    return found_.diagonal.empty() ? 0.0 : found_.largest();
   }
 
   /// After `largest`: the chosen element with most of the energy of that vibration, as index in blocks_ and lane.

@@ -71,7 +71,7 @@ int Erosion::distortion_rule(const system::ElementGroup& group) const {
   const auto& parts = model.control.parts_of_distorted;
   if (!parts.empty() && std::find(parts.begin(), parts.end(), group.part) == parts.end()) return 0;
   const int elform = model.shell_sections[model.parts[group.part].section].elform;
-  return elform == 16 ? model.control.distorted_full_shells : model.control.distorted_shells;
+  return elform == 16 || elform == 9 ? model.control.distorted_full_shells : model.control.distorted_shells;
 }
 
 void Erosion::update(const system::State& state, double first_step) {

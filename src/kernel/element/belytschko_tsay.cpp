@@ -77,18 +77,6 @@ template <class R>
   return r;
 }
 
-/// Share of the hourglass stiffness in the plane and in bending that is left: 1 while no layer has yielded. Afterwards
-/// the material resists with its tangent, in steel that flows about a hundredth of Young's modulus. Twist is resisted
-/// by transverse shear, which does not yield. LS-DYNA's results of type 4 in crash ask for that (docs/decisions/0006).
-/// The share of failed layers of a laminate is removed, in twist too.
-template <class R, class Law>
-R tangent_share(const LawKernel<Law>& law, const ShellLayout& layout, const Number<R>* state) {
-  if constexpr (!LawKernel<Law>::has_plastic_strain) return R(1.0);
-  R strain = R(0.0);
-  for (int k = 0; k < layout.layers; ++k) strain = max(strain, load_field<R>(state, layout.history_of(k)));
-  return select(strain > 0.0, R(0.01), R(1.0)) * intact_fraction<R>(law, layout, state);
-}
-
 /// Hourglass forces at the end of the step (docs/theory/hourglass.md#shells); stored, and their work added up, in the
 /// state.
 ///

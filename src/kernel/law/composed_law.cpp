@@ -137,6 +137,12 @@ LawKernel<ComposedLaw>::LawKernel(const ComposedLaw& law)
       history_(pressure_ + (parts_->pressure ? EquationOfStateKernel::size + 1 : 0)),
       points_to_delete_(law.components->points_to_delete),
       deletion_step_(law.components->deletion_step),
+      step_share_(std::visit(
+          [](const auto& flow) {
+            if constexpr (requires { flow.step_share(); }) return flow.step_share();
+            return 1.0;
+          },
+          parts_->flow)),
       can_fail_(parts_->failure.active()) {}
 
 template <class R>

@@ -27,6 +27,7 @@ class LawKernel<ComposedLaw> {
   int layer_history() const { return history_; }
   int solid_history() const { return history_; }
   double deletion_step() const { return deletion_step_; }
+  double step_share() const { return step_share_; }
   bool can_fail() const { return can_fail_; }
   double points_to_delete() const { return points_to_delete_; }
   /// Where the history of a point has material axes, how these lie at the start; null: there are none.
@@ -66,7 +67,7 @@ class LawKernel<ComposedLaw> {
   ElasticConstants elastic_;
   std::shared_ptr<const Parts> parts_;
   int lost_, pressure_, history_;  ///< where in the history stand what a point has lost, and its pressure; its size
-  double points_to_delete_, deletion_step_;
+  double points_to_delete_, deletion_step_, step_share_;
   bool can_fail_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "kernel/law/anisotropic_sheet.hpp"
 #include "kernel/law/elastic_kernel.hpp"
+#include "kernel/law/fabric.hpp"
 #include "kernel/law/fluid.hpp"
 #include "kernel/law/foam.hpp"
 #include "kernel/law/honeycomb.hpp"
@@ -37,6 +38,7 @@ using Flow = std::variant<  //
     CrushableFoam,          //
     RateFoam,               //
     Orthotropic,            //
+    Fabric,                 //
     AnisotropicSheet,       //
     Honeycomb,              //
     Fluid>;

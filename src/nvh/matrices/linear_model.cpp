@@ -174,6 +174,16 @@ void refuse_fluids(const model::Model& m, Findings& findings) {
                      "take it out, or put its mass on the structure (*ELEMENT_MASS)");
 }
 
+/// Nothing resists their motion across the plane unless they are under tension.
+void refuse_membranes(const model::Model& m, Findings& findings) {
+  for (std::size_t p = 0; p < m.parts.size(); ++p)
+    if (m.has_membranes(static_cast<model::Index>(p)))
+      findings.error(m.parts[p].place, "*PART",
+                     fmt::format("part {} is of membranes (ELFORM {}), which linear analyses do not have",
+                                 m.parts[p].id, m.shell_sections[m.parts[p].section].elform),
+                     "give its section ELFORM 16, which bends, or take the part out");
+}
+
 /// Nodes that a response over frequency drives are held in its modes, like those of prescribed motions.
 void constrain_driven_nodes(model::Model& m) {
   const auto hold = [&](const model::FrequencyResponse::Excitation& e) {
@@ -208,6 +218,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
     findings.warning(gas.place, "*" + gas.keyword,
                      "the gas takes no part in linear analyses: it has no stiffness there");
   refuse_fluids(m, findings);
+  refuse_membranes(m, findings);
   constrain_driven_nodes(m);
   change_bricks(m, findings);
   enhance_strains(m, findings);

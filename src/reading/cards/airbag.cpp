@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // *AIRBAG_...: gas in a volume, the air of tyres above all.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "model/segments.hpp"
 #include "reading/builder/common_cards.hpp"
@@ -98,6 +101,83 @@ const CardOf<OutflowCard> outflow_card{
     {&OutflowCard::gasc, real("gasc", molar_heat, 0, at_least(0), "with CV 0: universal gas constant")},
 };
 
+struct InflatorCard {
+  double cv = 0, cp = 0, t = 0;
+  int lct = 0, lcmt = 0;
+  double tvol = 0, iabt = 0;
+};
+const CardOf<InflatorCard> inflator_card{
+    {&InflatorCard::cv,
+     real("cv", specific_heat, 0, at_least(0), "heat capacity at constant volume; 0: of A, B, MW and GASC")},
+    {&InflatorCard::cp, real("cp", specific_heat, 0, at_least(0), "heat capacity at constant pressure")},
+    {&InflatorCard::t, real("t", dimension::number, 0, at_least(0), "absolute temperature of the gas that flows in")},
+    {&InflatorCard::lct, id("lct", IdSpace::function, 0, "curve of it over time, in the place of T")},
+    {&InflatorCard::lcmt, id("lcmt", IdSpace::function, 0, "curve over time of the mass flow into the volume")},
+    real("tvol", dimension::volume, 0, only(0), "volume of a tank, whose pressure LCMT would be"),
+    integer("lcdt", 0, only(0), "curve of the rate of temperature in a tank"),
+    {&InflatorCard::iabt,
+     real("iabt", dimension::number, 0, at_least(0), "absolute temperature of the gas at the start; 0: by PE and RO")},
+};
+struct HolesCard {
+  double c23 = 0;
+  int lcc23 = 0;
+  double a23 = 0;
+  int lca23 = 0;
+  double cp23 = 0;
+  int lccp23 = 0;
+  double ap23 = 0;
+  int lcap23 = 0;
+};
+const CardOf<HolesCard> holes_card{
+    {&HolesCard::c23, real("c23", dimension::number, 0, at_least(0), "shape factor of the vent")},
+    {&HolesCard::lcc23, id("lcc23", IdSpace::function, 0, "curve of it over time, where C23 is 0")},
+    {&HolesCard::a23,
+     real("a23", dimension::area, 0, at_least(0), "area of the vent; below 0, of parts, is not built")},
+    {&HolesCard::lca23, id("lca23", IdSpace::function, 0, "curve of it over the absolute pressure, where A23 is 0")},
+    {&HolesCard::cp23, real("cp23", dimension::number, 0, at_least(0), "shape factor of what leaks")},
+    {&HolesCard::lccp23, id("lccp23", IdSpace::function, 0, "curve of it over time, where CP23 is 0")},
+    {&HolesCard::ap23, real("ap23", dimension::area, 0, at_least(0), "area that leaks")},
+    {&HolesCard::lcap23, id("lcap23", IdSpace::function, 0, "curve of it over the absolute pressure, where AP23 is 0")},
+};
+struct AmbienceCard {
+  double pe = 0, ro = 0, gc = 0;
+  int lcefr = 0;
+  double pover = 0, ppop = 0;
+};
+const CardOf<AmbienceCard> ambience_card{
+    {&AmbienceCard::pe, real("pe", dimension::stress, 0, at_least(0), "ambient pressure")},
+    {&AmbienceCard::ro, real("ro", dimension::density, 0, at_least(0), "ambient density, that of the gas at PE")},
+    {&AmbienceCard::gc,
+     real("gc", dimension::number, 1, only(1), "conversion of units; 1 where they are consistent, as here")},
+    {&AmbienceCard::lcefr, id("lcefr", IdSpace::function, 0,
+                              "curve over the pressure above PE of the mass flow out of it, in the place of the vent")},
+    {&AmbienceCard::pover, real("pover", dimension::stress, 0, at_least(0), "pressure above PE at the start")},
+    {&AmbienceCard::ppop,
+     real("ppop", dimension::stress, 0, at_least(0), "pressure above PE at which the vent opens for good")},
+    integer("opt", 0, only(0), "gas that leaks through the fabric"),
+    integer("knkdn", 0, only(0), "curve of jets"),
+};
+const Card inflator_model_card{{
+    real("ioc", dimension::number, 0, only(0), "model of the inflator: shape of its opening"),
+    real("ioa", dimension::area, 0, only(0), "the same: its area"),
+    real("ivol", dimension::volume, 0, only(0), "the same: volume"),
+    real("iro", dimension::density, 0, only(0), "the same: density"),
+    real("it", dimension::number, 0, only(0), "the same: temperature"),
+    integer("lcbf", 0, only(0), "the same: curve of what has burnt"),
+}};
+struct MoleCard {
+  double text = 0, a = 0, b = 0, mw = 0, gasc = 0;
+};
+const CardOf<MoleCard> mole_card{
+    {&MoleCard::text, real("text", dimension::number, 0, at_least(0), "absolute temperature of the gas at the start")},
+    {&MoleCard::a,
+     real("a", molar_heat, 0, any_value, "heat capacity of a mole at constant pressure, at temperature 0")},
+    {&MoleCard::b, real("b", molar_heat, 0, any_value, "what it grows by, per temperature")},
+    {&MoleCard::mw, real("mw", dimension::mass, 0, at_least(0), "mass of a mole")},
+    {&MoleCard::gasc, real("gasc", molar_heat, 0, at_least(0), "universal gas constant")},
+    real("hconv", dimension::number, 0, only(0), "heat given to the air outside"),
+};
+
 std::vector<Segment> faces(Builder& b, const RowOf<VolumeCard>& row) {
   std::vector<Segment> segments;
   if (row->sidtyp == 0) {
@@ -114,25 +194,65 @@ std::vector<Segment> faces(Builder& b, const RowOf<VolumeCard>& row) {
   return segments;
 }
 
+/// The shell that a face is, or its nodes.
+std::string name_of_face(const Builder& b, Segment face) {
+  const Shells& shells = b.model.shells;
+  const auto sorted = [](Segment s) {
+    std::sort(s.begin(), s.end());
+    return s;
+  };
+  for (std::size_t e = 0; e < shells.size(); ++e)
+    if (sorted(shells.node[e]) == sorted(face)) return fmt::format("shell {}", shells.id[e]);
+  std::vector<int> ids;
+  for (const Index n : face) ids.push_back(b.model.nodes.id[n]);
+  return fmt::format("face {}", fmt::join(ids, " "));
+}
+
+/// The faces on both sides of an edge.
+std::string faces_along(const Builder& b, const std::vector<Segment>& segments, const std::array<Index, 2>& edge) {
+  std::vector<std::string> names;
+  for (const Segment& s : segments)
+    for (std::size_t i = 0; i < 4; ++i)
+      if (std::pair(s[i], s[(i + 1) % 4]) == std::pair(edge[0], edge[1]) ||
+          std::pair(s[i], s[(i + 1) % 4]) == std::pair(edge[1], edge[0]))
+        names.push_back(name_of_face(b, s));
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
 /// Finds the surface, its openings and its volume at the start.
 void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) {
   volume.segments = faces(b, row);
-  volume.share = share_pressure(b.model, volume.segments);
   if (volume.segments.empty()) return;
   SurfaceBorder border = surface_border(volume.segments);
   if (!border.twisted.empty()) {
     const auto& edge = border.twisted.front();
-    return refuse(b, row[&VolumeCard::sid],
-                  fmt::format("the normals of neighbours disagree at {} edge{}, the first from node {} to {}",
-                              border.twisted.size(), border.twisted.size() == 1 ? "" : "s", b.model.nodes.id[edge[0]],
-                              b.model.nodes.id[edge[1]]),
-                  "turn the elements so that all normals point out of the volume");
+    return refuse(
+        b, row[&VolumeCard::sid],
+        fmt::format("the normals of neighbours disagree at {} edge{}, the first from node {} to {}, between {}",
+                    border.twisted.size(), border.twisted.size() == 1 ? "" : "s", b.model.nodes.id[edge[0]],
+                    b.model.nodes.id[edge[1]], faces_along(b, volume.segments, edge)),
+        "turn the elements so that all normals point out of the volume");
   }
+  const auto enclosed = [&] {
+    return enclosed_volume(volume.segments, border.openings, [&](Index n) { return b.model.nodes.x[n]; });
+  };
+  double v = enclosed();
+  const double nothing =
+      1e-9 * std::pow(surface_area(volume.segments, [&](Index n) { return b.model.nodes.x[n]; }), 1.5);
+  if (v < -nothing) {
+    row[&VolumeCard::sid].report(b.findings, Severity::warning,
+                                 "all normals point into the volume: its faces are taken the other way round",
+                                 "turn the elements so that the normals point outwards");
+    for (Segment& s : volume.segments)
+      s = s[3] == s[2] ? Segment{s[2], s[1], s[0], s[0]} : Segment{s[3], s[2], s[1], s[0]};
+    border = surface_border(volume.segments);
+    v = enclosed();
+  }
+  if (!(v > nothing))
+    return refuse(b, row[&VolumeCard::sid], "the faces enclose no volume at the start",
+                  "give a bag that is not quite flat, with normals that point outwards");
+  volume.share = share_pressure(b.model, volume.segments);
   volume.openings = std::move(border.openings);
-  const double v = enclosed_volume(volume.segments, volume.openings, [&](Index n) { return b.model.nodes.x[n]; });
-  if (!(v > 0.0))
-    return refuse(b, row[&VolumeCard::sid], fmt::format("the enclosed volume is {:.6g}: the normals point into it", v),
-                  "turn the elements so that the normals point outwards");
   if (row->mwd != 0.0)
     row[&VolumeCard::mwd].report(b.findings, Severity::warning, "not obeyed: the surface is not damped",
                                  "use *DAMPING_PART_MASS");
@@ -267,6 +387,17 @@ void expect_no_backflow(Builder& b, const deck::Entry& field, Index curve) {
            "use LCID for what flows in and the vent or LOU for what flows out");
 }
 
+/// Temperature and density of the gas at the start: a quick check of the units.
+void note_gas(Builder& b, const RowOf<VolumeCard>& row, const ControlVolume& volume) {
+  const FlowingGas& gas = volume.flowing;
+  const double density =
+      gas.density + (gas.overpressure > 0.0 ? gas.overpressure / (gas.constant * gas.temperature) : 0.0);
+  b.findings.note(volume.place, row.keyword(),
+                  fmt::format("the gas at the start has a temperature of {:.4g} and a density of {:.4g}; its gas "
+                              "constant is {:.4g}",
+                              gas.temperature, density, gas.constant));
+}
+
 void read_simple_airbag(Builder& builder, const Block& block, const Options& options) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
     const Heading heading = read_heading(cursor, options.contains("ID"));
@@ -279,8 +410,8 @@ void read_simple_airbag(Builder& builder, const Block& block, const Options& opt
     FlowingGas& gas = volume.flowing;
     gas = read_heat(builder, heat, outflow, volume.ambient);
     gas.inflow_temperature = heat->t;
-    gas.shape = std::max(0.0, heat->mu);
-    gas.area = std::max(0.0, heat->area);
+    gas.vent.shape = std::max(0.0, heat->mu);
+    gas.vent.area = std::max(0.0, heat->area);
     const int shape = curve_below_zero(heat->mu), area = curve_below_zero(heat->area);
     if (heat->lcid != 0 && gas.inflow_temperature == 0.0)
       refuse(builder, heat[&HeatCard::t], "the gas that flows in has no temperature", "give its absolute temperature");
@@ -294,16 +425,123 @@ void read_simple_airbag(Builder& builder, const Block& block, const Options& opt
       FlowingGas& flowing = volume.flowing;
       flowing.inflow_curve = b.curve(heat[&HeatCard::lcid]);
       flowing.outflow_curve = b.curve(outflow[&OutflowCard::lou]);
-      if (!find_curve(b, heat[&HeatCard::mu], shape, flowing.shape_curve)) return;
-      if (!find_curve(b, heat[&HeatCard::area], area, flowing.area_curve)) return;
+      if (!find_curve(b, heat[&HeatCard::mu], shape, flowing.vent.shape_curve)) return;
+      if (!find_curve(b, heat[&HeatCard::area], area, flowing.vent.area_curve)) return;
       expect_no_backflow(b, heat[&HeatCard::lcid], flowing.inflow_curve);
-      expect_no_backflow(b, heat[&HeatCard::mu], flowing.shape_curve);
-      expect_no_backflow(b, heat[&HeatCard::area], flowing.area_curve);
+      expect_no_backflow(b, heat[&HeatCard::mu], flowing.vent.shape_curve);
+      expect_no_backflow(b, heat[&HeatCard::area], flowing.vent.area_curve);
       expect_no_backflow(b, outflow[&OutflowCard::lou], flowing.outflow_curve);
-      b.findings.note(volume.place, row.keyword(),
-                      fmt::format("the gas at the start has a temperature of {:.4g} and a density of {:.4g}; its gas "
-                                  "constant is {:.4g}",
-                                  flowing.temperature, flowing.density, flowing.constant));
+      note_gas(b, row, volume);
+      add_volume(b, row, std::move(volume));
+    });
+  }
+}
+
+/// What a vent's two numbers are given by: a curve counts where the number is 0.
+void find_vent(Builder& b, const deck::RowOf<HolesCard>& row, double HolesCard::*shape, int HolesCard::*shape_curve,
+               double HolesCard::*area, int HolesCard::*area_curve, Vent& vent) {
+  vent.shape = row[shape].value;
+  vent.area = row[area].value;
+  if (vent.shape == 0.0) vent.shape_over_time = b.curve(row[shape_curve]);
+  if (vent.area == 0.0) vent.area_curve = b.curve(row[area_curve]);
+  expect_no_backflow(b, row[shape_curve], vent.shape_over_time);
+  expect_no_backflow(b, row[area_curve], vent.area_curve);
+  const bool has_area = vent.area > 0.0 || vent.area_curve != none,
+             has_shape = vent.shape > 0.0 || vent.shape_over_time != none;
+  if (has_area != has_shape)
+    row[has_area ? shape : area].report(b.findings, Severity::warning,
+                                        "this opening is closed: its area times its shape factor is 0",
+                                        "give both, or neither");
+}
+
+/// As those of the simple airbag, which has them in other fields.
+FlowingGas read_heat(Builder& b, const RowOf<InflatorCard>& inflator, const RowOf<AmbienceCard>& outside,
+                     const std::optional<RowOf<MoleCard>>& mole) {
+  FlowingGas gas;
+  gas.density = outside->ro;
+  gas.temperature = inflator->iabt;
+  const double ambient = outside->pe;
+  if (inflator->cv > 0.0) {
+    gas.heat = inflator->cp;
+    gas.constant = gas.heat - inflator->cv;
+    if (gas.constant <= 0.0)
+      refuse(b, inflator[&InflatorCard::cp], "the heat capacity at constant pressure is not above CV",
+             "CP is 1.4 times CV for air");
+  } else if (mole && (*mole)->mw > 0.0 && (*mole)->gasc > 0.0) {
+    const MoleCard& m = **mole;
+    gas.heat = m.a / m.mw;
+    gas.heat_slope = m.b / m.mw;
+    gas.constant = m.gasc / m.mw;
+    if (gas.heat <= gas.constant || gas.heat_slope < 0.0)
+      refuse(b, (*mole)[gas.heat_slope < 0.0 ? &MoleCard::b : &MoleCard::a],
+             "the heat capacity at constant volume, A + B T - GASC, is not above 0 at all temperatures",
+             "A is 29.1 J/K and B 0 for a mole of air");
+    if (gas.temperature == 0.0) gas.temperature = m.text;
+  } else {
+    refuse(b, inflator[&InflatorCard::cv], "without CV the gas needs MW and GASC",
+           "give CV and CP, or A, B, MW, GASC and TEXT");
+    return gas;
+  }
+  if (gas.constant <= 0.0) return gas;
+  // The temperature, where it is given, counts before the density.
+  if (gas.temperature > 0.0) {
+    const double by_temperature = ambient / (gas.constant * gas.temperature);
+    if (gas.density > 0.0 && std::abs(by_temperature / gas.density - 1.0) > 0.01)
+      outside[&AmbienceCard::ro].report(
+          b.findings, Severity::warning,
+          fmt::format("not obeyed: PE and the temperature at the start give {:.4g}", by_temperature));
+    gas.density = by_temperature;
+  } else if (gas.density > 0.0) {
+    gas.temperature = ambient / (gas.density * gas.constant);
+  }
+  if (gas.density == 0.0 && ambient > 0.0)
+    refuse(b, outside[&AmbienceCard::ro], "there is no mass at the start, at a pressure of PE",
+           "give the density of the ambient gas");
+  if (gas.density > 0.0 && ambient == 0.0)
+    refuse(b, outside[&AmbienceCard::pe], "the gas at the start has mass, but no pressure",
+           "give the ambient pressure, or RO 0");
+  return gas;
+}
+
+void read_wang_nefske(Builder& builder, const Block& block, const Options& options) {
+  for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
+    const Heading heading = read_heading(cursor, options.contains("ID"));
+    const auto row = cursor.read(volume_card);
+    const auto inflator = cursor.read(inflator_card);
+    const auto holes = cursor.read(holes_card);
+    const auto outside = cursor.read(ambience_card);
+    cursor.read(inflator_model_card);
+    std::optional<RowOf<MoleCard>> mole;
+    if (inflator->cv == 0.0) mole = cursor.read(mole_card);
+    ControlVolume volume = read_volume(block, row, heading);
+    volume.gas = ControlVolume::Gas::flowing;
+    volume.ambient = outside->pe;
+    FlowingGas& gas = volume.flowing;
+    gas = read_heat(builder, inflator, outside, mole);
+    gas.inflow_temperature = inflator->t;
+    gas.overpressure = outside->pover;
+    gas.pop_pressure = outside->ppop;
+    if (gas.overpressure > 0.0 && gas.temperature == 0.0)
+      refuse(builder, outside[&AmbienceCard::pover], "the gas at the start has a pressure, but no temperature",
+             "give PE and RO, or IABT");
+    if (inflator->lcmt != 0 && gas.inflow_temperature == 0.0 && inflator->lct == 0)
+      refuse(builder, inflator[&InflatorCard::t], "the gas that flows in has no temperature",
+             "give its absolute temperature, T or LCT");
+    if (outside->lcefr != 0 && (holes->a23 != 0.0 || holes->lca23 != 0))
+      refuse(builder, outside[&AmbienceCard::lcefr], "the outflow is given twice, by this curve and by the vent",
+             "set A23 and LCA23, or LCEFR, to 0");
+    builder.defer(Phase::conditions, [row, inflator, holes, outside, volume](Builder& b) mutable {
+      FlowingGas& flowing = volume.flowing;
+      flowing.inflow_curve = b.curve(inflator[&InflatorCard::lcmt]);
+      flowing.inflow_temperature_curve = b.curve(inflator[&InflatorCard::lct]);
+      flowing.outflow_curve = b.curve(outside[&AmbienceCard::lcefr]);
+      using H = HolesCard;
+      find_vent(b, holes, &H::c23, &H::lcc23, &H::a23, &H::lca23, flowing.vent);
+      find_vent(b, holes, &H::cp23, &H::lccp23, &H::ap23, &H::lcap23, flowing.leak);
+      expect_no_backflow(b, inflator[&InflatorCard::lcmt], flowing.inflow_curve);
+      expect_no_backflow(b, inflator[&InflatorCard::lct], flowing.inflow_temperature_curve);
+      expect_no_backflow(b, outside[&AmbienceCard::lcefr], flowing.outflow_curve);
+      note_gas(b, row, volume);
       add_volume(b, row, std::move(volume));
     });
   }
@@ -320,9 +558,12 @@ Keyword volume_keyword(std::string_view name, std::initializer_list<const Card*>
 }  // namespace
 
 std::vector<Keyword> airbag_keywords() {
-  return {volume_keyword("AIRBAG_SIMPLE_PRESSURE_VOLUME", {&coefficient_card}, read_pressure_volume),
-          volume_keyword("AIRBAG_SIMPLE_AIRBAG_MODEL", {&heat_card, &outflow_card}, read_simple_airbag),
-          volume_keyword("AIRBAG_ADIABATIC_GAS_MODEL", {&adiabatic_card}, read_adiabatic)};
+  return {
+      volume_keyword("AIRBAG_SIMPLE_PRESSURE_VOLUME", {&coefficient_card}, read_pressure_volume),
+      volume_keyword("AIRBAG_SIMPLE_AIRBAG_MODEL", {&heat_card, &outflow_card}, read_simple_airbag),
+      volume_keyword("AIRBAG_WANG_NEFSKE",
+                     {&inflator_card, &holes_card, &ambience_card, &inflator_model_card, &mole_card}, read_wang_nefske),
+      volume_keyword("AIRBAG_ADIABATIC_GAS_MODEL", {&adiabatic_card}, read_adiabatic)};
 }
 
 }  // namespace nugget::reading

@@ -512,9 +512,10 @@ void resist_drilling(Builder& b, const RowOf<ShellCard4>& row) {
   for (const Index p : parts->members) {
     Part& part = b.model.parts[p];
     if (part.kind != ElementKind::shell || part.section == none) continue;
-    if (b.model.shell_sections[part.section].elform == 2)
+    const int elform = b.model.shell_sections[part.section].elform;
+    if (elform == 2 || is_membrane(elform))
       refuse(b, row[&ShellCard4::drcpsid],
-             fmt::format("part {} has shells of formulation 2, which cannot resist drilling", part.id),
+             fmt::format("part {} has shells of formulation {}, which cannot resist drilling", part.id, elform),
              "give the part ELFORM 16, or take it out of the set");
     else
       part.drilling = row->drcprm;

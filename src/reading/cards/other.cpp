@@ -72,7 +72,7 @@ Rows other_solutions() {
 Rows other_physics() {
   return {
       refused("AIRBAG_*",
-              "this gas of airbags is not built; _SIMPLE_AIRBAG_MODEL, _SIMPLE_PRESSURE_VOLUME and "
+              "this gas of airbags is not built; _SIMPLE_AIRBAG_MODEL, _WANG_NEFSKE, _SIMPLE_PRESSURE_VOLUME and "
               "_ADIABATIC_GAS_MODEL are"),
       refused("ALE_*", "fluids and large distortions by ALE are not built"),
       refused("CONTROL_ALE", "fluids and large distortions by ALE are not built"),

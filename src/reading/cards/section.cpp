@@ -34,17 +34,18 @@ const CardOf<ShellCards> shell_card{
     {&ShellCards::elform,
      integer("elform", 0, any_value,
              "formulation: 2 Belytschko-Tsay (10: with warping), 4 and 17 triangles (C0, discrete Kirchhoff), 16 "
-             "fully integrated (also for -16, 6, 7, 18, 20, 21); linear analyses: 1, 8, 11 also; blank: THEORY of "
-             "*CONTROL_SHELL")},
+             "fully integrated (also for -16, 6, 7, 18, 20, 21), 5 and 9 membranes of one and of 2x2 points; linear "
+             "analyses: 1, 8, 11 also, no membranes; blank: THEORY of *CONTROL_SHELL")},
     {&ShellCards::shear_factor, real("shrf", dimension::number, 1, above_zero(), "shear correction factor")},
-    {&ShellCards::layers, integer("nip", 2, between(1, 10), "layers through the thickness")},
+    {&ShellCards::layers, integer("nip", 2, between(1, 10), "layers through the thickness; membranes have one")},
     integer("propt", 1, any_value, "printout option, no effect"),
     {&ShellCards::qr_irid,
      or_negative(integer("qr_irid", 0, between(-99999999, 1),
                          "layers: 0 Gauss or Lobatto by *CONTROL_SHELL, 1 trapezoidal; below 0: of *INTEGRATION_SHELL, "
                          "whose IRID is this without its sign"),
                  IdSpace::other)},
-    {&ShellCards::icomp, integer("icomp", 0, only(0), "layered composites")},
+    {&ShellCards::icomp,
+     integer("icomp", 0, between(0, 1), "1: a card of angles follows for each eight layers; angles must be 0")},
     integer("setyp", 1, only(1), "two-dimensional sections"),
 };
 
@@ -83,6 +84,18 @@ const CardOf<ShellCards> shell_thickness_card{
     real("idof", dimension::number, 0, any_value, "for formulations 25 and 26 only"),
     integer("edgset", 0, any_value, "for two-dimensional seatbelts only"),
 };
+
+/// Of ICOMP 1, for eight layers. Angles of 0 turn nothing.
+const Card layer_angles_card{{
+    real("b1", dimension::number, 0, only(0), "angle of the first layer [degrees]; only 0 is built"),
+    real("b2", dimension::number, 0, only(0), "the same of the next"),
+    real("b3", dimension::number, 0, only(0), "the same of the next"),
+    real("b4", dimension::number, 0, only(0), "the same of the next"),
+    real("b5", dimension::number, 0, only(0), "the same of the next"),
+    real("b6", dimension::number, 0, only(0), "the same of the next"),
+    real("b7", dimension::number, 0, only(0), "the same of the next"),
+    real("b8", dimension::number, 0, only(0), "the same of the next"),
+}};
 
 /// A written 0 is a formulation of its own, not a blank field.
 constexpr IntegerField solid_formulation() {
@@ -237,7 +250,8 @@ void read_shell(Builder& b, const Block& block, const Options& options) {
     const int errors = b.findings.errors();
     cursor.read(shell_thickness_card, s);
     const bool size_is_known = b.findings.errors() == errors;
-    if (s.icomp != 0) return;  // refused by its range; the cards of layers that follow are not read
+    if (s.icomp != 0 && s.icomp != 1) return;  // refused by its range
+    for (int k = 0; s.icomp == 1 && k < s.layers; k += 8) cursor.read(layer_angles_card);
     s.trapezoidal = s.qr_irid == 1;
     s.thickness = size_is_known ? mean_thickness(s.corner) : std::numeric_limits<double>::quiet_NaN();
     if (s.qr_irid < 0) take_rule(b, row);
@@ -408,7 +422,9 @@ std::vector<Keyword> section_keywords() {
   return {
       {.name = "SECTION_SHELL",
        .options = {"TITLE"},
-       .layout = {{"", &shell_card}, {"", &shell_thickness_card}},
+       .layout = {{"", &shell_card},
+                  {"", &shell_thickness_card},
+                  {"if ICOMP = 1, for each eight layers", &layer_angles_card}},
        .read = read_shell},
       {.name = "INTEGRATION_SHELL",
        .layout = {{"", &rule_card}, {"if ESOP = 0, NIP times", &rule_layer_card}},

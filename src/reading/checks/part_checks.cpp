@@ -32,6 +32,17 @@ bool one_point(int elform) {
   return elform == 1 || elform == 8 || elform == 10 || elform == 11;
 }
 
+/// A membrane is strained alike through its thickness: one layer has all that it does.
+void make_one_layer(Builder& b, const Part& part, SectionShell& section) {
+  if (is<kernel::Laminate>(b.model, part))
+    return refuse(b, b.shell_formulations[at(part.section)],
+                  fmt::format("membranes (ELFORM {}) with layers of different materials are not built", section.elform),
+                  "give the membrane one material, or the layers ELFORM 2 or 16");
+  section.layers = 1;
+  section.trapezoidal = false;
+  section.rule.clear();
+}
+
 void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
   const auto s = at(part.section);
   SectionShell& section = b.model.shell_sections[s];
@@ -39,6 +50,7 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& re
   const bool is_computed = !is<kernel::Rigid>(b.model, part) && !is<kernel::Null>(b.model, part);
   const bool is_built = section.elform == 2 || section.elform == 4 || section.elform == 16 || section.elform == 17;
   if (!is_computed || is_built || std::exchange(reported[s], char{1})) return;
+  if (is_membrane(section.elform)) return make_one_layer(b, part, section);
   if (computed_as_full(section.elform)) {
     b.shell_formulations[s].report(
         b.findings, Severity::warning,
@@ -70,12 +82,11 @@ void check_shell_formulation(Builder& b, const Part& part, std::vector<char>& re
                   fmt::format("formulation {} is {}; models in two dimensions are not built", section.elform,
                               section.elform < 14 ? "a plane element" : "an axisymmetric solid"),
                   "model it in three dimensions: a layer of bricks, or a sector of the body");
-  refuse(
-      b, b.shell_formulations[s],
-      fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 and 17 (triangles), 10 (2 with "
-                  "warping coupling) and 16 (fully integrated)",
-                  section.elform),
-      "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
+  refuse(b, b.shell_formulations[s],
+         fmt::format("shell formulation {} is not built; built are 2 (Belytschko-Tsay), 4 and 17 (triangles), 5 and 9 "
+                     "(membranes), 10 (2 with warping coupling) and 16 (fully integrated)",
+                     section.elform),
+         "write 16, or 2 with an hourglass control of type 4 for stiffness against hourglassing");
 }
 
 /// Adhesive has a law of its own, and the law only such bricks.
@@ -405,10 +416,11 @@ void check_hourglass(Builder& b) {
   std::map<std::pair<Index, ElementKind>, std::vector<int>> parts;
   for (const Part& part : m.parts) {
     if (part.section == none || is<kernel::Rigid>(m, part) || is<kernel::Null>(m, part)) continue;
-    // Shells 16 have no hourglass modes: type 8 gives them warping stiffness, the others mean nothing to them. Of
+    // Shells 16 and 9 have no hourglass modes: type 8 gives 16 warping stiffness, the others mean nothing to them. Of
     // solids the one-point brick has some, the others have none.
     const auto section = at(part.section);
-    const bool has_modes = part.kind == ElementKind::shell   ? m.shell_sections[section].elform != 16
+    const int shell_form = part.kind == ElementKind::shell ? m.shell_sections[section].elform : 0;
+    const bool has_modes = part.kind == ElementKind::shell   ? shell_form != 16 && shell_form != 9
                            : part.kind == ElementKind::solid ? m.solid_sections[section].elform == 1
                                                              : true;
     if (has_modes) parts[{part.hourglass, part.kind}].push_back(part.id);

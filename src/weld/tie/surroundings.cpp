@@ -24,9 +24,10 @@ Surroundings::Surroundings(const model::Model& model)
       rigid_body(model.nodes.size(), none) {
   for (std::size_t e = 0; e < model.shells.size(); ++e) {
     const double t = contact_thickness(model.parts[model.shells.part[e]], model.shells.thickness[e]);
+    const bool membrane = model.has_membranes(model.shells.part[e]);
     for (Index n : model.shells.node[e]) {
       thickness[n] = std::max(thickness[n], t);
-      rotates[n] = 1;
+      if (!membrane) rotates[n] = 1;
       if (shell[n] == none) shell[n] = static_cast<Index>(e);
     }
   }

@@ -517,7 +517,7 @@ void Tying::make_ties() {
 /// What the tie hands over, and by what means.
 void Tying::choose_constraint_or_spring(Tie& tie, const model::Contact& contact) const {
   using Offset = model::Contact::Offset;
-  const bool on_shell = tie.shell != none;
+  const bool on_shell = tie.shell != none && !model_.has_membranes(tie.part);
   const bool with_couples = contact.kind == model::Contact::Kind::tied_shell_edge_to_solid;
   tie.rotations = around_.rotates[tie.node] && contact.ties_rotations() && (on_shell || with_couples);
   tie.twist = contact.torsion && tie.rotations && on_shell;

@@ -78,17 +78,30 @@ TEST(Checks, ManyFaultsOfOneKindAreCounted) {
 
 TEST(Checks, FormulationsAreRefusedByName) {
   const Built b(
-      sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,5\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
+      sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,3\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"
                  "*PART\nb\n3,13,1\n*SECTION_SOLID\n13,5\n*ELEMENT_SOLID\n1,3,1,2,3,4,5,6,7,8\n"
                  "*PART\nc\n4,14,2\n*SECTION_BEAM\n14,6\n1.0,1.0\n*MAT_SPOTWELD\n2,7.85e-9,210000.0,0.3,400.0\n"
                  "*ELEMENT_BEAM\n1,4,1,5\n"));
-  const Finding* shell = b.find(Severity::error, "shell formulation 5 is not built", "elform");
+  const Finding* shell = b.find(Severity::error, "shell formulation 3 is not built", "elform");
   ASSERT_NE(shell, nullptr) << b.all_findings();
-  EXPECT_EQ(shell->value, "5");
+  EXPECT_EQ(shell->value, "3");
   EXPECT_TRUE(b.error("solid formulation 5 is not built", "elform"));
   const Built plane(sheet_deck("*PART\na\n2,12,1\n*SECTION_SHELL\n12,15\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
   EXPECT_TRUE(plane.error("formulation 15 is an axisymmetric solid; models in two dimensions", "elform"));
   EXPECT_TRUE(b.error("not a law of discrete beams (ELFORM 6)", "mid"));
+}
+
+// One layer, whatever NIP; nodes without rotations but where other shells have them.
+TEST(Checks, MembranesHaveOneLayer) {
+  for (const char* const elform : {"5", "9"}) {
+    const Built b(sheet_deck(std::string("*PART\na\n2,12,1\n*SECTION_SHELL\n12,") + elform +
+                             ",,4\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+    EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+    const Index part = b.model.part_index(2);
+    EXPECT_EQ(b.model.shell_sections[b.model.parts[part].section].layers, 1);
+    EXPECT_TRUE(b.model.has_membranes(part));
+    EXPECT_FALSE(b.model.has_membranes(b.model.part_index(1)));
+  }
 }
 
 TEST(Checks, SolidsWithNodalRotationsAreComputedWithAWarning) {
@@ -202,8 +215,8 @@ TEST(Checks, RigidPartsMayHaveAnyFormulation) {
 
 TEST(Checks, TheoryStandsInForABlankFormulation) {
   const Built b(
-      sheet_deck("*CONTROL_SHELL\n,,,,5\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
-  EXPECT_TRUE(b.error("shell formulation 5 is not built", "elform")) << b.all_findings();
+      sheet_deck("*CONTROL_SHELL\n,,,,3\n*PART\na\n2,12,1\n*SECTION_SHELL\n12\n1.0\n*ELEMENT_SHELL\n2,2,5,6,7,8\n"));
+  EXPECT_TRUE(b.error("shell formulation 3 is not built", "elform")) << b.all_findings();
 }
 
 TEST(Checks, FullyIntegratedShells) {

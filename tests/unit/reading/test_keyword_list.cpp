@@ -70,14 +70,14 @@ TEST(KeywordList, LongestNameDecides) {
 
 TEST(KeywordList, UnsupportedPhysicsIsRefusedAllAtOnce) {
   const Built built(
-      small_deck("*AIRBAG_WANG_NEFSKE\n         1\n*EM_CONTROL\n         1\n*CONTROL_THERMAL_SOLVER\n       "
+      small_deck("*AIRBAG_HYBRID\n         1\n*EM_CONTROL\n         1\n*CONTROL_THERMAL_SOLVER\n       "
                  "  1\n*MAT_NOBODY_KNOWS\n         9\n"));
   EXPECT_EQ(built.findings.errors(), 4) << built.all_findings();
   EXPECT_TRUE(built.error("airbag"));
   EXPECT_TRUE(built.error("electromagnetics"));
   EXPECT_TRUE(built.error("heat"));
   EXPECT_TRUE(built.error("this material is not built"));
-  const Built skipped(small_deck("*AIRBAG_WANG_NEFSKE\n         1\n"), true);
+  const Built skipped(small_deck("*AIRBAG_HYBRID\n         1\n"), true);
   EXPECT_EQ(skipped.findings.errors(), 0) << skipped.all_findings();
   EXPECT_TRUE(skipped.warning("airbag"));
 }

@@ -67,7 +67,8 @@ TEST(Layers, FaultsOfAComposite) {
   std::string many;
   for (int k = 0; k < 17; ++k) many += "1,1.0,,,1,1.0\n";
   EXPECT_TRUE(composite(many).error("34 layers; up to 32 are built"));
-  EXPECT_TRUE(built("*PART_COMPOSITE\npane\n1,5\n1,1.0\n").error("shell formulation 5 is not built", "elform"));
+  EXPECT_TRUE(built("*PART_COMPOSITE\npane\n1,5\n1,1.0\n")
+                  .error("membranes (ELFORM 5) with layers of different materials", "elform"));
   EXPECT_TRUE(built("*PART_COMPOSITE_TSHELL\npane\n1,1\n1,1.0\n").error("this form of *PART_COMPOSITE"));
   EXPECT_TRUE(composite("4,1.0\n", "*CONTROL_SHELL\n\n,,1\n").error("laminated shell theory", "mid1"));
   EXPECT_TRUE(composite("1,1.0\n", "*CONTROL_SHELL\n\n,,2\n").error("not a documented value", "lamsht"));

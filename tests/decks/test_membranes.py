@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Membranes and fabric as a deck has them: what the result files hold, and what is refused."""
+import unittest
+
+import lsda
+from fabric_bag import AMBIENT, CP, DENSITY, FLOW, TEMPERATURE, pillow
+from few_elements import card, curve, part
+from nugget_command import CommandTest
+
+YOUNG, POISSON = 1000.0, 0.25
+
+
+def sheet(*, elform=9, nip=4, law=f"*MAT_ELASTIC\n{card(1, 1e-9, YOUNG, POISSON)}", more="", section=None, end=0.02):
+    """2 x 2 shells of 10 mm, pulled by 0.1 mm along x between edges that hold x only."""
+    places = [(10.0 * i, 10.0 * j) for j in range(3) for i in range(3)]
+    text = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(end) + part(1) + (section or "*SECTION_SHELL\n" + card(1, elform, "", nip) + card(0.5, 0.5, 0.5, 0.5))
+    text += law + "*NODE\n" + "".join(f"{k:8}{x:16.6f}{y:16.6f}{0.0:16.6f}\n" for k, (x, y) in enumerate(places, 1))
+    text += "*ELEMENT_SHELL\n" + "".join("".join(f"{v:8}" for v in (e, 1, a, a + 1, a + 4, a + 3)) + "\n" for e, a in enumerate((1, 2, 4, 5), 1))
+    for nodes, held in (((1, 4, 7), (1, 0, 0)), ((3, 6, 9), (0, 0, 1)), ((1,), (0, 1, 1)), ((2, 4, 5, 7, 8), (0, 0, 1))):
+        text += "*BOUNDARY_SPC_NODE\n" + "".join(card(n, 0, *held, 0, 0, 0) for n in nodes)
+    text += "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + "".join(card(n, 1, 2, 9, 0.1) for n in (3, 6, 9))
+    text += curve(9, (0.0, 0.0), (0.5 * end, 1.0), (1.0, 1.0)) + "*DAMPING_GLOBAL\n" + card(0, 3000.0)
+    return text + more + "*END\n"
+
+
+class Membranes(CommandTest):
+    def states(self, branch):
+        return lsda.states(lsda.read(self.folder / "binout0000"), branch)
+
+    def test_a_pulled_sheet_in_elout(self):
+        """sigma = E ln(1 + u/L) in one layer, whatever NIP. Sabotage: NIP layers, or the three columns next to the one that is pulled."""
+        request = "*DATABASE_ELOUT\n" + card(0.002, 2) + "*DATABASE_HISTORY_SHELL\n" + card(1, 4)
+        for elform in (5, 9):
+            with self.subTest(elform):
+                self.write(sheet(elform=elform, more=request))
+                self.nugget("run", "model.k", "--quiet")
+                last = self.states("elout/shell")[-1]
+                self.assertEqual(len(last["sig_xx"]), 2)  # a layer of each of two shells
+                for value in last["sig_xx"]:
+                    self.assertAlmostEqual(value, YOUNG * 0.1 / 20.05, delta=0.01 * YOUNG * 0.1 / 20.0)
+                for name in ("sig_yy", "sig_xy", "sig_yz", "sig_zx"):
+                    for value in last[name]:
+                        self.assertAlmostEqual(value, 0.0, delta=0.01 * YOUNG * 0.1 / 20.0)
+
+    def test_a_bag_keeps_its_books(self):
+        """The gas has what it had and what flowed in; what it gave is the work on the fabric and on the air outside. Sabotage: the faces of
+        one sheet, the enthalpy of the inflow."""
+        end = 4e-3
+        self.write(pillow(end=end))
+        self.nugget("run", "model.k", "--quiet")
+        first, last = self.text_states()
+        self.assertAlmostEqual(last["total_mass"] - first["total_mass"], FLOW * end, delta=2e-3 * FLOW * end)
+        self.assertGreater(last["volume"], 5.0 * first["volume"])
+        energy = self.json("summary.json")["energy"]
+        self.assertAlmostEqual(energy["ratio"], 1.0, delta=0.02)
+        given = first["internal_energy"] + FLOW * end * CP * TEMPERATURE - last["internal_energy"]
+        outside = AMBIENT * (last["volume"] - first["volume"])
+        self.assertAlmostEqual(given, outside + energy["external"], delta=0.01 * given)
+        self.assertAlmostEqual(first["total_mass"], DENSITY * first["volume"], delta=1e-3 * DENSITY * first["volume"])
+
+    def text_states(self):
+        states = self.states("abstat")
+        one = lambda s: {k: v[0] if isinstance(v, (list, tuple)) else v for k, v in s.items()}  # noqa: E731
+        return one(states[0]), one(states[-1])
+
+    def refused(self, text, *words, command=("check",)):
+        self.write(text)
+        told = self.nugget(*command, "model.k", expect=1).stderr
+        for word in words:
+            self.assertIn(word, told)
+
+    def test_what_is_refused(self):
+        fabric = lambda *third: ("*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0, "", 0.2) + card(20.0, "", "", 1) + card(*third)  # noqa: E731
+                                 + card("") + card(""))
+        self.refused(sheet(elform=2, law=fabric(0)), "*MAT_FABRIC is a law of membranes, but the shells have ELFORM 2", "write ELFORM 9 or 5")
+        self.refused(sheet(law=fabric(0, "", "", "", "", 14)), "formulation 14 of the fabric (stress by curves")
+        self.refused(sheet(law=fabric(0, "", "", "", "", 12)), "formulation 12 of the fabric (strains of Green")
+        self.refused(sheet(law=fabric(0, "", "", "", "", 0, 1)), "fvopt = 1", "gas that leaks through the fabric is not built")
+        self.refused(sheet(law="*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0, "", 0.2, 0.5) + card(20.0) + card(0) + card("") + card("")),
+                     "PRBA EA/EB is 0.2667")
+        self.refused(sheet(law="*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0) + card(0) + card(0) + card("") + card("")), "needs its shear modulus")
+        self.refused(sheet().replace(part(1), "*PART_COMPOSITE\nlayers\n" + card(1, 9) + card(1, 0.2, 0, "", 1, 0.3)),
+                     "membranes (ELFORM 9) with layers of different materials are not built")
+
+    def test_linear_analyses_have_no_membranes(self):
+        """Nothing holds them across their plane."""
+        self.write(sheet())
+        told = self.nugget("modes", "model.k", "-n", 3, expect=1).stderr
+        self.assertIn("part 1 is of membranes (ELFORM 9), which linear analyses do not have", told)
+
+    def test_normals_that_disagree_are_told_with_the_shells(self):
+        self.refused(pillow(4, turned=(6,)), "the normals of neighbours disagree at 4 edges, the first from node", "between shell", "shell 6")
+
+    def test_an_inverted_bag_is_turned(self):
+        self.write(pillow(4, turned=range(1, 33)))
+        told = self.nugget("check", "model.k").stderr
+        self.assertIn("all normals point into the volume: its faces are taken the other way round", told)
+
+
+if __name__ == "__main__":
+    unittest.main()
