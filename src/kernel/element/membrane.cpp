@@ -129,7 +129,7 @@ NodalForces<R, 4> membrane_cycle(const ShellProperties& shell, const LawKernel<L
   const ShellLayout layout = shell_layout(shell, law);
   const R share = tangent_share<R>(law, layout, state);
   MembranePatterns<R> q = resist_patterns(shell, law, mid, rate, dt, share, state);
-  ShellResultants<R> n = advance_layers(shell, law, d, dt, state, alive);
+  ShellResultants<R> n = advance_layers(shell, law, layout, d, dt, state, alive);
   if (shell.hourglass >= 4) soften_patterns(share, tangent_share<R>(law, layout, state), q, state);
   if (compresses_viscously<R>(shell)) {
     const R viscous = viscous_membrane(shell, law, d.xx + d.yy, end.area, state);
@@ -269,7 +269,7 @@ NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties& shell, const La
   d.yy = mid.dy(v31.y, vyx);
   d.xy = mid.dy(v31.x, d.xx) + vyx;
   if (any(!alive)) d = select(alive, d, ShellRates<R>{});
-  ShellResultants<R> n = advance_layers(shell, law, d, dt, state, alive);
+  ShellResultants<R> n = advance_layers(shell, law, shell_layout(shell, law), d, dt, state, alive);
   if (compresses_viscously<R>(shell)) {
     const R viscous = viscous_membrane(shell, law, d.xx + d.yy, end.area, state);
     n.nxx -= viscous;
