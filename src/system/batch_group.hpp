@@ -63,6 +63,8 @@ class FlushedDenormals {
 ///                                     ElementGroup::layer; see TakesStress
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
 ///   viscosity(state, places, c)       of dashpots; may be absent
+///   viscous_stiffness()               of shells: factor for vibrate on the forces of a step, where some of them are
+///                                     viscous; may be absent
 ///   Layout::integrity, integrity(state), freeze_yield(state, lane), plastic_strain(state, k)     of welds only; the
 ///   first
 ///                                     is that of the weld as a whole, the second that of its points
@@ -267,6 +269,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       };
       std::array<double, width> stiffer;
       stiffer.fill(1.0);
+      if constexpr (requires { kernel_.viscous_stiffness(); }) stiffer.fill(kernel_.viscous_stiffness());
       const bool solid = kind == model::ElementKind::solid;
       if (!solid && !compresses_viscously()) {
         add(forces(kernel_, 1.0, 0.5 * dt), 1.0, stiffer);

@@ -194,6 +194,15 @@ struct ShellElement {
       if (kernel::LawKernel<Law>::has_plastic_strain) put(layout().layer(k, column) + 5, l.plastic_strain);
     }
   }
+  /// A law whose stress has the part D of its change in it, as that of fabric, has (1 + D) of the stiffness in the
+  /// forces of a step, and (1 + 2 D) of it in the limit of the step, 1 / step_share^2.
+  double viscous_stiffness() const {
+    if constexpr (is_membrane(Kind) && requires { law.step_share(); }) {
+      const double whole = 1.0 / (law.step_share() * law.step_share());
+      return 2.0 * whole / (1.0 + whole);
+    }
+    return 1.0;
+  }
   /// The same element without viscous forces.
   ShellElement inviscid() const {
     ShellElement e = *this;

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Membranes and fabric as a deck has them: what the result files hold, and what is refused."""
+import math
+import re
 import unittest
 
 import lsda
@@ -81,6 +83,27 @@ class Membranes(CommandTest):
         self.refused(sheet(law="*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0) + card(0) + card(0) + card("") + card("")), "needs its shear modulus")
         self.refused(sheet().replace(part(1), "*PART_COMPOSITE\nlayers\n" + card(1, 9) + card(1, 0.2, 0, "", 1, 0.3)),
                      "membranes (ELFORM 9) with layers of different materials are not built")
+
+    def test_step_of_a_square_alone_with_damping(self):
+        """It swells and shrinks as an undamped one, omega^2 = 4 (1 + nu) c^2 / L^2; DAMP shortens the formula's step and the limit alike.
+        Sabotage: the viscous stress counted once, as in the forces of a step."""
+        for damping in (0.0, 0.3):
+            law = "*MAT_FABRIC\n" + card(1, 1e-9, 400.0, "", "", 0.3) + card("", "", "", 0, "", "", "", damping) + card(0) + card("") + card("")
+            text = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(1.0) + "*CONTROL_TIMESTEP\n" + card("", 0.9) + part(1) + "*SECTION_SHELL\n" + card(1, 9)
+            text += card(0.5, 0.5, 0.5, 0.5) + law + "*NODE\n"
+            text += "".join(f"{k:8}{x:16.6f}{y:16.6f}{0.0:16.6f}\n" for k, (x, y) in enumerate(((0, 0), (9, 0), (9, 9), (0, 9)), 1))
+            self.write(text + "*ELEMENT_SHELL\n" + "".join(f"{v:8}" for v in (1, 1, 1, 2, 3, 4)) + "\n*END\n")
+            found = re.search(r"limit of stability is TSSFAC (\S+);", self.nugget("check", "model.k").stderr)
+            self.assertAlmostEqual(float(found[1]), 1 / math.sqrt(1.3), delta=2e-3)
+
+    def test_leakage_of_the_fabric(self):
+        """OPT asks for it: refused where FLC and FAC are given, else nothing leaks."""
+        with_opt = pillow(4).replace(card(AMBIENT, DENSITY, 1.0), card(AMBIENT, DENSITY, 1.0, "", "", "", 1))
+        self.write(with_opt)
+        self.nugget("check", "model.k")
+        leaking = with_opt.replace(card(0, "", "", "", "", 0), card(0, 0.5, 1.0, "", "", 0))
+        self.assertNotEqual(leaking, with_opt)
+        self.refused(leaking, "opt = 1", "gas that leaks through the fabric is not built, and that of model.k:")
 
     def test_linear_analyses_have_no_membranes(self):
         """Nothing holds them across their plane."""

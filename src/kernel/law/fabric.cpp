@@ -38,6 +38,7 @@ Direction part_way(const Direction& from, const Direction& to, double share) {
 struct Waves {
   double across = 0.0;  ///< stress along n without them [stress]
   double beta = 0.0;    ///< that leaves no stress along n; not below 0 [1]
+  double relief = 0.0;  ///< energy that they save, twice [stress]
   double shear = 0.0;   ///< stress between n and t that is left [stress]
   double slope = 0.0;   ///< by which that grows as n turns towards t, where beta is above 0 [stress]
   double along = 0.0;   ///< stress along t that is left [stress]
@@ -51,6 +52,7 @@ struct Waves {
     across = aa * stress.a + bb * stress.b + 2.0 * ab * stress.ab;
     const double over_stiffness = 1.0 / (aa * own.a + bb * own.b + 2.0 * ab * own.ab);
     beta = std::max(-across * over_stiffness, 0.0);
+    relief = -across * beta;
     const AxesTensor left{stress.a + beta * own.a, stress.b + beta * own.b, stress.ab + beta * own.ab};
     shear = shear_of(left);
     along = bb * left.a + aa * left.b - 2.0 * ab * left.ab;
@@ -60,6 +62,16 @@ struct Waves {
     slope = turned_shear_of(left) + turned_beta * own_shear + beta * shear_of(turned_own);
   }
 };
+
+/// Direction of the least principal stress.
+Direction direction_of_least(const AxesTensor& stress) {
+  const double half = 0.5 * (stress.a - stress.b), radius = std::hypot(half, stress.ab);
+  if (radius == 0.0) return {1.0, 0.0};
+  // An eigenvector by the row that does not vanish.
+  const double a = half < 0.0 ? radius - half : -stress.ab, b = half < 0.0 ? -stress.ab : radius + half;
+  const double over = 1.0 / std::sqrt(a * a + b * b);
+  return {over * a, over * b};
+}
 
 }  // namespace
 
@@ -77,18 +89,15 @@ Wrinkling::Wrinkling(const SheetModuli& moduli) : moduli_(moduli) {
   }
 }
 
-/// Between the neighbours of the best direction the shear has its root: by the secant, and by halves where that keeps
-/// one end.
-Wrinkling::Direction Wrinkling::between_neighbours(const AxesTensor& stress, std::size_t best, double enough) const {
-  const Direction middle{tried_[best].a, tried_[best].b};
-  const auto beside = [&](std::size_t i) {
-    const Tried& d = tried_[i % tried];
-    return d.a * middle.a + d.b * middle.b < 0.0 ? Direction{-d.a, -d.b} : Direction{d.a, d.b};
-  };
-  Waves waves(moduli_, stress, middle);
+Direction Wrinkling::within_a_step(const AxesTensor& stress, const Direction& best, double enough) const {
+  constexpr double cosine = 0.96592582628906828675, sine = 0.25881904510252076235;  // of half a turn / tried
+  static_assert(tried == 12);
+  Waves waves(moduli_, stress, best);
   // The relief grows as long as the shear is below 0.
   const bool beyond = waves.shear < 0.0;
-  Direction n = middle, from = beyond ? middle : beside(best + tried - 1), to = beyond ? beside(best + 1) : middle;
+  const Direction before{cosine * best.a + sine * best.b, cosine * best.b - sine * best.a},
+      behind{cosine * best.a - sine * best.b, cosine * best.b + sine * best.a};
+  Direction n = best, from = beyond ? best : before, to = beyond ? behind : best;
   const auto shear_at = [&](const Direction& d, double where_taut) {
     const Waves w(moduli_, stress, d);
     return w.beta > 0.0 ? w.shear : where_taut;
@@ -112,19 +121,18 @@ AxesTensor Wrinkling::stress(const AxesTensor& strain) const {
   // Steps that move nothing, of which the stiffness is made (docs/decisions/0017), meet that of the taut fabric.
   constexpr double nothing = 1e-20;
   if (std::abs(strain.a) + std::abs(strain.b) + std::abs(strain.ab) < nothing) return stress;
-  if (stress.a + stress.b >= 0.0 && stress.a * stress.b >= stress.ab * stress.ab) return stress;  // taut
+  if (stress.a + stress.b >= 0.0 && stress.a * stress.b >= stress.ab * stress.ab) return stress;     // taut
   if (strain.a + strain.b <= 0.0 && strain.a * strain.b >= 0.25 * strain.ab * strain.ab) return {};  // slack
 
-  // The best of some directions, then the root of the shear that is left beside it.
-  std::size_t best = 0;
-  double relief = -1.0;
-  for (std::size_t i = 0; i < tried; ++i) {
-    const Tried& n = tried_[i];
+  // The best of some directions and of that of the greatest compression, then the root of the shear that is left
+  // beside.
+  Direction start = direction_of_least(stress);
+  double relief = Waves(moduli_, stress, start).relief;
+  for (const Tried& n : tried_) {
     const double across = n.aa * stress.a + n.bb * stress.b + n.ab2 * stress.ab,
                  here = across < 0.0 ? across * across * n.over_stiffness : 0.0;
-    if (here > relief) relief = here, best = i;
+    if (here > relief) relief = here, start = {n.a, n.b};
   }
-  const Direction start{tried_[best].a, tried_[best].b};
   const double enough = 1e-12 * size;
   // Newton's steps, as long as they stay near and the shear falls.
   constexpr double near = 0.97, half_as_much = 0.5;
@@ -137,7 +145,7 @@ AxesTensor Wrinkling::stress(const AxesTensor& strain) const {
     const Waves there(moduli_, stress, next);
     if (!(next.a * start.a + next.b * start.b > near && there.beta > 0.0 &&
           std::abs(there.shear) <= half_as_much * std::abs(waves.shear))) {
-      n = between_neighbours(stress, best, enough);
+      n = within_a_step(stress, start, enough);
       waves = Waves(moduli_, stress, n);
       break;
     }

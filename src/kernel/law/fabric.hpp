@@ -43,11 +43,11 @@ struct SheetModuli {
   }
 };
 
-/// A sheet that carries no compression: taut, its stress is elastic where that has no principal value below 0; slack, it
-/// is 0 where no direction is stretched; else wrinkled, a uniaxial tension along t with the strain that the waves take
-/// up, beta n n, across it: of all n and beta >= 0 those of the least elastic energy (A.C. Pipkin, IMA J. Appl. Math. 36,
-/// 1986: the relaxed energy of a membrane). What is left of the shear between t and n at the end is below 1e-12 of the
-/// stress.
+/// A sheet that carries no compression: taut, its stress is elastic where that has no principal value below 0; slack,
+/// it is 0 where no direction is stretched; else wrinkled, a uniaxial tension along t with the strain that the waves
+/// take up, beta n n, across it: of all n and beta >= 0 those of the least elastic energy (A.C. Pipkin, IMA J. Appl.
+/// Math. 36, 1986: the relaxed energy of a membrane). What is left of the shear between t and n at the end is below
+/// 1e-12 of the stress.
 class Wrinkling {
  public:
   explicit Wrinkling(const SheetModuli& moduli);
@@ -64,7 +64,9 @@ class Wrinkling {
   struct Tried {
     double a, b, aa, bb, ab2, over_stiffness;  ///< n, n n, and 1 / C_nnnn
   };
-  Direction between_neighbours(const AxesTensor& stress, std::size_t best, double enough) const;
+  /// The best direction, where that is less than half a turn / tried from `near`, the best so far: by the secant, and
+  /// by halves where that keeps one end.
+  Direction within_a_step(const AxesTensor& stress, const Direction& near, double enough) const;
 
   SheetModuli moduli_;
   std::array<Tried, tried> tried_;

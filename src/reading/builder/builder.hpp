@@ -132,6 +132,8 @@ class Builder {
   std::vector<CompositePart> composite_parts;
   /// By material: what its law asks of the parts that have it, and of their cards.
   std::map<Index, std::function<void(Builder&, const Part&, const deck::RowOf<PartCard>&)>> part_checks;
+  /// FLC of the first *MAT_FABRIC through which gas could leak (FLC and FAC); none: a keyword that is empty.
+  deck::Entry leaking_fabric;
 
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;

@@ -143,6 +143,7 @@ struct AmbienceCard {
   double pe = 0, ro = 0, gc = 0;
   int lcefr = 0;
   double pover = 0, ppop = 0;
+  int opt = 0;
 };
 const CardOf<AmbienceCard> ambience_card{
     {&AmbienceCard::pe, real("pe", dimension::stress, 0, at_least(0), "ambient pressure")},
@@ -154,7 +155,8 @@ const CardOf<AmbienceCard> ambience_card{
     {&AmbienceCard::pover, real("pover", dimension::stress, 0, at_least(0), "pressure above PE at the start")},
     {&AmbienceCard::ppop,
      real("ppop", dimension::stress, 0, at_least(0), "pressure above PE at which the vent opens for good")},
-    integer("opt", 0, only(0), "gas that leaks through the fabric"),
+    {&AmbienceCard::opt, integer("opt", 0, between(0, 8),
+                                 "above 0: CP23 and AP23 are those of the fabric, by FLC and FAC, which must be 0")},
     integer("knkdn", 0, only(0), "curve of jets"),
 };
 const Card inflator_model_card{{
@@ -454,6 +456,19 @@ void find_vent(Builder& b, const deck::RowOf<HolesCard>& row, double HolesCard::
                                         "give both, or neither");
 }
 
+/// With OPT the fabric leaks in the place of CP23 and AP23 (keyword manual): none of it may.
+void check_leakage(Builder& b, const RowOf<AmbienceCard>& outside, const RowOf<HolesCard>& holes) {
+  if (!b.leaking_fabric.keyword.empty())
+    return refuse(b, outside[&AmbienceCard::opt],
+                  fmt::format("gas that leaks through the fabric is not built, and that of {}:{} does (FLC, FAC)",
+                              b.leaking_fabric.place.file, b.leaking_fabric.place.line),
+                  "write OPT 0, and CP23 and AP23 of the whole bag");
+  for (double HolesCard::*const field : {&HolesCard::cp23, &HolesCard::ap23})
+    if (holes[field].value != 0.0)
+      holes[field].report(b.findings, Severity::warning,
+                          "no effect: with OPT the fabric leaks in its place, and none does", "write OPT 0");
+}
+
 /// As those of the simple airbag, which has them in other fields.
 FlowingGas read_heat(Builder& b, const RowOf<InflatorCard>& inflator, const RowOf<AmbienceCard>& outside,
                      const std::optional<RowOf<MoleCard>>& mole) {
@@ -537,7 +552,10 @@ void read_wang_nefske(Builder& builder, const Block& block, const Options& optio
       flowing.outflow_curve = b.curve(outside[&AmbienceCard::lcefr]);
       using H = HolesCard;
       find_vent(b, holes, &H::c23, &H::lcc23, &H::a23, &H::lca23, flowing.vent);
-      find_vent(b, holes, &H::cp23, &H::lccp23, &H::ap23, &H::lcap23, flowing.leak);
+      if (outside->opt == 0)
+        find_vent(b, holes, &H::cp23, &H::lccp23, &H::ap23, &H::lcap23, flowing.leak);
+      else
+        check_leakage(b, outside, holes);
       expect_no_backflow(b, inflator[&InflatorCard::lcmt], flowing.inflow_curve);
       expect_no_backflow(b, inflator[&InflatorCard::lct], flowing.inflow_temperature_curve);
       expect_no_backflow(b, outside[&AmbienceCard::lcefr], flowing.outflow_curve);

@@ -22,7 +22,7 @@ using kernel::Fabric;
 
 /// All cards of *MAT_FABRIC.
 struct FabricCards : MaterialCard, Fabric, AxesCards {
-  double prab = 0, cse = 0, lnrc = 0, form = 0, fvopt = 0, beta = 0;
+  double prab = 0, cse = 0, flc = 0, fac = 0, lnrc = 0, form = 0, fvopt = 0, beta = 0;
 };
 const CardOf<FabricCards> moduli_of_fabric_card{
     {&MaterialCard::mid, material_id},
@@ -51,8 +51,9 @@ const CardOf<FabricCards> shear_and_liner_card{
 
 const CardOf<FabricCards> form_card{
     {&AxesCards::aopt, aopt::option},
-    real("flc", dimension::number, 0, any_value, "leakage, for gases that ask for it: none of those that are built"),
-    real("fac", dimension::number, 0, any_value, "the same"),
+    {&FabricCards::flc, real("flc", dimension::number, 0, any_value,
+                             "leakage, for gases that ask for it by OPT: none of those that are built")},
+    {&FabricCards::fac, real("fac", dimension::number, 0, any_value, "the same")},
     real("ela", dimension::number, 0, any_value, "the same, of fabric that touches something"),
     {&FabricCards::lnrc, real("lnrc", dimension::number, 0, only(0), "liner until the reference geometry is reached")},
     {&FabricCards::form, real("form", dimension::number, 0, any_value,
@@ -121,6 +122,8 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
   if (cards.fvopt != 0.0)
     refuse(b, form[&FabricCards::fvopt], "gas that leaks through the fabric is not built",
            "leave it 0, and let the gas out by a vent of its *AIRBAG_ card");
+  if (cards.flc != 0.0 && cards.fac != 0.0 && b.leaking_fabric.keyword.empty())
+    b.leaking_fabric = form[&FabricCards::flc];
   Fabric law = cards;
   law.no_compression = cards.cse == 1.0;
   const bool isotropic = law.young_b == 0.0 && law.shear_ab == 0.0;
