@@ -136,12 +136,12 @@ class WatchedRuns(CommandTest):
         self.write(deck())
         said = self.nugget("run", "model.k", "-o", "holds").stderr
         weld, = self.json("holds/summary.json")["weld"]
-        self.assertRegex(said, rf"welds: 0 of 1 failed; nearest to it {weld['id']} at \(9, 9, 0.6\), failure value 0\.\d+ at \S+ s")
+        self.assertRegex(said, rf"welds: 0 of 1 failed; nearest to it {weld['id']} at \(9, 9, 0.6\) mm, failure value 0\.\d+ at \S+ s")
         self.assertRegex(said, r"energy: kinetic \S+ N mm, internal \S+ N mm")
         self.write(edited(deck(), ("    8000.0    6000.0    6000.0", "      80.0      60.0      60.0")))
         said = self.nugget("run", "model.k", "-o", "fails").stderr
         weld, = self.json("fails/summary.json")["weld"]
-        self.assertIn(f"welds: 1 of 1 failed, first {weld['id']} at (9, 9, 0.6) at {weld['failure_time']:.4g} s by {weld['failure_mode']}", said)
+        self.assertIn(f"welds: 1 of 1 failed, first {weld['id']} at (9, 9, 0.6) mm at {weld['failure_time']:.4g} s by {weld['failure_mode']}", said)
         quiet = self.nugget("run", "model.k", "-o", "fails", "--quiet").stderr
         self.assertNotIn("welds: 1 of 1", quiet)
 
