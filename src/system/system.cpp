@@ -522,7 +522,9 @@ System::Controlling System::controlling() const {
   const ElementGroup& group = *groups[c.group];
   const std::size_t width = group.block_width();
   for (std::size_t e = block * width; e < std::min(group.size(), (block + 1) * width); ++e) {
-    if (!(group.stable_step(e) > group.block_step[block])) c.element = static_cast<int>(e);
+    // By the step that was looked for: rounding may make those of two elements equal, and then it is the first one's,
+    // however many elements a block has.
+    if (!(group.step_share * group.damped_step(group.stable_step(e)) > c.step)) c.element = static_cast<int>(e);
     if (c.element >= 0) break;
   }
   return c;
