@@ -155,9 +155,13 @@ inline FourReals four(const Row& r) {
   return v;
 }
 inline FourReals four(const SingleRow& r) {
+#if defined(__AVX__)
+  return reinterpret_cast<FourReals>(_mm256_cvtps_pd(_mm_load_ps(&r.x)));  // GCC 12 converts the vector in pieces
+#else
   Register<4, float>::Lanes v;
   std::memcpy(&v, &r, sizeof v);
   return __builtin_convertvector(v, FourReals);
+#endif
 }
 inline void set(Row& r, const FourReals& v) {
   std::memcpy(static_cast<void*>(&r), &v, sizeof v);

@@ -413,11 +413,12 @@ void System::link_slots() {
 
   std::vector<std::size_t> count(nodes + 1, 0);
   const auto each_slot = [&](auto&& visit) {
-    for (const auto& group : groups)
-      for (std::size_t e = 0; e < group->size(); ++e) {
-        const ElementNodes node = group->nodes(e);
-        for (int a = 0; a < group->nodes_per_element; ++a) visit(at(node[a]), *group, group->slot_row(e, a));
-      }
+    for (const bool single : {false, true})  // gather_slots takes those of a node in this order
+      for (const auto& group : groups)
+        for (std::size_t e = 0; group->single_precision() == single && e < group->size(); ++e) {
+          const ElementNodes node = group->nodes(e);
+          for (int a = 0; a < group->nodes_per_element; ++a) visit(at(node[a]), *group, group->slot_row(e, a));
+        }
   };
   each_slot([&](std::size_t node, const ElementGroup&, std::size_t) { ++count[node + 1]; });
   for (std::size_t k = 0; k < nodes; ++k) count[k + 1] += count[k];
@@ -462,33 +463,41 @@ void System::for_each_block(const std::function<void(int, std::size_t, std::size
 void System::gather_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
                           std::span<Row> moment) const {
   constexpr std::size_t slots_ahead = 32;
-  const auto gather = [&](const auto& with_slot) {
-    parallel_for(nodes, 512, [&](std::size_t begin, std::size_t end) {
+  const auto gather = [&](auto with_single) {
+    constexpr bool has_single = decltype(with_single)::value;
+    parallel_for(nodes, 512, [=, this](std::size_t begin, std::size_t end) {
+      const std::uint32_t* entry = gather_.data();
+      const std::size_t *start = gather_start_.data(), last_entry = gather_.size() - 1;
+      // Adds up entries [i, stop) to f and m; all of them stand in `rows`, which are counted from `first` on.
+      const auto add_up = [=](auto rows, std::size_t first, std::size_t i, std::size_t stop, FourReals& f,
+                              FourReals& m) {
+        for (; i < stop; ++i) {
+          // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
+          const std::size_t ahead = (entry[std::min(i + slots_ahead, last_entry)] >> 1) - first;
+          __builtin_prefetch(&rows[!has_single || ahead < rows.size() ? ahead : 0]);
+          const auto* slot = &rows[(entry[i] >> 1) - first];
+          f -= four(slot[0]);
+          if (entry[i] & 1u) m -= four(slot[1]);
+        }
+      };
       for (std::size_t k = begin; k < end; ++k) {
         FourReals f{}, m{};
-        for (std::size_t i = gather_start_[k]; i < gather_start_[k + 1]; ++i) {
-          // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
-          with_slot(gather_[std::min(i + slots_ahead, gather_.size() - 1)] >> 1,
-                    [](const auto* slot) { __builtin_prefetch(slot); });
-          with_slot(gather_[i] >> 1, [&](const auto* slot) {
-            f -= four(slot[0]);
-            if (gather_[i] & 1u) m -= four(slot[1]);
-          });
+        std::size_t split = start[k + 1];
+        if constexpr (has_single) {
+          split = start[k];
+          while (split < start[k + 1] && entry[split] >> 1 < slots.size()) ++split;
+          add_up(single, slots.size(), split, start[k + 1], f, m);
         }
+        add_up(slots, 0, start[k], split, f, m);
         set(force[k], f);
         set(moment[k], m);
       }
     });
   };
   if (single.empty())
-    gather([&](std::size_t row, const auto& use) { use(&slots[row]); });
+    gather(std::false_type{});
   else
-    gather([&](std::size_t row, const auto& use) {
-      if (row < slots.size())
-        use(&slots[row]);
-      else
-        use(&single[row - slots.size()]);
-    });
+    gather(std::true_type{});
   for (std::size_t k = nodes; k < all_nodes(); ++k) force[k] = moment[k] = Row{};
 }
 
@@ -513,7 +522,9 @@ System::Controlling System::controlling() const {
   const ElementGroup& group = *groups[c.group];
   const std::size_t width = group.block_width();
   for (std::size_t e = block * width; e < std::min(group.size(), (block + 1) * width); ++e) {
-    if (!(group.stable_step(e) > group.block_step[block])) c.element = static_cast<int>(e);
+    // By the step that was looked for: rounding may make those of two elements equal, and then it is the first one's,
+    // however many elements a block has.
+    if (!(group.step_share * group.damped_step(group.stable_step(e)) > c.step)) c.element = static_cast<int>(e);
     if (c.element >= 0) break;
   }
   return c;

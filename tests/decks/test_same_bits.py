@@ -88,6 +88,10 @@ class SameBits(RepeatedRuns):
     def test_car6(self):
         self.compare(self.shared("decks/car6/main_v223.k"), "--until", "0.005")
 
+    def test_bricks_whose_steps_are_equal_but_for_rounding(self):
+        """Which of them glstat names at cycle 3399 must not depend on how many stand in a block."""
+        self.compare(self.shared("decks/box_drop/main.k"), "--max-cycles", 3600)
+
 
 if __name__ == "__main__":
     unittest.main()
