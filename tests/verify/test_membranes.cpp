@@ -219,7 +219,7 @@ TEST(Membranes, FabricPulledAtAnAngle) {
   for (const Case& c :
        {Case{9, 0, 0, 0}, {9, 0, 90, 90}, {9, 0, 45, 45}, {5, 0, 30, 30}, {9, 3, 0, -90}, {9, 3, 60, -30}}) {
     Specimen s;
-    s.text("*MAT_FABRIC\n" + fields({1, density, young_a, young_b, 0, nu}) + fields({shear, 0, 0, 1, 0, 0, 0, 0.05}) +
+    s.text("*MAT_FABRIC\n" + fields({1, density, young_a, young_b, 0, nu}) + fields({shear, 0, 0, 0, 0, 0, 0, 0.05}) +
            fields({1.0 * c.aopt}) + fields({}) + fields({1, 0, 0, 0, 0, 0, c.beta}))
         .text("*SECTION_SHELL\n" + fields({1, 1.0 * c.elform, 1, 4}) + fields({t, t, t, t}))
         .card("CONTROL_TERMINATION", {0.06})
@@ -240,7 +240,7 @@ TEST(Membranes, FabricPulledAtAnAngle) {
     expect_reference("membranes",
                      fmt::format("fabric pulled at {} degrees to its threads, ELFORM {}, AOPT {}: stress [MPa]",
                                  c.angle, c.elform, c.aopt),
-                     stress[0], std::log(1.0 + pull / side) / compliance, 0.01);
+                     stress[0], std::log(1.0 + pull / side) / compliance, 0.005);
     EXPECT_LT(std::abs(stress[1]) + std::abs(stress[3]), 0.01 * stress[0]);
   }
 }
