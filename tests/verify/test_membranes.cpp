@@ -206,11 +206,12 @@ TEST(Membranes, Balloon) {
 }
 
 // A square of fabric whose threads stand at an angle to the pull, between edges that hold x only: strain and stress are
-// even. S.W. Tsai and H.T. Hahn (1980): 1/E = c^4/EA + s^4/EB + c^2 s^2 (1/G - 2 nu/E). The strain is a logarithm.
-// Sabotage: BETA the other way round (AOPT 3, which is a along -y turned, tells), EA and EB exchanged.
+// even, but for a share of the strain: free edges turn with the shear. S.W. Tsai and H.T. Hahn (1980): 1/E = c^4/EA +
+// s^4/EB + c^2 s^2 (1/G - 2 nu/E). The strain is a logarithm. Sabotage: BETA the other way round (AOPT 3, which is a
+// along -y turned, tells), EA and EB exchanged.
 TEST(Membranes, FabricPulledAtAnAngle) {
   constexpr double side = 100.0, t = 0.3, young_a = 400.0, young_b = 250.0, nu = 0.2, shear = 20.0, density = 1e-9,
-                   pull = 1.0;
+                   pull = 0.1;
   struct Case {
     int elform, aopt;
     double beta, angle;  // [degrees]
@@ -219,7 +220,7 @@ TEST(Membranes, FabricPulledAtAnAngle) {
   for (const Case& c :
        {Case{9, 0, 0, 0}, {9, 0, 90, 90}, {9, 0, 45, 45}, {5, 0, 30, 30}, {9, 3, 0, -90}, {9, 3, 60, -30}}) {
     Specimen s;
-    s.text("*MAT_FABRIC\n" + fields({1, density, young_a, young_b, 0, nu}) + fields({shear, 0, 0, 1, 0, 0, 0, 0.05}) +
+    s.text("*MAT_FABRIC\n" + fields({1, density, young_a, young_b, 0, nu}) + fields({shear, 0, 0, 0, 0, 0, 0, 0.05}) +
            fields({1.0 * c.aopt}) + fields({}) + fields({1, 0, 0, 0, 0, 0, c.beta}))
         .text("*SECTION_SHELL\n" + fields({1, 1.0 * c.elform, 1, 4}) + fields({t, t, t, t}))
         .card("CONTROL_TERMINATION", {0.06})
@@ -240,7 +241,7 @@ TEST(Membranes, FabricPulledAtAnAngle) {
     expect_reference("membranes",
                      fmt::format("fabric pulled at {} degrees to its threads, ELFORM {}, AOPT {}: stress [MPa]",
                                  c.angle, c.elform, c.aopt),
-                     stress[0], std::log(1.0 + pull / side) / compliance, 0.01);
+                     stress[0], std::log(1.0 + pull / side) / compliance, 0.005);
     EXPECT_LT(std::abs(stress[1]) + std::abs(stress[3]), 0.01 * stress[0]);
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/batch.hpp"
 #include "kernel/law/orthotropic.hpp"
 
 namespace nugget::kernel {
@@ -27,16 +28,34 @@ SheetModuli of_liner(const Fabric& law) {
 
 using Direction = Wrinkling::Direction;
 
+/// What follows is computed in a lane of a batch: GCC 12 makes vfmaddsub of neighbouring sums and differences of
+/// products of plain numbers where the processor has AVX-512, contraction off or not, and the bits would be others
+/// there.
+using Lane = Batch<4>;
+double number(const Lane& x) {
+  return lane(x, 0);
+}
+Direction unit_vector(const Lane& a, const Lane& b) {
+  const Lane over = 1.0 / sqrt(a * a + b * b);
+  return {number(over * a), number(over * b)};
+}
+
 /// Between two directions: `share` of the way along their chord.
 Direction part_way(const Direction& from, const Direction& to, double share) {
-  const double a = from.a + share * (to.a - from.a), b = from.b + share * (to.b - from.b);
-  const double over = 1.0 / std::sqrt(a * a + b * b);
-  return {over * a, over * b};
+  return unit_vector(Lane(from.a) + share * (Lane(to.a) - Lane(from.a)),
+                     Lane(from.b) + share * (Lane(to.b) - Lane(from.b)));
 }
+
+/// Turned forth by an angle with this tangent.
+Direction turned(const Direction& n, double tangent) {
+  return unit_vector(Lane(n.a) - tangent * Lane(n.b), Lane(n.b) + tangent * Lane(n.a));
+}
+
+/// Of half a turn / Wrinkling's number of directions.
+constexpr double tangent_of_a_step = 0.26794919243112270647;
 
 /// What waves across a direction n do: they take up the strain beta n n.
 struct Waves {
-  double across = 0.0;  ///< stress along n without them [stress]
   double beta = 0.0;    ///< that leaves no stress along n; not below 0 [1]
   double relief = 0.0;  ///< energy that they save, twice [stress]
   double shear = 0.0;   ///< stress between n and t that is left [stress]
@@ -44,33 +63,39 @@ struct Waves {
   double along = 0.0;   ///< stress along t that is left [stress]
 
   Waves(const SheetModuli& moduli, const AxesTensor& stress, const Direction& n) {
-    const double aa = n.a * n.a, bb = n.b * n.b, ab = n.a * n.b, wide = aa - bb;
-    const AxesTensor own = moduli.times({aa, bb, 2.0 * ab});  // the stress of n n
-    const auto shear_of = [&](const AxesTensor& s) { return ab * (s.b - s.a) + wide * s.ab; };
+    struct Tensor {
+      Lane a, b, ab;
+    };
+    const Lane aa = Lane(n.a) * Lane(n.a), bb = Lane(n.b) * Lane(n.b), ab = Lane(n.a) * Lane(n.b), wide = aa - bb;
+    const auto stress_of = [&](const Lane& a, const Lane& b, const Lane& shear_strain) {
+      return Tensor{moduli.aa * a + moduli.ab * b, moduli.ab * a + moduli.bb * b, moduli.shear * shear_strain};
+    };
+    const auto shear_of = [&](const Tensor& s) { return ab * (s.b - s.a) + wide * s.ab; };
     // Its change as n turns.
-    const auto turned_shear_of = [&](const AxesTensor& s) { return wide * (s.b - s.a) - 4.0 * ab * s.ab; };
-    across = aa * stress.a + bb * stress.b + 2.0 * ab * stress.ab;
-    const double over_stiffness = 1.0 / (aa * own.a + bb * own.b + 2.0 * ab * own.ab);
-    beta = std::max(-across * over_stiffness, 0.0);
-    relief = -across * beta;
-    const AxesTensor left{stress.a + beta * own.a, stress.b + beta * own.b, stress.ab + beta * own.ab};
-    shear = shear_of(left);
-    along = bb * left.a + aa * left.b - 2.0 * ab * left.ab;
-    const double own_shear = shear_of(own);
-    const double turned_beta = -over_stiffness * (2.0 * shear_of(stress) + 4.0 * beta * own_shear);
-    const AxesTensor turned_own = moduli.times({-2.0 * ab, 2.0 * ab, 2.0 * wide});
-    slope = turned_shear_of(left) + turned_beta * own_shear + beta * shear_of(turned_own);
+    const auto turned_shear_of = [&](const Tensor& s) { return wide * (s.b - s.a) - 4.0 * ab * s.ab; };
+    const Tensor whole{Lane(stress.a), Lane(stress.b), Lane(stress.ab)};
+    const Tensor own = stress_of(aa, bb, 2.0 * ab);  // of n n
+    const Lane across = aa * whole.a + bb * whole.b + 2.0 * ab * whole.ab;
+    const Lane over_stiffness = 1.0 / (aa * own.a + bb * own.b + 2.0 * ab * own.ab);
+    const Lane taken_up = max(-across * over_stiffness, Lane(0.0));
+    const Tensor left{whole.a + taken_up * own.a, whole.b + taken_up * own.b, whole.ab + taken_up * own.ab};
+    const Lane own_shear = shear_of(own);
+    const Lane turned_beta = -over_stiffness * (2.0 * shear_of(whole) + 4.0 * taken_up * own_shear);
+    const Tensor turned_own = stress_of(-2.0 * ab, 2.0 * ab, 2.0 * wide);
+    beta = number(taken_up);
+    relief = number(-across * taken_up);
+    shear = number(shear_of(left));
+    slope = number(turned_shear_of(left) + turned_beta * own_shear + taken_up * shear_of(turned_own));
+    along = number(bb * left.a + aa * left.b - 2.0 * ab * left.ab);
   }
 };
 
 /// Direction of the least principal stress.
 Direction direction_of_least(const AxesTensor& stress) {
-  const double half = 0.5 * (stress.a - stress.b), radius = std::hypot(half, stress.ab);
-  if (radius == 0.0) return {1.0, 0.0};
+  const Lane half = 0.5 * (Lane(stress.a) - Lane(stress.b)), ab(stress.ab), radius = sqrt(half * half + ab * ab);
+  if (number(radius) == 0.0) return {1.0, 0.0};
   // An eigenvector by the row that does not vanish.
-  const double a = half < 0.0 ? radius - half : -stress.ab, b = half < 0.0 ? -stress.ab : radius + half;
-  const double over = 1.0 / std::sqrt(a * a + b * b);
-  return {over * a, over * b};
+  return number(half) < 0.0 ? unit_vector(radius - half, -ab) : unit_vector(-ab, radius + half);
 }
 
 }  // namespace
@@ -82,21 +107,23 @@ double Fabric::wave_modulus() const {
 }
 
 Wrinkling::Wrinkling(const SheetModuli& moduli) : moduli_(moduli) {
-  for (std::size_t i = 0; i < tried; ++i) {
-    const double angle = M_PI * static_cast<double>(i) / tried, a = std::cos(angle), b = std::sin(angle);
-    const AxesTensor own = moduli.times({a * a, b * b, 2.0 * a * b});
-    tried_[i] = {a, b, a * a, b * b, 2.0 * a * b, 1.0 / (a * a * own.a + b * b * own.b + 2.0 * a * b * own.ab)};
+  // Not by cosines: these may come from the compiler in one program and from its library in another.
+  static_assert(tried == 12);
+  Direction n{1.0, 0.0};
+  for (Tried& t : tried_) {
+    const Lane aa = Lane(n.a) * Lane(n.a), bb = Lane(n.b) * Lane(n.b), ab2 = 2.0 * Lane(n.a) * Lane(n.b);
+    const Lane stiffness =
+        aa * (moduli.aa * aa + moduli.ab * bb) + bb * (moduli.ab * aa + moduli.bb * bb) + ab2 * (moduli.shear * ab2);
+    t = {n.a, n.b, number(aa), number(bb), number(ab2), number(1.0 / stiffness)};
+    n = turned(n, tangent_of_a_step);
   }
 }
 
 Direction Wrinkling::within_a_step(const AxesTensor& stress, const Direction& best, double enough) const {
-  constexpr double cosine = 0.96592582628906828675, sine = 0.25881904510252076235;  // of half a turn / tried
-  static_assert(tried == 12);
   Waves waves(moduli_, stress, best);
   // The relief grows as long as the shear is below 0.
   const bool beyond = waves.shear < 0.0;
-  const Direction before{cosine * best.a + sine * best.b, cosine * best.b - sine * best.a},
-      behind{cosine * best.a - sine * best.b, cosine * best.b + sine * best.a};
+  const Direction before = turned(best, -tangent_of_a_step), behind = turned(best, tangent_of_a_step);
   Direction n = best, from = beyond ? best : before, to = beyond ? behind : best;
   const auto shear_at = [&](const Direction& d, double where_taut) {
     const Waves w(moduli_, stress, d);
@@ -139,9 +166,7 @@ AxesTensor Wrinkling::stress(const AxesTensor& strain) const {
   Direction n = start;
   Waves waves(moduli_, stress, n);
   while (std::abs(waves.shear) > enough) {
-    const double turn = -waves.shear / waves.slope, a = n.a - turn * n.b, b = n.b + turn * n.a,
-                 over = 1.0 / std::sqrt(a * a + b * b);
-    const Direction next{over * a, over * b};
+    const Direction next = turned(n, -waves.shear / waves.slope);
     const Waves there(moduli_, stress, next);
     if (!(next.a * start.a + next.b * start.b > near && there.beta > 0.0 &&
           std::abs(there.shear) <= half_as_much * std::abs(waves.shear))) {

@@ -126,6 +126,8 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
     b.leaking_fabric = form[&FabricCards::flc];
   Fabric law = cards;
   law.no_compression = cards.cse == 1.0;
+  if (cards.cse != 0.0 && !law.no_compression)
+    refuse(b, shear[&FabricCards::cse], "compression is either carried or not", "write 0 or 1");
   const bool isotropic = law.young_b == 0.0 && law.shear_ab == 0.0;
   if (isotropic) {
     law.young_b = law.young_a;

@@ -71,6 +71,7 @@ Rows other_solutions() {
 /// Fluids, fields, particles.
 Rows other_physics() {
   return {
+      refused("AIRBAG_WANG_NEFSKE_*", "jets, and inflators that a sensor starts, are not built; _WANG_NEFSKE alone is"),
       refused("AIRBAG_*",
               "this gas of airbags is not built; _SIMPLE_AIRBAG_MODEL, _WANG_NEFSKE, _SIMPLE_PRESSURE_VOLUME and "
               "_ADIABATIC_GAS_MODEL are"),
