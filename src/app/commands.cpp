@@ -402,7 +402,8 @@ std::string precision_warning(const output::Summary& summary) {
   const long cycles = summary.cycles + (summary.relaxation ? summary.relaxation->cycles : 0);
   if (summary.elements_by_precision.single == 0 || cycles <= many) return {};
   return fmt::format(
-      "warning: {} cycles in single precision: stresses that are built up evenly over more than {} may be wrong by some "
+      "warning: {} cycles in single precision: stresses that are built up evenly over more than {} may be wrong by "
+      "some "
       "percent [--precision double]",
       cycles, many);
 }
