@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
 """What single precision does to answers: the tables of docs/evidence/precision.md.
 
@@ -58,7 +59,7 @@ def cases(test_verify, pattern="*"):
     print("| case | values that differ | largest error over gate: double | single |\n|---|---|---|---|")
     for case in sorted({key[0] for key in changed}):
         keys = [key for key in changed if key[0] == case]
-        worst = [max(of[key][0] / of[key][1] for key in keys) for of in (double, single)]
+        worst = [max(of[key][0] / max(of[key][1], 1e-300) for key in keys) for of in (double, single)]
         print(f"| {case} | {len(keys)} | {worst[0]:.2g} | {worst[1]:.2g} |")
     print("\n| outside its gate in single precision | error: double | single | gate |\n|---|---|---|---|")
     for key, (error, gate) in single.items():
