@@ -342,8 +342,8 @@ void DeckChanges::move_weld(int id, const Vec3d& x) {
 
 // ---- files
 
-std::vector<deck::EditedText::File> DeckChanges::files(const fs::path& master) const {
-  std::vector<deck::EditedText::File> files = text_.files(master, {});
+std::vector<deck::EditedText::File> DeckChanges::files(const fs::path& master, std::string_view remark) const {
+  std::vector<deck::EditedText::File> files = text_.files(master, remark);
   std::error_code none;
   for (const auto& file : files)
     for (const std::string& input : deck_.files)

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -59,9 +60,9 @@ class DeckChanges {
   void move_node(int id, const Vec3d& x);
 
   bool empty() const { return text_.empty(); }
-  /// The text of the deck as `master`, see deck::EditedText. Refused where it would take the place of a file that was
-  /// read.
-  std::vector<deck::EditedText::File> files(const std::filesystem::path& master) const;
+  /// The text of the deck as `master` with `remark` at its head, see deck::EditedText. Refused where it would take the
+  /// place of a file that was read.
+  std::vector<deck::EditedText::File> files(const std::filesystem::path& master, std::string_view remark = {}) const;
   /// Writes the deck as `master`, see deck::EditedText; gives the files. Throws output::WriteError.
   std::vector<std::string> write(const std::filesystem::path& master) const;
 

@@ -74,10 +74,13 @@ class StudyRuns {
 
   /// The decks of all runs, so that what is wrong with one is known before any is run.
   void make_decks(DeckChanges& changes, Findings& findings) {
+    // So that runs with other options are not taken for these.
+    const std::string remark =
+        plan_.options.empty() ? std::string() : fmt::format("$ nugget run {}\n", fmt::join(plan_.options, " "));
     for (const Variant& variant : table_.variants) {
       try {
         set_parameters(table_, variant, changes);
-        decks_.push_back(changes.files(deck_of(variant)));
+        decks_.push_back(changes.files(deck_of(variant), remark));
       } catch (const std::invalid_argument& fault) {
         findings.error(variant.place, {}, fault.what(), "correct the table or the deck");
       }
@@ -130,6 +133,7 @@ class StudyRuns {
       run.threads = arguments_.threads_of_each;
       run.resumed = is_of_this_deck(i, folder_of(variant) / "restart");
       if (arguments_.skip_unsupported && !run.resumed) run.options.emplace_back("--skip-unsupported");
+      if (!run.resumed) run.options.insert(run.options.end(), plan_.options.begin(), plan_.options.end());
       if (!run.resumed) {
         fs::create_directories(folder_of(variant));
         for (const deck::EditedText::File& part : decks_[i]) output::write_whole_file(part.path, part.text);
@@ -146,7 +150,8 @@ class StudyRuns {
     std::string text;
     for (const ChildRun& run : children_)
       text += run.resumed ? fmt::format("nugget run --resume {}\n", run.folder.string())
-                          : fmt::format("nugget run {} -o {}\n", run.deck.string(), run.folder.string());
+                          : fmt::format("nugget run {} -o {} {}\n", run.deck.string(), run.folder.string(),
+                                        fmt::join(run.options, " "));
     output::write_whole_file(directory_ / "runs.txt", text);
     fmt::print("{} of {} runs are to be made: {} has a command for each; then nugget study once more gathers them\n",
                children_.size(), table_.variants.size(), (directory_ / "runs.txt").string());

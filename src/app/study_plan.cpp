@@ -10,9 +10,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include "app/table_lines.hpp"
 #include "deck/numbers.hpp"
@@ -33,7 +35,7 @@ std::optional<std::pair<std::string, std::string>> setting_of(const std::string&
   const std::size_t colon = line.find(':');
   if (colon == line.npos) return {};
   const std::string name(deck::trimmed(std::string_view(line).substr(0, colon)));
-  if (name != "deck" && name != "result" && name != "cfc") return {};
+  if (name != "deck" && name != "result" && name != "cfc" && name != "options") return {};
   return std::pair(name, std::string(deck::trimmed(std::string_view(line).substr(colon + 1))));
 }
 
@@ -50,6 +52,13 @@ void take_setting(const std::string& name, const std::string& value, const Place
       plan.results.push_back(*request);
     else
       findings.error(place, {}, "result: " + why, "correct the line");
+  } else if (name == "options") {
+    std::istringstream words(value);
+    std::copy(std::istream_iterator<std::string>(words), {}, std::back_inserter(plan.options));
+    for (const char* const taken : {"-o", "--output", "-j", "--threads", "--resume", "--drop-weld"})
+      if (std::find(plan.options.begin(), plan.options.end(), taken) != plan.options.end())
+        findings.error(place, {}, fmt::format("options: {} cannot be given here", taken),
+                       "folder and threads of a run are the study's");
   } else if (deck::parse_real(value, number) && std::find(classes.begin(), classes.end(), number) != classes.end()) {
     plan.channel_class = static_cast<int>(number);
   } else {

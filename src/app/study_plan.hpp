@@ -14,7 +14,8 @@ namespace nugget::app {
 struct StudyPlan {
   std::string deck;
   std::vector<ResultRequest> results;
-  int channel_class = 0;  ///< CFC of the filter of results; 0: none
+  int channel_class = 0;             ///< CFC of the filter of results; 0: none
+  std::vector<std::string> options;  ///< of `nugget run`, for each run
   struct Line {
     std::vector<std::string> cells;
     Place place;
@@ -22,8 +23,9 @@ struct StudyPlan {
   std::vector<Line> table;  ///< its first line names parameters
 };
 
-/// Reads a plan: lines `deck: FILE` (from the plan's folder), `result: [NAME =] CHANNEL[:HOW]`, `cfc: CLASS`, then a
-/// table. `#` and `$` begin remarks. Findings: what is missing or cannot be read.
+/// Reads a plan: lines `deck: FILE` (from the plan's folder), `result: [NAME =] CHANNEL[:HOW]`, `cfc: CLASS`,
+/// `options: WORDS` of nugget run, then a table. `#` and `$` begin remarks. Findings: what is missing or cannot be
+/// read.
 StudyPlan read_study_plan(const std::string& file, Findings& findings);
 
 /// One run of a study.

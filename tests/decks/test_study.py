@@ -107,6 +107,18 @@ class Study(CommandTest):
             self.assertEqual(self.read(f"whole_{name}/glstat"), self.read(f"s/{name}/glstat"))
         self.assertEqual([row["exit_code"] for row in again], ["0"] * 3)
 
+    def test_options_of_each_run(self):
+        self.write(varied())
+        self.plan("thick\n1.0\n", "options: --max-cycles 7")
+        self.study()
+        self.assertEqual(self.json("s/001/summary.json")["cycles"], 7)
+        self.assertIn("1 of 1 runs are there already", self.study().stdout)
+        self.plan("thick\n1.0\n", "options: --max-cycles 9")
+        self.assertNotIn("there already", self.study().stdout)
+        self.assertEqual(self.json("s/001/summary.json")["cycles"], 9)
+        self.plan("thick\n1.0\n", "options: -o elsewhere")
+        self.assertIn("plan.csv:3: error: options: -o cannot be given here", self.study(expect=1).stderr)
+
     def test_decks_alone(self):
         self.write(varied())
         self.plan("thick\n1.0\n1.1\n")
