@@ -59,8 +59,8 @@ std::string place_of(const WeldRow& weld, const Json& summary) {
   for (const char* column : {"sheet1", "sheet2"})
     if (const std::string part = cell(weld, column); !part.empty()) parts += (parts.empty() ? "" : " and ") + part;
   const char* const words = parts.empty() ? "" : parts.find(' ') == parts.npos ? "on part " : "between parts ";
-  return fmt::format("{}{}{}at ({}, {}, {}){}", words, parts, parts.empty() ? "" : " ", number(real(weld, "x")), number(real(weld, "y")), number(real(weld, "z")),
-                     unit_of(summary, dimension::length));
+  return fmt::format("{}{}{}at ({}, {}, {}){}", words, parts, parts.empty() ? "" : " ", number(real(weld, "x")),
+                     number(real(weld, "y")), number(real(weld, "z")), unit_of(summary, dimension::length));
 }
 
 /// The weld as a link that the viewer follows.
