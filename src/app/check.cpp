@@ -82,16 +82,6 @@ class NoResults final : public impact::Recorder {
   void write(const impact::Snapshot&, bool) override {}
 };
 
-/// Loads, motions, moving walls and preloads may begin later than the cycles that are tried.
-bool something_may_begin_later(const model::Model& m) {
-  bool loads = false;
-  model::for_each_load(m, [&](const auto&) { loads = true; });
-  const auto moves = [](const model::RigidWall& w) { return w.mass > 0.0 || w.motion_curve != model::none; };
-  const model::InitialState& start = m.initial_state;
-  return loads || !m.motions.empty() || std::any_of(m.walls.begin(), m.walls.end(), moves) ||
-         !start.axial_forces.empty() || !start.section_stresses.empty();
-}
-
 /// Many faults of a model show in the first forces: an element inside out, a contact that throws, a step of nothing.
 /// What ends a run there is an error of the check. A dynamic relaxation is not tried: it is a whole run.
 void try_first_cycles(const model::Model& model, impact::Simulation& simulation, Findings& findings) {
@@ -101,11 +91,6 @@ void try_first_cycles(const model::Model& model, impact::Simulation& simulation,
   if (outcome.termination == impact::Termination::error)
     findings.error({model.deck, 0, 0}, {}, "a run ends at its start: " + outcome.message,
                    "look at this place of the model, and at what was reported above");
-  const impact::Energy& e = simulation.energy();
-  if (outcome.termination == impact::Termination::normal && e.kinetic == 0.0 && e.internal == 0.0 &&
-      e.external == 0.0 && !something_may_begin_later(model))
-    findings.warning({model.deck, 0, 0}, {}, "nothing moves: there is no energy in the model, no load and no motion",
-                     std::string(idle_remedy));
 }
 
 /// What the linear analysis that the deck asks for refuses; its equations are set up, not solved.

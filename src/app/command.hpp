@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <system_error>
 
 #include "app/commands.hpp"
@@ -39,11 +38,6 @@ class Log {
   std::filesystem::path path_;
   std::string text_;
 };
-
-/// Of a model in which nothing moves.
-inline constexpr std::string_view idle_remedy =
-    "give a velocity, a load or a motion; a velocity along a held direction (*BOUNDARY_SPC, CON1 and CON2 of "
-    "*MAT_RIGID) is none";
 
 /// Head, table of keywords, findings.
 void start_log(Log& log, const RunArguments& arguments, const PreparedDeck& p, const Findings& findings);

@@ -300,7 +300,9 @@ std::string idle_warning(const output::Summary& summary) {
   const output::Summary::Energies& e = summary.energy;
   if (summary.termination != "normal" || e.initial != 0.0 || e.external != 0.0 || e.kinetic != 0.0 || e.internal != 0.0)
     return {};
-  return fmt::format("warning: nothing moved: there was no energy in the whole run [{}]", idle_remedy);
+  return "warning: nothing moved: there was no energy in the whole run [give a velocity, a load or a motion; a "
+         "velocity "
+         "along a held direction (*BOUNDARY_SPC, CON1 and CON2 of *MAT_RIGID) is none]";
 }
 
 std::string loose_weld_warning(const output::Summary& summary) {
