@@ -192,6 +192,7 @@ int nugget::app::command_line(int argc, char** argv) {
       ->needs(run_drop)
       ->check(CLI::Validator([](const std::string& text) { return nugget::app::wrong_intrusion(text); }, ""));
   CLI::Option* run_case = add_case(run_command, run.load_case, "without: each, one after the other");
+  run_command->add_flag("--vtk", run.vtk, "states, modes and welds as .vtu and .pvd for ParaView, too");
   run_command->add_flag("--quiet", run.quiet, "no progress on the terminal");
   run_command
       ->add_option("--checkpoint", run.checkpoint,

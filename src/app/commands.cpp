@@ -34,6 +34,8 @@
 #include "output/results.hpp"
 #include "reading/describe.hpp"
 #include "report/page.hpp"
+#include "report/run_data.hpp"
+#include "report/vtk.hpp"
 
 namespace nugget::app {
 namespace {
@@ -527,6 +529,20 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   return ExitCode::error_termination;
 }
 
+/// The same, and its results for ParaView where they are asked for.
+ExitCode run_and_convert(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
+  const ExitCode code = run_in(directory, arguments, from);
+  const bool has_results =
+      code == ExitCode::normal || code == ExitCode::error_termination || code == ExitCode::interrupted;
+  if (!arguments.vtk || !has_results) return code;
+  try {
+    report::write_vtk(directory, directory, report::read_run(directory));
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "warning: --vtk: {}\n", error.what());
+  }
+  return code;
+}
+
 }  // namespace
 
 ExitCode run(const RunArguments& arguments) {
@@ -534,7 +550,7 @@ ExitCode run(const RunArguments& arguments) {
   if (has_cases(arguments)) return each_case(arguments, run);
   if (arguments.resume.empty())
     return guarded(arguments.directory,
-                   [&](const fs::path& directory) { return run_in(directory, arguments, nullptr); });
+                   [&](const fs::path& directory) { return run_and_convert(directory, arguments, nullptr); });
   return guarded(".", [&](const fs::path&) {
     std::string warning;
     const auto from = output::open_restart(fs::absolute(arguments.resume), warning);
@@ -546,7 +562,7 @@ ExitCode run(const RunArguments& arguments) {
           fmt::format("--until {:g} lies before the restart file, whose time is {:g}: give a later end, "
                       "or run the deck again",
                       run.until, from->head().time));
-    return run_in(run.directory, run, from.get());
+    return run_and_convert(run.directory, run, from.get());
   });
 }
 

@@ -180,6 +180,7 @@ std::vector<std::string> options_of_each(const RunArguments& a) {
   if (!a.precision.empty()) words.insert(words.end(), {"--precision", a.precision});
   if (a.load_case > 0) words.insert(words.end(), {"--case", fmt::format("{}", a.load_case)});
   if (a.skip_unsupported) words.emplace_back("--skip-unsupported");
+  if (a.vtk) words.emplace_back("--vtk");
   return words;
 }
 

@@ -47,7 +47,12 @@ constexpr auto names = std::to_array<std::string_view>({"run.log",
                                                         "restart",
                                                         "restart.previous",
                                                         "restart.part",
-                                                        "welds.csv.part"});
+                                                        "welds.csv.part",
+                                                        "states.pvd",
+                                                        "modes.pvd",
+                                                        "welds.pvd",
+                                                        "histories.csv",
+                                                        "results.h5"});
 
 /// `stem` and two digits or more: the members of a family of state files.
 bool is_member(std::string_view name, std::string_view stem) {
@@ -56,12 +61,19 @@ bool is_member(std::string_view name, std::string_view stem) {
   return name.size() >= 2 && std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// A state, a mode or its welds as `nugget convert --to vtk` and `--vtk` write them: `state0001.vtu`.
+bool is_vtu(const std::filesystem::path& path) {
+  const std::string stem = path.stem().string();
+  return path.extension() == ".vtu" &&
+         (is_member(stem, "state") || is_member(stem, "mode") || is_member(stem, "welds"));
+}
+
 bool is_ours(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   const auto& histories = model::history_files;
   return std::find(names.begin(), names.end(), name) != names.end() ||
          std::find(histories.begin(), histories.end(), name) != histories.end() || is_member(name, "d3plot") ||
-         is_member(name, "d3eigv") || is_member(name, "d3ssd") || name.starts_with("d3ssd_") ||
+         is_member(name, "d3eigv") || is_member(name, "d3ssd") || is_vtu(path) || name.starts_with("d3ssd_") ||
          name.starts_with("nodout_ssd_");  // of subcases
 }
 

@@ -54,6 +54,21 @@ class Convert(CommandTest):
                         seen += 1
             self.assertGreater(seen, 0)
 
+    def test_a_run_writes_them_itself_and_the_next_one_removes_them(self):
+        self.run_deck()
+        self.nugget("convert", ".", "--to", "vtk", "-o", "vtk")
+        self.nugget("run", "model.k", "--vtk", "-o", "run", "--quiet")
+        names = sorted(path.name for path in (self.folder / "vtk").iterdir())
+        self.assertIn("welds0001.vtu", names)
+        for name in names:
+            self.assertEqual((self.folder / "run" / name).read_bytes(), (self.folder / "vtk" / name).read_bytes())
+        self.nugget("convert", "run", "--to", "csv")
+        (self.folder / "run" / "state_of_mine.vtu").write_text("", encoding="utf-8")
+        self.nugget("run", "model.k", "-o", "run", "--quiet", "--max-cycles", 2)
+        left = {path.name for path in (self.folder / "run").iterdir()}
+        self.assertFalse(left & {*names, "histories.csv"})
+        self.assertIn("state_of_mine.vtu", left)
+
     def test_damage_where_it_was_recorded(self):
         for histories in (3, 0):
             self.write(damaged.sheets(histories))
