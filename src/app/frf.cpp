@@ -32,12 +32,6 @@ struct Response {
   const std::vector<Complex>& value;
 };
 
-/// ` Hz`; nothing where the units are not known.
-std::string behind_frequency(const output::Summary& summary) {
-  const auto units = model::units_named(summary.units);
-  return units ? ' ' + model::frequency_symbol(*units) : std::string();
-}
-
 /// `equations`: of the model; that many modes are all there are.
 std::string describe_method(const nvh::Modes& modes, std::size_t equations, const nvh::SolutionMethod& method,
                             double highest_asked, const std::string& unit) {
@@ -102,7 +96,7 @@ std::string title(const char* what, std::size_t count, const std::vector<double>
                   const output::Summary& summary) {
   return fmt::format("{}: {} response{}, {} frequencies from {:.6g} to {:.6g}{}\n\n", what, count,
                      count == 1 ? "" : "s", frequency.size(), frequency.front(), frequency.back(),
-                     behind_frequency(summary));
+                     model::unit_of_frequency(model::units_named(summary.units)));
 }
 
 std::string frf_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
@@ -119,7 +113,8 @@ std::string frf_of(const fs::path& directory, const output::Header& header, cons
     for (std::size_t i = 0; i < request.cases.size(); ++i)
       titles += fmt::format(" case {}: {}\n", i + 1, request.cases[i].title);
   return title("Frequency response", responses.size(), result.frequency, summary) + titles +
-         describe_method(modes, matrices.size(), result.method, result.frequency.back(), behind_frequency(summary)) +
+         describe_method(modes, matrices.size(), result.method, result.frequency.back(),
+                         model::unit_of_frequency(model::units_named(summary.units))) +
          peaks(responses, result.frequency, "frf.csv", summary);
 }
 
@@ -138,7 +133,8 @@ std::string ssd_of(const fs::path& directory, const output::Header& header, cons
     if (const auto& c = request.cases[i]; !c.id.empty())
       titles += fmt::format(" case {}: {} {}\n", i + 1, c.id, c.title);
   return title("Steady state", responses.size(), result.frequency, summary) + titles +
-         describe_method(modes, matrices.size(), result.method, result.frequency.back(), behind_frequency(summary)) +
+         describe_method(modes, matrices.size(), result.method, result.frequency.back(),
+                         model::unit_of_frequency(model::units_named(summary.units))) +
          peaks(responses, result.frequency, "ssd.csv", summary);
 }
 
@@ -153,8 +149,8 @@ std::string power_of(const fs::path& directory, const output::Header& header, co
       "Equivalent radiated power: {} panels, {} frequencies from {:.6g} to {:.6g}{}\n\n {:<24} {:>14} {:>14} "
       "{:>14} {:>10}   at the largest power\n",
       request.radiated_power->panels.size(), result.frequency.size(), result.frequency.front(), result.frequency.back(),
-      behind_frequency(summary), "panel", "area" + model::in_units(units, dimension::area),
-      "frequency" + model::in_frequency(units),
+      model::unit_of_frequency(model::units_named(summary.units)), "panel",
+      "area" + model::in_units(units, dimension::area), "frequency" + model::in_frequency(units),
       "power" + model::in_units(units, output::dimension_of_response("radiated power")), "dB");
   for (const nvh::RadiatedPower::Panel& panel : result.panels) {
     const std::vector<Complex> value(panel.power.begin(), panel.power.end());

@@ -137,7 +137,7 @@ std::string find_least_welds(const std::filesystem::path& directory, const nvh::
       "this order: {4}\n first frequency without them {5:.6g}{7}, {6:.2f} % lower\n\n",
       search.whole_frequency(), search.least(), out, out + search.left().size(), out == 0 ? "none" : list, last,
       search.whole_frequency() > 0.0 ? 100.0 * (1.0 - last / search.whole_frequency()) : 0.0,
-      units ? ' ' + model::frequency_symbol(*units) : std::string());
+      model::unit_of_frequency(units));
 }
 
 }  // namespace nugget::app

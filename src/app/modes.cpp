@@ -87,7 +87,7 @@ std::string mode_table(const nvh::Modes& modes, const std::optional<model::Units
   const nvh::Modes::Proof& proof = modes.proof;
   return s + fmt::format("\n Sylvester's count: {} eigenvalues {} {:.6g}{}; found {}: {}\n\n", proof.counted,
                          proof.low > 0.0 ? fmt::format("between {:.6g} and", proof.low) : "below", proof.high,
-                         units ? ' ' + model::frequency_symbol(*units) : std::string(), proof.found,
+                         model::unit_of_frequency(units), proof.found,
                          proof.complete() ? "no mode was missed" : "MODES ARE MISSING");
 }
 

@@ -84,6 +84,10 @@ std::string unit_of(const std::optional<Units>& units, const Dimension& dimensio
   return units && dimension != dimension::number ? ' ' + symbol(*units, dimension) : std::string();
 }
 
+std::string unit_of_frequency(const std::optional<Units>& units) {
+  return units ? ' ' + frequency_symbol(*units) : std::string();
+}
+
 std::string in_units(const std::optional<Units>& units, const Dimension& dimension) {
   return units && dimension != dimension::number ? fmt::format(" [{}]", symbol(*units, dimension)) : std::string();
 }

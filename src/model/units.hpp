@@ -39,6 +39,8 @@ std::string frequency_symbol(const Units& units);
 
 /// Behind a number: ` N mm`. Empty where the units are not known, and of a number.
 std::string unit_of(const std::optional<Units>& units, const Dimension& dimension);
+/// The same of a frequency: ` Hz`.
+std::string unit_of_frequency(const std::optional<Units>& units);
 /// In a heading: ` [N mm]`, ` [Hz]`.
 std::string in_units(const std::optional<Units>& units, const Dimension& dimension);
 std::string in_frequency(const std::optional<Units>& units);

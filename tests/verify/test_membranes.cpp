@@ -134,6 +134,26 @@ TEST(Membranes, SquareDrum) {
   }
 }
 
+/// Nodes on a sphere where rays through points of a cube meet it, each once: they are found again by their place.
+class SphereNodes {
+ public:
+  SphereNodes(Specimen& specimen, double radius) : specimen_(specimen), radius_(radius) {}
+  int operator()(const Vec3d& on_cube) {
+    const Vec3d x = (radius_ / norm(on_cube)) * on_cube;
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      if (norm(places_[k] - x) < 1e-6) return ids_[k];
+    places_.push_back(x);
+    ids_.push_back(specimen_.node(x));
+    return ids_.back();
+  }
+
+ private:
+  Specimen& specimen_;
+  double radius_;
+  std::vector<Vec3d> places_;
+  std::vector<int> ids_;
+};
+
 // An eighth of a balloon of radius r: the gas p in it is held by the stress p r / 2 t. It is blown up from one that
 // carries nothing; the walls' own stretch is counted: radius r (1 + e), thickness by Poisson's ratio (ISTUPD 1).
 // Sabotage: faces that do not follow the walls, a thickness that does not follow the strain.
@@ -147,17 +167,8 @@ TEST(Membranes, Balloon) {
         .text("*CONTROL_SHELL\n" + fields({0, 0, 0, 1}))
         .card("CONTROL_TERMINATION", {0.03})
         .part(1, 1, 1);
-    // Three faces of a cube's corner, blown up to the sphere; nodes are found again by their place.
-    std::vector<Vec3d> places;
-    std::vector<int> ids;
-    const auto node = [&](const Vec3d& on_cube) {
-      const Vec3d x = (r / norm(on_cube)) * on_cube;
-      for (std::size_t k = 0; k < places.size(); ++k)
-        if (norm(places[k] - x) < 1e-6) return ids[k];
-      places.push_back(x);
-      ids.push_back(s.node(x));
-      return ids.back();
-    };
+    // Three faces of a cube's corner, blown up to the sphere.
+    SphereNodes node(s, r);
     for (int face = 0; face < 3; ++face)
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
@@ -288,16 +299,7 @@ TEST(Membranes, FabricBallFilledByWangAndNefske) {
       .text("*SECTION_SHELL\n" + fields({1, 9}) + fields({t, t, t, t}))
       .card("CONTROL_TERMINATION", {0.03})
       .part(1, 1, 1);
-  std::vector<Vec3d> places;
-  std::vector<int> ids;
-  const auto node = [&](const Vec3d& on_cube) {
-    const Vec3d x = (r / norm(on_cube)) * on_cube;
-    for (std::size_t k = 0; k < places.size(); ++k)
-      if (norm(places[k] - x) < 1e-6) return ids[k];
-    places.push_back(x);
-    ids.push_back(s.node(x));
-    return ids.back();
-  };
+  SphereNodes node(s, r);
   for (int face = 0; face < 6; ++face)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {

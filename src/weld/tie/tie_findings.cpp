@@ -413,6 +413,19 @@ std::string name_segment(const model::Model& model, Index shell, Index part) {
   return fmt::format("shell {} of part {}", model.shells.id[shell], model.parts[model.shells.part[shell]].id);
 }
 
+std::string describe(const model::Model& model, const Tie& tie) {
+  const auto id = [&](int corner) { return model.nodes.id[tie.segment[corner]]; };
+  std::string text =
+      fmt::format("node {} on segment {} {} {} {} ({}), xi {:.6f} eta {:.6f}, moved {:.4g}", model.nodes.id[tie.node],
+                  id(0), id(1), id(2), id(3), name_segment(model, tie.shell, tie.part), tie.xi, tie.eta, tie.moved);
+  if (tie.moved == 0.0 && tie.gap > 0.0) text += fmt::format(", gap {:.4g} kept", tie.gap);
+  if (tie.spring) text += ", by springs";
+  if (!tie.rotations) text += ", translations only";
+  if (tie.by_area())
+    text += fmt::format(", by area: {} nodes under a disc of radius {:.4g}", tie.disc.nodes.size(), tie.disc.radius);
+  return text;
+}
+
 std::string name_node(const model::Model& model, Index node) {
   const Vec3d& x = model.nodes.x[node];
   return fmt::format("node {} at ({:.6g}, {:.6g}, {:.6g})", model.nodes.id[node], x.x, x.y, x.z);

@@ -690,17 +690,4 @@ Ties tie(const model::Model& model, Findings& findings) {
   return tie(model, model.nodes.x, findings);
 }
 
-std::string describe(const model::Model& model, const Tie& tie) {
-  const auto id = [&](int corner) { return model.nodes.id[tie.segment[corner]]; };
-  std::string text =
-      fmt::format("node {} on segment {} {} {} {} ({}), xi {:.6f} eta {:.6f}, moved {:.4g}", model.nodes.id[tie.node],
-                  id(0), id(1), id(2), id(3), name_segment(model, tie.shell, tie.part), tie.xi, tie.eta, tie.moved);
-  if (tie.moved == 0.0 && tie.gap > 0.0) text += fmt::format(", gap {:.4g} kept", tie.gap);
-  if (tie.spring) text += ", by springs";
-  if (!tie.rotations) text += ", translations only";
-  if (tie.by_area())
-    text += fmt::format(", by area: {} nodes under a disc of radius {:.4g}", tie.disc.nodes.size(), tie.disc.radius);
-  return text;
-}
-
 }  // namespace nugget::weld
