@@ -59,6 +59,13 @@ class InBrowser(CommandTest):
         self.nugget("frf", "model.k", "--quiet")
         self.drive("responses")
 
+    def test_a_frequency_response_that_begins_anywhere(self):
+        for low in (0.01, 13.7):
+            self.write(strip(lambda tip: "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(5) +
+                             frf((tip, 0, 3, 3), (0.02,), (tip, 0, 3, 2), (low, 300.0, 100)), 20, 2))  # pylint: disable=cell-var-from-loop
+            self.nugget("frf", "model.k", "--quiet")
+            self.drive("responses")
+
     def test_two_runs(self):
         self.write(deck())
         self.nugget("run", "model.k", "-o", "a", "--quiet")

@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import uPlotStyle from "uplot/dist/uPlot.min.css";
 import { element, number } from "./format.js";
+import { logTicks } from "./ticks.js";
 
 export { uPlotStyle };
 const COLOURS = ["#1f77b4", "#d9541e", "#2e9950", "#8552b5", "#c22f6f", "#7d6a3a", "#0f9aa8", "#8a8f98"];
@@ -49,12 +50,14 @@ export function chart(parent, curves, options = {}) {
     stroke: ink, label, labelSize: 18, grid, ticks: grid, labelFont: "12px system-ui", font: "11px system-ui",
     values: (_, values) => values.map((v) => (v === null ? "" : number(v))),
   });
+  // uPlot's own marks of a log axis want it to begin at a round number.
+  const xTicks = options.logX ? { splits: (_, index, low, high) => logTicks(low, high), filter: (_, ticks) => ticks } : {};
   const plot = new uPlot(
     {
       width: Math.max(240, parent.clientWidth), height: options.height ?? 240,
       // On a log axis uPlot rounds to whole decades; here the abscissas end where the curves end, unless they begin at 0.
       scales: { x: { time: false, distr: options.logX ? 3 : 1, range: (_, low, high) => (options.logX && low <= 0 ? uPlot.rangeLog(low, high, 10, false) : [low, high]) }, y: { distr: options.logY ? 3 : 1 } },
-      axes: [axis(options.xTitle ?? ""), { ...axis(options.yTitle ?? ""), size: 66 }],
+      axes: [{ ...axis(options.xTitle ?? ""), ...xTicks }, { ...axis(options.yTitle ?? ""), size: 66 }],
       series: [
         { label: options.xName ?? "time", value: (_, v) => (v === null ? "–" : number(v)) },
         ...curves.map((c, i) => ({

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { csv, number, withUnit } from "../src/format.js";
 import { difference } from "../src/difference.js";
+import { logTicks } from "../src/ticks.js";
 import { ofFailure, ramp } from "../src/colours.js";
 
 test("numbers in five digits", () => {
@@ -33,4 +34,11 @@ test("the difference of two curves ends where one of them ends", () => {
   const a = { name: "force", x: [0, 1, 2, 3], y: [0, 10, 20, 30] }, b = { x: [0, 2], y: [0, 40] };
   assert.deepEqual(difference(a, b).y, [0, 10, 20, NaN]);
   assert.deepEqual(difference(b, a).y.slice(0, 2), [0, -20]);
+});
+
+test("marks of a log axis, wherever it begins", () => {
+  assert.deepEqual(logTicks(50, 500), [50, 100, 200, 500]);
+  assert.deepEqual(logTicks(Math.fround(0.01), 1), [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1]);
+  assert.deepEqual(logTicks(0.013, 1e6).slice(0, 2), [0.1, 1]);
+  assert.deepEqual(logTicks(31, 44), [31, 44]);
 });
