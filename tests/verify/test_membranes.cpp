@@ -147,6 +147,9 @@ class SphereNodes {
     return ids_.back();
   }
 
+  const std::vector<Vec3d>& places() const { return places_; }
+  const std::vector<int>& ids() const { return ids_; }
+
  private:
   Specimen& specimen_;
   double radius_;
@@ -180,10 +183,10 @@ TEST(Membranes, Balloon) {
           s.shell(1, {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
         }
     std::vector<int> on[3];
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (places[k].x < 1e-6) on[0].push_back(ids[k]);
-      if (places[k].y < 1e-6) on[1].push_back(ids[k]);
-      if (places[k].z < 1e-6) on[2].push_back(ids[k]);
+    for (std::size_t k = 0; k < node.places().size(); ++k) {
+      if (node.places()[k].x < 1e-6) on[0].push_back(node.ids()[k]);
+      if (node.places()[k].y < 1e-6) on[1].push_back(node.ids()[k]);
+      if (node.places()[k].z < 1e-6) on[2].push_back(node.ids()[k]);
     }
     for (int k = 0; k < 3; ++k)
       s.node_set(k + 1, on[k])
@@ -193,7 +196,7 @@ TEST(Membranes, Balloon) {
     Experiment experiment(s.deck());
     double radius = 0.0, stress = 0.0, thin = 0.0;
     run_to_end(experiment, [&](const impact::Snapshot& now) {
-      radius = norm(experiment.position(now, ids[0]));
+      radius = norm(experiment.position(now, node.ids()[0]));
       const auto layer = shell_layer(experiment, now, 1, 0);
       stress = 0.5 * (layer.stress[0] + layer.stress[1] + layer.stress[2]);
       const auto where = experiment.system().shell_location[0];
