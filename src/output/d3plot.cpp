@@ -30,14 +30,20 @@ int file_type(Family family) {
   return family == Family::d3plot ? 1 : family == Family::d3eigv ? 11 : 21;
 }
 
-/// A stretch of 4-byte words.
-class Words {
+/// The nearest number that a word can hold.
+float in_range(double value) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(value, -largest, largest));
+}
+
+/// Puts numbers one after the other into words that are there.
+class Put {
  public:
-  void reserve(std::size_t count) { bytes_.reserve(count * d3plot_word); }
-  void integer(std::int64_t value) { raw(static_cast<std::int32_t>(value)); }
+  explicit Put(char* word) : word_(word) {}
   void real(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
-    raw(static_cast<float>(std::clamp(value, -largest, largest)));
+    const float number = in_range(value);
+    std::memcpy(word_, &number, d3plot_word);
+    word_ += d3plot_word;
   }
   void reals(std::initializer_list<double> values) {
     for (const double value : values) real(value);
@@ -46,8 +52,28 @@ class Words {
     for (const double value : values) real(value);
   }
   void vector(const Vec3d& v) { reals({v.x, v.y, v.z}); }
+  void stress(const StressRecord& record, int histories) {
+    reals(record.stress);
+    real(record.plastic_strain);
+    for (std::size_t i = 0; i < at(histories); ++i) real(i < record.history.size() ? record.history[i] : 0.0);
+  }
+
+ private:
+  char* word_;
+};
+
+/// In the deletion table: the part's number while the element is active, then 0.
+double deletion(int part, bool alive) {
+  return alive ? part + 1.0 : 0.0;
+}
+
+/// A growing stretch of 4-byte words.
+class Words {
+ public:
+  void integer(std::int64_t value) { raw(static_cast<std::int32_t>(value)); }
+  void real(double value) { raw(in_range(value)); }
   void vectors(const std::vector<Vec3d>& values) {
-    for (const Vec3d& v : values) vector(v);
+    for (const Vec3d& v : values) real(v.x), real(v.y), real(v.z);
   }
   void text(const std::string& value, std::size_t characters) { bytes_ += fixed_width(value, characters); }
   void fill_block() { bytes_.resize((bytes_.size() + block - 1) / block * block, '\0'); }
@@ -223,8 +249,6 @@ void check_size(std::size_t size, std::size_t wanted, const char* name) {
 
 void check(const D3plotGeometry& g, const D3plotState& s) {
   const std::size_t nodes = g.node_ids.size();
-  check_size(s.parts.size(), g.parts.size() + at(g.nodal_rigid_bodies), "parts");
-  check_size(s.wall_forces.size(), at(g.rigid_walls), "wall_forces");
   check_size(s.x.size(), nodes, "x");
   check_size(s.v.size(), holds_modes(g) ? 0 : nodes, "v");
   check_size(s.a.size(), holds_modes(g) ? 0 : nodes, "a");
@@ -236,60 +260,6 @@ void check(const D3plotGeometry& g, const D3plotState& s) {
   if (!s.solid_alive.empty()) check_size(s.solid_alive.size(), g.solids.size(), "solid_alive");
   if (!s.beam_alive.empty()) check_size(s.beam_alive.size(), g.beams.size(), "beam_alive");
   if (!s.shell_alive.empty()) check_size(s.shell_alive.size(), g.shells.size(), "shell_alive");
-}
-
-void globals(Words& out, const D3plotState& s) {
-  out.reals({s.kinetic, s.internal, s.total});
-  out.vector(s.velocity);
-  for (const D3plotPartState& part : s.parts) out.real(part.internal);
-  for (const D3plotPartState& part : s.parts) out.real(part.kinetic);
-  for (const D3plotPartState& part : s.parts) out.vector(part.velocity);
-  for (const D3plotPartState& part : s.parts) out.real(part.mass);
-  for (const D3plotPartState& part : s.parts) out.real(part.hourglass);
-  for (const double force : s.wall_forces) out.real(force);
-}
-
-void stress(Words& out, const StressRecord& record, int histories) {
-  out.reals(record.stress);
-  out.real(record.plastic_strain);
-  for (std::size_t i = 0; i < at(histories); ++i) out.real(i < record.history.size() ? record.history[i] : 0.0);
-}
-
-void solids(Words& out, const D3plotGeometry& g, const D3plotState& s) {
-  for (const SolidRecord& record : s.solids) {
-    stress(out, record, g.solid_histories);
-    if (g.strains) out.reals(record.strain);
-  }
-}
-
-void beams(Words& out, const D3plotGeometry& g, const D3plotState& s) {
-  const BeamPointRecord* point = s.beam_points.data();
-  for (const BeamRecord& r : s.beams) {
-    out.reals({r.axial, r.shear_s, r.shear_t, r.moment_s, r.moment_t, r.torsion});
-    for (int i = 0; i < g.beam_points; ++i, ++point)
-      out.reals({point->stress_rs, point->stress_tr, point->stress_axial, point->plastic_strain, point->axial_strain});
-  }
-}
-
-void shells(Words& out, const D3plotGeometry& g, const D3plotState& s) {
-  const StressRecord* layer = s.shell_layers.data();
-  for (const ShellRecord& r : s.shells) {
-    for (int i = 0; i < g.layers; ++i, ++layer) stress(out, *layer, g.shell_histories);
-    out.reals({r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy, r.thickness});
-    out.reals({0.0, 0.0});  // two words that depend on the element formulation
-    if (g.strains) {
-      out.reals(r.inner_strain);
-      out.reals(r.outer_strain);
-    }
-    out.real(r.internal_energy);
-  }
-}
-
-/// Deletion table: the part's number while the element is active, then 0.
-template <class Elements>
-void deletion(Words& out, const Elements& elements, const std::vector<char>& alive) {
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    out.real(alive.empty() || alive[i] != 0 ? static_cast<double>(elements[i].part + 1) : 0.0);
 }
 
 }  // namespace
@@ -314,6 +284,70 @@ void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> 
   layers[2] = points.back();
 }
 
+D3plotWords::D3plotWords(const D3plotGeometry& g) : geometry_(g) {
+  places_ = 1 + at(global_words(g));
+  solids_ = places_ + at(nodal_words(g)) * g.node_ids.size();
+  beams_ = solids_ + at(solid_words(g)) * g.solids.size();
+  shells_ = beams_ + at(beam_words(g)) * g.beams.size();
+  solid_deletion_ = shells_ + at(shell_words(g)) * g.shells.size();
+  shell_deletion_ = solid_deletion_ + g.solids.size();
+  beam_deletion_ = shell_deletion_ + g.shells.size();
+  bytes_.resize((beam_deletion_ + g.beams.size()) * d3plot_word);
+}
+
+void D3plotWords::put(const D3plotTotals& s) {
+  check_size(s.parts.size(), geometry_.parts.size() + at(geometry_.nodal_rigid_bodies), "parts");
+  check_size(s.wall_forces.size(), at(geometry_.rigid_walls), "wall_forces");
+  Put out(word(0));
+  out.reals({s.time, s.kinetic, s.internal, s.total});
+  out.vector(s.velocity);
+  for (const D3plotPartState& part : s.parts) out.real(part.internal);
+  for (const D3plotPartState& part : s.parts) out.real(part.kinetic);
+  for (const D3plotPartState& part : s.parts) out.vector(part.velocity);
+  for (const D3plotPartState& part : s.parts) out.real(part.mass);
+  for (const D3plotPartState& part : s.parts) out.real(part.hourglass);
+  for (const double force : s.wall_forces) out.real(force);
+}
+
+void D3plotWords::put_node(std::size_t n, const Vec3d& x) {
+  Put(word(places_ + 3 * n)).vector(x);
+}
+
+void D3plotWords::put_node(std::size_t n, const Vec3d& x, const Vec3d& v, const Vec3d& a) {
+  const std::size_t nodes = geometry_.node_ids.size();
+  put_node(n, x);
+  Put(word(places_ + 3 * (nodes + n))).vector(v);
+  Put(word(places_ + 3 * (2 * nodes + n))).vector(a);
+}
+
+void D3plotWords::put_solid(std::size_t e, const SolidRecord& record, bool alive) {
+  Put out(word(solids_ + e * at(solid_words(geometry_))));
+  out.stress(record, geometry_.solid_histories);
+  if (geometry_.strains) out.reals(record.strain);
+  Put(word(solid_deletion_ + e)).real(deletion(geometry_.solids[e].part, alive));
+}
+
+void D3plotWords::put_beam(std::size_t e, const BeamRecord& r, std::span<const BeamPointRecord> points, bool alive) {
+  Put out(word(beams_ + e * at(beam_words(geometry_))));
+  out.reals({r.axial, r.shear_s, r.shear_t, r.moment_s, r.moment_t, r.torsion});
+  for (const BeamPointRecord& p : points)
+    out.reals({p.stress_rs, p.stress_tr, p.stress_axial, p.plastic_strain, p.axial_strain});
+  Put(word(beam_deletion_ + e)).real(deletion(geometry_.beams[e].part, alive));
+}
+
+void D3plotWords::put_shell(std::size_t e, const ShellRecord& r, std::span<const StressRecord> layers, bool alive) {
+  Put out(word(shells_ + e * at(shell_words(geometry_))));
+  for (const StressRecord& layer : layers) out.stress(layer, geometry_.shell_histories);
+  out.reals({r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy, r.thickness});
+  out.reals({0.0, 0.0});  // two words that depend on the element formulation
+  if (geometry_.strains) {
+    out.reals(r.inner_strain);
+    out.reals(r.outer_strain);
+  }
+  out.real(r.internal_energy);
+  Put(word(shell_deletion_ + e)).real(deletion(geometry_.shells[e].part, alive));
+}
+
 D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, OpenMode mode)
     : directory_(std::move(directory)), geometry_(std::move(geometry)) {
   const D3plotGeometry& g = geometry_;
@@ -336,20 +370,21 @@ D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, OpenMod
 void D3plot::write(const D3plotState& s) {
   const D3plotGeometry& g = geometry_;
   check(g, s);
-  Words out;
-  out.reserve(state_words(g));
-  out.real(s.time);
-  globals(out, s);
-  out.vectors(s.x);
-  out.vectors(s.v);
-  out.vectors(s.a);
-  solids(out, g, s);
-  beams(out, g, s);
-  shells(out, g, s);
-  deletion(out, g.solids, s.solid_alive);
-  deletion(out, g.shells, s.shell_alive);
-  deletion(out, g.beams, s.beam_alive);
-  append_state(out.bytes());
+  D3plotWords out(g);
+  out.put(s);
+  for (std::size_t n = 0; n < s.x.size(); ++n)
+    if (holds_modes(g))
+      out.put_node(n, s.x[n]);
+    else
+      out.put_node(n, s.x[n], s.v[n], s.a[n]);
+  const auto alive = [](const std::vector<char>& flags, std::size_t e) { return flags.empty() || flags[e] != 0; };
+  for (std::size_t e = 0; e < s.solids.size(); ++e) out.put_solid(e, s.solids[e], alive(s.solid_alive, e));
+  const auto points = at(g.beam_points), layers = at(g.layers);
+  for (std::size_t e = 0; e < s.beams.size(); ++e)
+    out.put_beam(e, s.beams[e], std::span(s.beam_points).subspan(e * points, points), alive(s.beam_alive, e));
+  for (std::size_t e = 0; e < s.shells.size(); ++e)
+    out.put_shell(e, s.shells[e], std::span(s.shell_layers).subspan(e * layers, layers), alive(s.shell_alive, e));
+  append(out);
 }
 
 /// A state goes behind the last one, over its end mark, and never across two files. All but its first word is written

@@ -91,13 +91,17 @@ struct BeamPointRecord {
   double plastic_strain = 0.0, axial_strain = 0.0;
 };
 
-/// The model at one time. The caller keeps it and fills it anew for each state; the sizes follow from the geometry.
-struct D3plotState {
+/// Time, and sums over the model: energies [force length], velocity, forces [force].
+struct D3plotTotals {
   double time = 0.0;
   double kinetic = 0.0, internal = 0.0, total = 0.0;
   Vec3d velocity;                      ///< of the model's centre of mass
   std::vector<D3plotPartState> parts;  ///< in deck order, then the nodal rigid bodies
   std::vector<double> wall_forces;
+};
+
+/// The model at one time. The caller keeps it and fills it anew for each state; the sizes follow from the geometry.
+struct D3plotState : D3plotTotals {
   std::vector<Vec3d> x, v, a;  ///< current coordinates, velocities, accelerations
   std::vector<SolidRecord> solids;
   std::vector<BeamRecord> beams;
@@ -113,6 +117,30 @@ struct D3plotState {
 /// *DATABASE_EXTENT_BINARY, MAXINT).
 void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> layers);
 
+/// A state as it stands in the file. Each node and element has its place: they are put there in any order, by several
+/// threads. What nothing was put for is 0, and its element deleted.
+class D3plotWords {
+ public:
+  explicit D3plotWords(const D3plotGeometry& geometry);
+  /// Throws std::logic_error where there are not as many parts and walls as in the geometry.
+  void put(const D3plotTotals& totals);
+  /// Not of modes: these have places only.
+  void put_node(std::size_t n, const Vec3d& x, const Vec3d& v, const Vec3d& a);
+  void put_node(std::size_t n, const Vec3d& x);
+  void put_solid(std::size_t e, const SolidRecord& record, bool alive);
+  void put_beam(std::size_t e, const BeamRecord& record, std::span<const BeamPointRecord> points, bool alive);
+  void put_shell(std::size_t e, const ShellRecord& record, std::span<const StressRecord> layers, bool alive);
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  char* word(std::size_t index) { return bytes_.data() + index * sizeof(float); }
+
+  const D3plotGeometry& geometry_;
+  std::size_t places_, solids_, beams_, shells_;  ///< where they begin, in words
+  std::size_t solid_deletion_, shell_deletion_, beam_deletion_;
+  std::string bytes_;
+};
+
 /// The d3plot family: `d3plot` with the geometry, then states in `d3plot01`, `d3plot02`, ... Single precision and the
 /// subset that VTK, lasso-python and dynareadout all read. Each state reaches the disk whole, with the mark -999999.0
 /// behind it, so a killed run leaves readable files. Source: LS-DYNA Database Binary Output Files (LSTC, 2020).
@@ -124,6 +152,10 @@ class D3plot {
 
   /// Throws WriteError, and std::logic_error where an array does not fit the geometry.
   void write(const D3plotState& state);
+  /// Room for a state, for `append`. The geometry is this file's.
+  D3plotWords words() const { return D3plotWords(geometry_); }
+  /// Throws WriteError.
+  void append(const D3plotWords& state) { append_state(state.bytes()); }
   /// Reading, states of later are taken away.
   void archive(Archive& a);
 

@@ -21,6 +21,10 @@ inline int solid_words(const D3plotGeometry& g) {
 inline int words_of_layers(const D3plotGeometry& g) {
   return g.layers * (d3plot_layer_words + g.shell_histories);
 }
+/// Of a node: place, and but for modes velocity and acceleration.
+inline int nodal_words(const D3plotGeometry& g) {
+  return holds_modes(g) ? 3 : 9;
+}
 inline int beam_words(const D3plotGeometry& g) {
   return 6 + 5 * g.beam_points;
 }
@@ -35,7 +39,7 @@ inline std::size_t state_words(const D3plotGeometry& g) {
   const auto words = [](std::size_t elements, int of_one) {
     return elements * static_cast<std::size_t>(of_one + 1);  // and its deletion flag
   };
-  return 1 + static_cast<std::size_t>(global_words(g)) + (holds_modes(g) ? 3 : 9) * g.node_ids.size() +
+  return 1 + static_cast<std::size_t>(global_words(g)) + static_cast<std::size_t>(nodal_words(g)) * g.node_ids.size() +
          words(g.solids.size(), solid_words(g)) + words(g.beams.size(), beam_words(g)) +
          words(g.shells.size(), shell_words(g));
 }

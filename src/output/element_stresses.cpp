@@ -11,13 +11,6 @@ namespace {
 
 using ElementLocation = system::System::ElementLocation;
 
-StressRecord record(const system::System& system, const system::ElementGroup& group, const ElementLocation& location,
-                    int point, const system::State& state) {
-  const system::ElementGroup::Layer layer = shown_layer(system, group, at(location.element), point, state);
-  return {by_cmpflg(system.model, group, at(location.element), point, state, layer.stress), layer.plastic_strain,
-          layer.damage};
-}
-
 /// Share of the transverse shear stress of a shell's kernel that carries its shear force; 1 of other elements, and of
 /// layers of several materials, which have a shear of their own.
 double shear_share(const model::Model& model, const system::ElementGroup& group) {
@@ -41,15 +34,6 @@ std::array<double, 8> turned(const std::array<double, 8>& r, double c, double s)
   return t;
 }
 
-/// Calls `fill(element, group, location)` for those that have a kernel.
-template <class Fill>
-void each_element(const system::System& system, const std::vector<ElementLocation>& locations, const Fill& fill) {
-  parallel_for(locations.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e)
-      if (locations[e].group >= 0) fill(e, *system.groups[locations[e].group], locations[e]);
-  });
-}
-
 /// The tensor with its shear along the planes across `n` scaled.
 std::array<double, 6> shear_scaled(std::array<double, 6> s, const Vec3d& n, double factor) {
   const Vec3d traction{s[0] * n.x + s[3] * n.y + s[5] * n.z, s[3] * n.x + s[1] * n.y + s[4] * n.z,
@@ -62,6 +46,23 @@ std::array<double, 6> shear_scaled(std::array<double, 6> s, const Vec3d& n, doub
   s[4] += n.y * t.z + n.z * t.y;
   s[5] += n.z * t.x + n.x * t.z;
   return s;
+}
+
+/// See shell_axes. `own`: those of the element's kernel.
+std::optional<Frame3d> shown_axes(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                  const system::State& state, const std::optional<Frame3d>& own) {
+  if (!own || system.model.control.invariant_shell_axes) return own;
+  const auto nodes = group.nodes(e);
+  const Vec3d side = vec(state.x[nodes[1]]) - vec(state.x[nodes[0]]);
+  const Vec3d in_plane = side - dot(side, own->e3) * own->e3;
+  if (!(norm(in_plane) > 0.0)) return own;
+  const Vec3d x = unit(in_plane);
+  return Frame3d{x, cross(own->e3, x), own->e3};
+}
+
+StressRecord record(const model::Model& model, const system::ElementGroup& group, std::size_t e, int layer,
+                    const system::State& state, const system::ElementGroup::Layer& shown) {
+  return {by_cmpflg(model, group, e, layer, state, shown.stress), shown.plastic_strain, shown.damage};
 }
 
 }  // namespace
@@ -93,14 +94,7 @@ std::array<double, 6> stress_of_kernel(const system::System& system, const syste
 
 std::optional<Frame3d> shell_axes(const system::System& system, const system::ElementGroup& group, std::size_t e,
                                   const system::State& state) {
-  std::optional<Frame3d> axes = group.axes(e, state);
-  if (!axes || system.model.control.invariant_shell_axes) return axes;
-  const auto nodes = group.nodes(e);
-  const Vec3d side = vec(state.x[nodes[1]]) - vec(state.x[nodes[0]]);
-  const Vec3d in_plane = side - dot(side, axes->e3) * axes->e3;
-  if (!(norm(in_plane) > 0.0)) return axes;
-  const Vec3d x = unit(in_plane);
-  return Frame3d{x, cross(axes->e3, x), axes->e3};
+  return shown_axes(system, group, e, state, group.axes(e, state));
 }
 
 std::array<double, 6> by_cmpflg(const model::Model& model, const system::ElementGroup& group, std::size_t e, int layer,
@@ -110,42 +104,82 @@ std::array<double, 6> by_cmpflg(const model::Model& model, const system::Element
   return axes ? along(*axes, tensor) : tensor;
 }
 
+StressRecord solid_stress(const system::System& system, const system::State& state, const ElementLocation& location) {
+  if (location.group < 0) return {};
+  const system::ElementGroup& group = *system.groups[location.group];
+  const std::size_t e = at(location.element);
+  return record(system.model, group, e, 0, state, group.layer(e, 0, state));
+}
+
+BeamRecord beam_forces(const system::System& system, const system::State& state, const ElementLocation& location,
+                       std::span<BeamPointRecord> points) {
+  std::fill(points.begin(), points.end(), BeamPointRecord{});
+  if (location.group < 0) return {};
+  const system::ElementGroup& group = *system.groups[location.group];
+  const std::size_t e = at(location.element);
+  for (std::size_t k = 0; k < std::min(points.size(), at(group.layers())); ++k) {
+    const auto layer = static_cast<int>(k);
+    const StressRecord p = record(system.model, group, e, layer, state, group.layer(e, layer, state));
+    points[k] = {p.stress[3], p.stress[5], p.stress[0], p.plastic_strain, 0.0};
+  }
+  const std::array<double, 8> r = group.resultants(e);
+  return {r[0], r[1], r[2], r[4], r[5], r[3]};
+}
+
+ShellRecord shell_forces(const system::System& system, const system::State& state, const ElementLocation& location,
+                         std::span<StressRecord> layers) {
+  if (location.group < 0) {
+    std::fill(layers.begin(), layers.end(), StressRecord{});
+    return {};
+  }
+  const system::ElementGroup& group = *system.groups[location.group];
+  const std::size_t e = at(location.element);
+  thread_local std::vector<system::ElementGroup::Layer> through;
+  thread_local std::vector<StressRecord> points;
+  through.resize(at(group.layers()));
+  points.resize(through.size());
+  const auto own = group.axes(e, state), axes = shown_axes(system, group, e, state, own);
+  group.through(e, state, own, through);
+  const double share = shear_share(system.model, group);
+  for (std::size_t k = 0; k < through.size(); ++k) {
+    if (share != 1.0 && own) through[k].stress = shear_scaled(through[k].stress, own->e3, share);
+    points[k] = record(system.model, group, e, static_cast<int>(k), state, through[k]);
+  }
+  shell_layers(points, layers);
+
+  std::array<double, 8> r = group.resultants(e);
+  if (own && axes) r = turned(r, dot(axes->e1, own->e1), dot(axes->e1, own->e2));
+  ShellRecord shell;
+  // LS-DYNA's are the integrals of -z times the stress (Theory Manual, Belytschko-Lin-Tsay shell).
+  shell.mx = -r[0], shell.my = -r[1], shell.mxy = -r[2];
+  shell.qx = r[3], shell.qy = r[4];
+  shell.nx = r[5], shell.ny = r[6], shell.nxy = r[7];
+  return shell;
+}
+
 void fill_stresses(const system::System& system, const system::State& state, D3plotState& s) {
-  using Group = system::ElementGroup;
+  const auto each = [](std::size_t count, const auto& fill) {
+    parallel_for(count, 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e) fill(e);
+    });
+  };
   const model::Model& model = system.model;
   s.solids.resize(model.solids.size());
-  each_element(system, system.solid_location, [&](std::size_t e, const Group& group, const ElementLocation& location) {
-    static_cast<StressRecord&>(s.solids[e]) = record(system, group, location, 0, state);
+  each(s.solids.size(), [&](std::size_t e) {
+    static_cast<StressRecord&>(s.solids[e]) = solid_stress(system, state, system.solid_location[e]);
   });
-
-  const auto points = at(model.requests.beam_points);
+  const auto points = at(model.requests.beam_points), layers = at(model.requests.layers);
   s.beams.resize(model.beams.size());
   s.beam_points.resize(model.beams.size() * points);
-  each_element(system, system.beam_location, [&](std::size_t e, const Group& group, const ElementLocation& location) {
-    const std::array<double, 8> r = group.resultants(at(location.element));
-    s.beams[e] = {r[0], r[1], r[2], r[4], r[5], r[3]};
-    for (std::size_t k = 0; k < std::min(points, at(group.layers())); ++k) {
-      const StressRecord p = record(system, group, location, static_cast<int>(k), state);
-      s.beam_points[e * points + k] = {p.stress[3], p.stress[5], p.stress[0], p.plastic_strain, 0.0};
-    }
+  each(s.beams.size(), [&](std::size_t e) {
+    const auto own = std::span(s.beam_points).subspan(e * points, points);
+    s.beams[e] = beam_forces(system, state, system.beam_location[e], own);
   });
-
-  const auto layers = at(model.requests.layers);
   s.shells.resize(model.shells.size());
   s.shell_layers.resize(model.shells.size() * layers);
-  each_element(system, system.shell_location, [&](std::size_t e, const Group& group, const ElementLocation& location) {
-    std::vector<StressRecord> through;
-    for (int k = 0; k < group.layers(); ++k) through.push_back(record(system, group, location, k, state));
-    shell_layers(through, std::span(s.shell_layers).subspan(e * layers, layers));
-    std::array<double, 8> r = group.resultants(at(location.element));
-    const auto own = group.axes(at(location.element), state),
-               axes = shell_axes(system, group, at(location.element), state);
-    if (own && axes) r = turned(r, dot(axes->e1, own->e1), dot(axes->e1, own->e2));
-    ShellRecord& shell = s.shells[e];
-    // LS-DYNA's are the integrals of -z times the stress (Theory Manual, Belytschko-Lin-Tsay shell).
-    shell.mx = -r[0], shell.my = -r[1], shell.mxy = -r[2];
-    shell.qx = r[3], shell.qy = r[4];
-    shell.nx = r[5], shell.ny = r[6], shell.nxy = r[7];
+  each(s.shells.size(), [&](std::size_t e) {
+    const auto own = std::span(s.shell_layers).subspan(e * layers, layers);
+    s.shells[e] = shell_forces(system, state, system.shell_location[e], own);
   });
 }
 

@@ -9,8 +9,17 @@
 
 namespace nugget::output {
 
-/// Stresses and plastic strains of all elements, resultants of shells and beams, as their kernels hold them. Sizes the
-/// records; those of elements without a kernel are left as they are.
+/// Stress and plastic strain of a brick, forces and moments of a beam and of a shell, as their kernels hold them;
+/// `points` (BEAMIP) and `layers` (MAXINT, see output::shell_layers) are filled. All 0 where the element has no kernel.
+/// Of the shell's record the forces and moments only.
+StressRecord solid_stress(const system::System& system, const system::State& state,
+                          const system::System::ElementLocation& location);
+BeamRecord beam_forces(const system::System& system, const system::State& state,
+                       const system::System::ElementLocation& location, std::span<BeamPointRecord> points);
+ShellRecord shell_forces(const system::System& system, const system::State& state,
+                         const system::System::ElementLocation& location, std::span<StressRecord> layers);
+
+/// These of all elements. Sizes the records.
 void fill_stresses(const system::System& system, const system::State& state, D3plotState& into);
 
 /// A layer as results show it. A shell's kernel has the stress G gamma across it and its force SHRF times the integral

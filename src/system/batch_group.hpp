@@ -58,6 +58,7 @@ class FlushedDenormals {
 ///   layers(), layer(...), thickness(...), resultants(...)   for output
 ///   frame_of(places), material_axes_of(field, k, places)   may be absent; see ElementGroup::axes, material_axes
 ///   before_cycle(state, alive, put)   may be absent; see BeforeCycle
+///   layer_in(frame, field, k)         may be absent: a layer, in the frame of frame_of
 ///   set_layer(put, k, layer, places), inviscid()   may be absent; see ElementGroup::set_layer, cycle
 ///   change_stresses(state, put, change), takes_stress()   may be absent; the stresses of all points, in the order of
 ///                                     ElementGroup::layer; see TakesStress
@@ -374,6 +375,14 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   int layers() const override { return kernel_.layers(); }
   Layer layer(std::size_t e, int k, const State& now) const override {
     return kernel_.layer(reader(e), k, places(e, now));
+  }
+  void through(std::size_t e, const State& now, const std::optional<Frame3d>& axes,
+               std::span<Layer> layers) const override {
+    if constexpr (requires { kernel_.layer_in(*axes, reader(e), 0); })
+      for (std::size_t k = 0; k < layers.size(); ++k)
+        layers[k] = kernel_.layer_in(*axes, reader(e), static_cast<int>(k));
+    else
+      ElementGroup::through(e, now, axes, layers);
   }
   bool set_layer(std::size_t e, int k, const Layer& l, const State& now) override {
     const auto put = [this, e](int i, double value) { put_field(e, i, value); };

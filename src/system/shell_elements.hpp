@@ -177,7 +177,10 @@ struct ShellElement {
   }
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int k, const Places& x) const {
-    const Frame3d frame = frame_of(x);
+    return layer_in(frame_of(x), field, k);
+  }
+  template <class Field>
+  ElementGroup::Layer layer_in(const Frame3d& frame, const Field& field, int k) const {
     std::array<double, 5> s;
     for (int c = 0; c < 5; ++c) s[c] = component(field, k, c);
     return {

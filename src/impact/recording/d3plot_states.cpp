@@ -14,22 +14,29 @@ const system::ElementGroup* group_of(const Snapshot& now, const system::System::
   return location.group < 0 ? nullptr : now.system.groups[location.group].get();
 }
 
-void fill_shells(const Snapshot& now, output::D3plotState& s) {
+template <class Put>
+void put_each(std::size_t count, const Put& put) {
+  parallel_for(count, 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) put(i);
+  });
+}
+
+void put_shells(const Snapshot& now, output::D3plotWords& words) {
   const model::Model& model = now.system.model;
-  s.shell_alive.assign(model.shells.size(), 1);
-  parallel_for(model.shells.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      const system::System::ElementLocation location = now.system.shell_location[e];
-      const system::ElementGroup* group = group_of(now, location);
-      s.shells[e].thickness = model.shells.thickness[e];
-      if (group == nullptr) continue;
-      const std::size_t i = at(location.element);
-      output::ShellRecord& shell = s.shells[e];
+  put_each(model.shells.size(), [&](std::size_t e) {
+    thread_local std::vector<output::StressRecord> layers;
+    layers.resize(at(model.requests.layers));
+    const system::System::ElementLocation location = now.system.shell_location[e];
+    output::ShellRecord shell = output::shell_forces(now.system, now.state, location, layers);
+    shell.thickness = model.shells.thickness[e];
+    const system::ElementGroup* group = group_of(now, location);
+    const std::size_t i = at(location.element);
+    if (group != nullptr) {
       shell.thickness = group->thickness(i);
       const double density = model.materials[model.parts[group->part].material].density;
       shell.internal_energy = group->mass(i) > 0.0 ? group->internal_energy(i) * density / group->mass(i) : 0.0;
-      s.shell_alive[e] = group->alive(i);
-      if (!model.requests.strains) continue;
+    }
+    if (group != nullptr && model.requests.strains) {
       const Strains::Faces faces = now.components.strains.shell(e, now.state);
       const auto axes = [&](int layer, const Strains::Tensor& strain) {
         return output::by_cmpflg(model, *group, i, layer, now.state, strain);
@@ -37,69 +44,64 @@ void fill_shells(const Snapshot& now, output::D3plotState& s) {
       shell.inner_strain = axes(0, faces.lower);
       shell.outer_strain = axes(group->layers() - 1, faces.upper);
     }
+    words.put_shell(e, shell, layers, group == nullptr || group->alive(i));
   });
 }
 
-void fill_solids(const Snapshot& now, output::D3plotState& s) {
+void put_solids(const Snapshot& now, output::D3plotWords& words) {
   const model::Model& model = now.system.model;
-  s.solid_alive.assign(model.solids.size(), 1);
-  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+  put_each(model.solids.size(), [&](std::size_t e) {
     const system::System::ElementLocation location = now.system.solid_location[e];
+    output::SolidRecord solid{output::solid_stress(now.system, now.state, location), {}};
     const system::ElementGroup* group = group_of(now, location);
-    if (group == nullptr) continue;
-    s.solids[e].strain =
-        output::by_cmpflg(model, *group, at(location.element), 0, now.state, now.components.strains.solid(e));
-    s.solid_alive[e] = group->alive(at(location.element));
-  }
+    const std::size_t i = at(location.element);
+    if (group != nullptr)
+      solid.strain = output::by_cmpflg(model, *group, i, 0, now.state, now.components.strains.solid(e));
+    words.put_solid(e, solid, group == nullptr || group->alive(i));
+  });
 }
 
-void fill_beams(const Snapshot& now, output::D3plotState& s) {
+void put_beams(const Snapshot& now, output::D3plotWords& words) {
   const model::Model& model = now.system.model;
-  s.beam_alive.assign(model.beams.size(), 1);
-  for (std::size_t e = 0; e < model.beams.size(); ++e) {
+  put_each(model.beams.size(), [&](std::size_t e) {
+    thread_local std::vector<output::BeamPointRecord> points;
+    points.resize(at(model.requests.beam_points));
     const system::System::ElementLocation location = now.system.beam_location[e];
+    const output::BeamRecord beam = output::beam_forces(now.system, now.state, location, points);
     const system::ElementGroup* group = group_of(now, location);
+    bool alive = group == nullptr || group->alive(at(location.element));
     if (group == nullptr) {
       // A weld was taken out before the run; beams of rigid parts have no group either, but are there.
       const model::Law& law = model.materials[model.parts[model.beams.part[e]].material].law;
-      if (std::holds_alternative<kernel::Spotweld>(law) || std::holds_alternative<kernel::DiscreteBeam>(law))
-        s.beam_alive[e] = 0;
-      continue;
+      alive = !std::holds_alternative<kernel::Spotweld>(law) && !std::holds_alternative<kernel::DiscreteBeam>(law);
     }
-    s.beam_alive[e] = group->alive(at(location.element));
-  }
+    words.put_beam(e, beam, points, alive);
+  });
 }
 
 }  // namespace
 
-output::D3plotState d3plot_state(const Snapshot& now) {
+void put_state(const Snapshot& now, output::D3plotWords& words) {
   const model::Model& model = now.system.model;
-  output::D3plotState s;
-  s.time = now.state.time;
-  s.kinetic = now.energy.kinetic;
-  s.internal = now.energy.internal;
-  s.total = now.energy.total();
+  output::D3plotTotals totals;
+  totals.time = now.state.time;
+  totals.kinetic = now.energy.kinetic;
+  totals.internal = now.energy.internal;
+  totals.total = now.energy.total();
   for (const PartEnergy& p : now.parts)
-    s.parts.push_back(
+    totals.parts.push_back(
         {p.internal, p.kinetic, p.hourglass, p.mass, p.mass > 0.0 ? (1.0 / p.mass) * p.momentum : Vec3d{}});
-  s.velocity = mean_velocity(now.energy, now.parts);
-  for (const contact::RigidWall& w : now.components.walls.all()) s.wall_forces.push_back(w.normal_force());
-
-  s.x.resize(model.nodes.size());
-  s.v.resize(model.nodes.size());
-  s.a.resize(model.nodes.size());
-  for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+  totals.velocity = mean_velocity(now.energy, now.parts);
+  for (const contact::RigidWall& w : now.components.walls.all()) totals.wall_forces.push_back(w.normal_force());
+  words.put(totals);
+  put_each(model.nodes.size(), [&](std::size_t n) {
     const auto k = at(now.system.node_of[n]);
-    s.x[n] = vec(now.state.x[k]);
     const NodeMotion motion = node_motion(now, k);
-    s.v[n] = motion.velocity;
-    s.a[n] = motion.acceleration;
-  }
-  output::fill_stresses(now.system, now.state, s);
-  fill_solids(now, s);
-  fill_beams(now, s);
-  fill_shells(now, s);
-  return s;
+    words.put_node(n, vec(now.state.x[k]), motion.velocity, motion.acceleration);
+  });
+  put_solids(now, words);
+  put_beams(now, words);
+  put_shells(now, words);
 }
 
 }  // namespace nugget::impact

@@ -6,7 +6,8 @@
 
 namespace nugget::impact {
 
-/// The model at one moment. Rigid and null shells have no stresses; deleted elements keep their last values.
-output::D3plotState d3plot_state(const Snapshot& now);
+/// Puts the model at one moment into the words of a state. Rigid and null shells have no stresses; deleted elements
+/// keep their last values.
+void put_state(const Snapshot& now, output::D3plotWords& words);
 
 }  // namespace nugget::impact

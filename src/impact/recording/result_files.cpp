@@ -62,9 +62,25 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
   geometry.strains = ask.strains;
   geometry.solid_histories = ask.solid_histories;
   geometry.shell_histories = ask.shell_histories;
-  auto file = std::make_shared<output::D3plot>(directory, std::move(geometry), header.mode);
-  channels_.push_back({ask.d3plot, [file](const Snapshot& now) { file->write(d3plot_state(now)); },
-                       [file](Archive& a) { a(*file); }, first_mark(ask.d3plot, model_.curves), true});
+  states_ = std::make_shared<StateFile>(directory, std::move(geometry), header.mode);
+  channels_.push_back({ask.d3plot, [states = states_](const Snapshot& now) { states->write(now); },
+                       [states = states_](Archive& a) { a(*states); }, first_mark(ask.d3plot, model_.curves), true});
+}
+
+void ResultFiles::StateFile::write(const Snapshot& now) {
+  writer.finish();
+  put_state(now, words);
+  writer.start([this] { file.append(words); });
+}
+
+void ResultFiles::StateFile::archive(Archive& a) {
+  writer.finish();
+  a(file);
+  a.built(words, writer);
+}
+
+void ResultFiles::finish() {
+  if (states_) states_->writer.finish();
 }
 
 void ResultFiles::add(const HistoryFile& history, const system::System& system) {
@@ -110,7 +126,7 @@ void ResultFiles::archive(Archive& a) {
   a.section("result files");
   a(channels_);
   if (binout_) a(*binout_);
-  a.built(model_, directory_, header_, state_asked_);
+  a.built(model_, directory_, header_, states_, state_asked_);
 }
 
 void ResultFiles::write(const Snapshot& now, bool last) {

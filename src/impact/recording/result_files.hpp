@@ -9,6 +9,7 @@
 #include "impact/recording/histories.hpp"
 #include "impact/simulation/snapshot.hpp"
 #include "output/d3plot.hpp"
+#include "output/writer_thread.hpp"
 
 namespace nugget::impact {
 
@@ -21,6 +22,7 @@ class ResultFiles : public Recorder {
 
   bool due(const system::State& state) override;
   void write(const Snapshot& now, bool last) override;
+  void finish() override;
   void ask_for_state() override { state_asked_ = true; }
   /// Sizes of the files and when they are next due. Reading, what was written later is cut off.
   void archive(Archive& a) override;
@@ -35,6 +37,16 @@ class ResultFiles : public Recorder {
     bool of_states = false;  ///< d3plot
     void archive(Archive& a);
   };
+  /// d3plot, to which a thread of its own writes the states.
+  struct StateFile {
+    StateFile(const std::filesystem::path& directory, output::D3plotGeometry geometry, output::OpenMode mode)
+        : file(directory, std::move(geometry), mode), words(file.words()) {}
+    void write(const Snapshot& now);
+    void archive(Archive& a);
+    output::D3plot file;
+    output::D3plotWords words;    ///< of the state that is made, then written
+    output::WriterThread writer;  ///< ends before the others do
+  };
   bool due(const Channel& channel, const system::State& state) const;
   /// A channel for an ASCII file, for binout, or for both, as the request says.
   void add(const HistoryFile& history, const system::System& system);
@@ -44,6 +56,7 @@ class ResultFiles : public Recorder {
   std::filesystem::path directory_;
   output::Header header_;
   std::shared_ptr<output::Binout> binout_;
+  std::shared_ptr<StateFile> states_;
   std::vector<Channel> channels_;
   bool state_asked_ = false;
 };

@@ -256,6 +256,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     add_time(output);
     if (!last) step();
   }
+  recorder.finish();
+  add_time(output);
   solve_seconds_ = elapsed();
   interrupted_by = nullptr;  // not at the start: a signal that came while files were opened counts
   if (progress) report_progress(progress, end_time);

@@ -53,6 +53,8 @@ class Recorder {
   virtual void write(const Snapshot& now, bool last) = 0;
   /// A state of d3plot is wanted that is not due.
   virtual void ask_for_state() {}
+  /// Waits until all that was written stands in its files; the run has ended.
+  virtual void finish() {}
   virtual void archive(Archive&) {}
 };
 
