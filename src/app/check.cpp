@@ -14,6 +14,7 @@
 #include "app/load_cases.hpp"
 #include "app/preload.hpp"
 #include "app/run_log.hpp"
+#include "app/subcycling.hpp"
 #include "impact/simulation/simulation.hpp"
 #include "nvh/statics/statics.hpp"
 #include "output/column_units.hpp"
@@ -117,8 +118,10 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   if (p.is_tied && analysis != Analysis::explicit_dynamics) {
     try_linear_setup(directory, arguments.deck, p, analysis, findings);
   } else if (p.is_tied) {
-    system::System system(p.model, p.ties, findings);
-    impact::Simulation simulation(system, findings);
+    std::optional<system::System> system;
+    make_system(p, system, findings);
+    impact::Simulation simulation(*system, findings);
+    check_subcycling(simulation, findings);
     if (findings.errors() == 0) try_first_cycles(p.model, simulation, findings);
   }
   const std::string refused = findings.errors() > 0 ? report_refused_welds(p, findings) : std::string();

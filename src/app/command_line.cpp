@@ -182,6 +182,9 @@ int nugget::app::command_line(int argc, char** argv) {
                    "of the stresses, histories and forces of elements: double (default), or single, which is faster; "
                    "places, velocities, times, sums and contacts are of double precision in both")
       ->check(CLI::Validator(known_precision, "{single,double}"));
+  run_command->add_flag("--subcycle", run.subcycle,
+                        "elements with a long stable step have their forces every 2, 4, 8 or 16 cycles only, as with "
+                        "*CONTROL_SUBCYCLE");
   CLI::Option* run_drop = run_command->add_option(
       "--drop-weld", run.drop_weld,
       "run without welds: ids separated by commas (together); all, or each:ID,ID (one run without each, ranked)");

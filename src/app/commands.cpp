@@ -24,6 +24,7 @@
 #include "app/run_log.hpp"
 #include "app/run_status.hpp"
 #include "app/statics.hpp"
+#include "app/subcycling.hpp"
 #include "app/weld_drop_runs.hpp"
 #include "base/parallel.hpp"
 #include "impact/recording/result_files.hpp"
@@ -106,6 +107,7 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);
+  s.periods = element_periods(system);
   s.welds = p.welds;
   return s;
 }
@@ -145,7 +147,8 @@ output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_ch
           .units = arguments.units,
           .drop_weld = arguments.drop_weld,
           .load_case = arguments.load_case,
-          .precision = arguments.precision.empty() ? "double" : arguments.precision};
+          .precision = arguments.precision.empty() ? "double" : arguments.precision,
+          .subcycle = arguments.subcycle};
 }
 
 /// A batch system says by one of these that a job's time is up; all leave a restart file, as Ctrl-C does.
@@ -375,6 +378,8 @@ std::string wrong_command(Analysis analysis, const RunArguments& arguments, cons
   if (arguments.precision == "single" && model.implicit.after_run)
     return "--precision single: this deck asks for modes after the run (IMFLAG 6), whose stiffness is of double "
            "precision only [leave the option out]";
+  if (arguments.subcycle && !is_explicit)
+    return "--subcycle: this deck asks for an implicit solution, which has no cycles [leave the option out]";
   if (findings.errors() == 0 && is_explicit && nvh::ranks() > 1)
     return fmt::format(
         "{}: this is an explicit run, which is one process with -j N threads; several ranks are for modes, responses "
@@ -443,8 +448,9 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   std::optional<system::System> system;
   std::optional<impact::Simulation> simulation;
   // Faults of ties, of the system and of what acts in it are reported together.
-  if (p.is_tied) system.emplace(p.model, p.ties, findings);
+  make_system(p, system, findings);
   if (system) simulation.emplace(*system, findings);
+  if (system) check_subcycling(*simulation, findings);
   if (system && p.model.control.single_precision) say_what_stays_double(*system, findings);
   std::string welds;  // of a deck that is refused, as `nugget check` reports them: all that is to be mended, at once
   if (from != nullptr) {
@@ -468,6 +474,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     output::write_findings(directory, findings.all());
     log.add(log_model(p.model));
     if (p.model.control.single_precision) log.add(log_precision(simulation->system()));
+    log.add(log_subcycling(simulation->system()));
     log.add(log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties));
     log.add(audit_table(p.model, p.ties, p.audit));
   }

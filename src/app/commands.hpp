@@ -34,6 +34,7 @@ struct RunArguments {
   std::string resume;       ///< folder of a run that is resumed; empty: a new run
   std::string weld_tie;     ///< `area` or `joint`: form of tie of welds, whatever the deck says; empty: as it says
   std::string units;        ///< of the deck, by name (model/units.hpp); empty: recognised
+  bool subcycle = false;    ///< --subcycle: as *CONTROL_SUBCYCLE_16_1, unless the deck has that card
   std::string precision;    ///< `single` or `double`; empty: double, of a run that is resumed its own
   std::string drop_weld;    ///< welds that are not there: ids separated by commas; `all` or `each:` ids: one run each
   std::vector<std::string> intrusion;  ///< of those runs: pairs of nodes `A,B`

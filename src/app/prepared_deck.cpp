@@ -142,6 +142,8 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   if (library) note_unused_library(p.model, findings);
   p.model.units = arguments.units;
   warn_of_other_units(p.model, findings);
+  if (arguments.subcycle && !p.model.control.subcycling.on())
+    p.model.control.subcycling.ratio = model::Subcycling::usual;
   p.model.control.single_precision = arguments.precision == "single";
   if (arguments.weld_tie == "area") p.model.control.weld_tie = model::WeldTie::area;
   if (arguments.weld_tie == "joint") p.model.control.weld_tie = model::WeldTie::joint;

@@ -56,6 +56,10 @@ RunArguments resumed_arguments(const RunArguments& asked, const output::RestartH
                        " precision, and only with that it can go on: leave the option out, or run the deck from its "
                        "start");
   run.precision = head.precision;
+  if (run.subcycle && !head.subcycle)
+    throw ArchiveError(
+        "--subcycle: the run was begun without, and goes on so: leave the option out, or run the deck from its start");
+  run.subcycle = head.subcycle;
   if (run.until == 0.0) run.until = head.until;
   if (run.max_cycles == 0) run.max_cycles = head.max_cycles;
   if (run.checkpoint.empty()) run.checkpoint = head.checkpoint;

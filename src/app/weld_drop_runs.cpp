@@ -178,6 +178,7 @@ std::vector<std::string> options_of_each(const RunArguments& a) {
   if (!a.units.empty()) words.insert(words.end(), {"--units", a.units});
   if (!a.weld_tie.empty()) words.insert(words.end(), {"--weld-tie", a.weld_tie});
   if (!a.precision.empty()) words.insert(words.end(), {"--precision", a.precision});
+  if (a.subcycle) words.emplace_back("--subcycle");
   if (a.load_case > 0) words.insert(words.end(), {"--case", fmt::format("{}", a.load_case)});
   if (a.skip_unsupported) words.emplace_back("--skip-unsupported");
   if (a.vtk) words.emplace_back("--vtk");

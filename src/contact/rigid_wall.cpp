@@ -204,10 +204,15 @@ void RigidWall::stop(const Shape& shape, Tracked& tracked, const Step& step, Sum
   ++sum.touching;
 }
 
+void RigidWall::average(double time, bool begins) {
+  force_ = mean_force_.add(force_, time, begins);
+  normal_force_ = mean_normal_.add({normal_force_, 0.0, 0.0}, time, begins).x;
+}
+
 void RigidWall::archive(Archive& a) {
   a.section("wall");
   a(origin_, velocity_, tracked_, started_, force_, impulse_, normal_force_, normal_impulse_, energy_, pending_energy_,
-    power_on_change_, touching_, wall_velocity_);
+    mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_);
   if (bodies_) a(*bodies_);
   a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
           birth_, death_, sums_);

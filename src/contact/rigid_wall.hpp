@@ -7,6 +7,7 @@
 
 #include "base/archive.hpp"
 #include "base/curve.hpp"
+#include "base/period_mean.hpp"
 #include "base/row.hpp"
 #include "contact/step.hpp"
 #include "contact/wall_penalty.hpp"
@@ -51,6 +52,8 @@ class RigidWall {
                  std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip);
 
   /// Force of the wall on the nodes at `time` [force], and the sum of its normal parts.
+  /// In sub-cycling: the forces that results show are means over a period, of which this step may be the first.
+  void average(double time, bool begins);
   const Vec3d& force() const { return force_; }
   double normal_force() const { return normal_force_; }
   /// Time integrals of these since the start [force*time]; differences give the mean force between two outputs.
@@ -129,6 +132,7 @@ class RigidWall {
   bool started_ = false;   // `last` holds
   std::optional<WallPenalty> bodies_;
 
+  PeriodMean mean_force_, mean_normal_;
   Vec3d force_, impulse_;
   double normal_force_ = 0.0, normal_impulse_ = 0.0, energy_ = 0.0, pending_energy_ = 0.0, power_on_change_ = 0.0;
   int touching_ = 0;

@@ -62,6 +62,15 @@ constexpr bool by_area(WeldTie tie) {
   return tie != WeldTie::segment;
 }
 
+/// *CONTROL_SUBCYCLE, or --subcycle: elements with a long stable step have their forces less often than each cycle.
+struct Subcycling {
+  static constexpr int usual = 16, most = 64;  ///< K
+  int ratio = 1;                               ///< K: at most every so many cycles; 1: all elements in each
+  int contact_period = 1;                      ///< L: cycles from one time at which contacts have forces to the next
+  Place place;                                 ///< where the card stands; no line: it was asked for by --subcycle
+  bool on() const { return ratio > 1; }
+};
+
 /// The *CONTROL_... cards that this program obeys, in words; defaults are LS-DYNA's.
 struct Control {
   // *CONTROL_TERMINATION
@@ -131,6 +140,7 @@ struct Control {
   std::vector<Index> eroding_parts;    ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
   double tied_rotary_mass = 0.0;       ///< RMAVG
 
+  Subcycling subcycling;
   bool single_precision = false;  ///< --precision single: elements that are built for it (docs/manual/precision.md)
 };
 

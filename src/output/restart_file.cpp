@@ -43,6 +43,7 @@ Json to_json(const RestartHead& h) {
             {"time", h.time},
             {"cycle", h.cycle}};
   if (h.precision != "double") json["precision"] = h.precision;
+  if (h.subcycle) json["subcycle"] = true;
   return json;
 }
 
@@ -66,6 +67,7 @@ RestartHead from_json(const Json& j) {
   j.at("time").get_to(h.time);
   j.at("cycle").get_to(h.cycle);
   h.precision = j.value("precision", h.precision);
+  h.subcycle = j.value("subcycle", h.subcycle);
   return h;
 }
 

@@ -33,7 +33,8 @@ struct RestartHead {
   std::string drop_weld;
   int load_case = 0;
   std::string precision = "double";  ///< or `single`
-  double time = 0.0;                 ///< of the model
+  bool subcycle = false;
+  double time = 0.0;  ///< of the model
   long cycle = 0;
 };
 

@@ -128,6 +128,8 @@ Json to_json(const Summary& s) {
   json["threads"] = s.threads;
   json["lanes"] = s.lanes;
   json["precision"] = s.precision;
+  for (const Summary::Period& p : s.periods)
+    json["subcycling"].push_back({{"cycles", p.cycles}, {"elements", p.elements}});
   if (s.precision == "single")
     json["elements_by_precision"] = {{"single", s.elements_by_precision.single},
                                      {"double", s.elements_by_precision.of_double}};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -152,6 +153,12 @@ struct Summary {
   struct ElementsByPrecision {
     long single = 0, of_double = 0;
   } elements_by_precision;
+  /// In sub-cycling: how many elements of each kind had their forces every so many cycles, at the end.
+  struct Period {
+    int cycles = 1;
+    std::map<std::string, std::size_t> elements;  ///< by kind: shell, solid, beam, spring
+  };
+  std::vector<Period> periods;
   std::vector<WeldReport> welds;
   std::vector<ModeReport> modes;
   std::vector<ResponseReport> responses;

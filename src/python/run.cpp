@@ -157,6 +157,7 @@ void add_run(py::module_& module) {
       .def_readwrite("resume", &Run::resume)
       .def_readwrite("weld_tie", &Run::weld_tie)
       .def_readwrite("precision", &Run::precision)
+      .def_readwrite("subcycle", &Run::subcycle)
       .def_readwrite("load_case", &Run::load_case)
       .def_readwrite("skip_unsupported", &Run::skip_unsupported);
   using Modes = app::ModesArguments;

@@ -210,9 +210,10 @@ void System::add_weld_beams(std::size_t p, const std::vector<model::Index>& chos
       joint_of[e] = beam.joints.size();
       beam.joints.push_back(*joints[e]);
     }
+  const std::size_t first = groups.size();
   add_group(WeldBeamElement{{beam, kernel::LawKernel<kernel::Spotweld>(*law), law->nu, model.beams, ties.x}, joint_of},
             model::ElementKind::beam, p, members(model.beams, chosen), beam_location);
-  scale_weld_mass(*groups.back(), *law, held);
+  for (std::size_t g = first; g < groups.size(); ++g) scale_weld_mass(*groups[g], *law, held);
 }
 
 }  // namespace nugget::system

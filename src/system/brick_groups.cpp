@@ -171,13 +171,14 @@ void System::add_weld_bricks(std::size_t p, const std::vector<model::Index>& cho
       const auto laid = laid_along(*weld_of[bricks[i]], model.solids.node[bricks[i]], ties.x);
       for (std::size_t a = 0; a < 8; ++a) m.node[i][a] = node_of[laid[a]];
     }
+    const std::size_t first = groups.size();
     const BrickElement<kernel::Spotweld> element{brick, kernel::LawKernel<kernel::Spotweld>(own)};
     const model::SectionSolid& section = model.solid_sections[model.parts[p].section];
     if (section.elform == 2 || bends_without_locking(section.elform))
       add_group(full_brick(element, section), model::ElementKind::solid, p, m, solid_location);
     else
       add_group(element, model::ElementKind::solid, p, m, solid_location);
-    scale_weld_mass(*groups.back(), own, !std::get<2>(key));
+    for (std::size_t g = first; g < groups.size(); ++g) scale_weld_mass(*groups[g], own, !std::get<2>(key));
   }
 }
 

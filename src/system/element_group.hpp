@@ -168,6 +168,9 @@ class ElementGroup {
   /// An element whose volume has become negative, or -1: the run must stop.
   std::atomic<int> inverted{-1};
 
+  /// Cycles from one time at which these elements have their forces to the next: 1 but in sub-cycling (Subcycles).
+  int period = 1;
+
   /// Smallest stable step of each block's active elements in the last cycle, mass scaling included (infinite where none
   /// is active).
   std::vector<double> block_step;

@@ -55,19 +55,26 @@ System::Members System::members(const Elements& elements, const std::vector<mode
 }
 
 template <class Element>
-void System::add_group(Element element, model::ElementKind kind, std::size_t part, const Members& m,
+void System::add_group(const Element& element, model::ElementKind kind, std::size_t part, const Members& m,
                        std::vector<ElementLocation>& locations) {
-  const auto add = [&](auto group) { groups.push_back(std::move(group)); };
+  const auto add = [&](auto group, int period) {
+    group->period = period;
+    groups.push_back(std::move(group));
+  };
   const auto of = static_cast<model::Index>(part);
-  bool single = false;
-  if constexpr (requires { requires Element::single_precision; }) {
-    single = model.control.single_precision;
-    if (single)
-      add(std::make_unique<BatchGroup<Element, float>>(std::move(element), kind, of, m.element, m.node, start_));
+  for (const auto& [period, chosen] : by_period(kind, m)) {
+    bool single = false;
+    if constexpr (requires { requires Element::single_precision; }) {
+      single = model.control.single_precision;
+      if (single)
+        add(std::make_unique<BatchGroup<Element, float>>(element, kind, of, chosen.element, chosen.node, start_),
+            period);
+    }
+    if (!single)
+      add(std::make_unique<BatchGroup<Element>>(element, kind, of, chosen.element, chosen.node, start_), period);
+    for (std::size_t e = 0; e < chosen.element.size(); ++e)
+      locations[chosen.element[e]] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
   }
-  if (!single) add(std::make_unique<BatchGroup<Element>>(std::move(element), kind, of, m.element, m.node, start_));
-  for (std::size_t e = 0; e < m.element.size(); ++e)
-    locations[m.element[e]] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
 }
 
 }  // namespace nugget::system

@@ -14,13 +14,23 @@ struct State {
   double time = 0.0;         ///< t(n) of x and f
   double dt = 0.0;           ///< step from t(n) to t(n+1)
   double dt_previous = 0.0;  ///< step from t(n-1) to t(n)
-  long cycle = 0;            ///< n
-  bool relaxing = false;     ///< dynamic relaxation, before the run
-  std::vector<Row> x;        ///< positions at t(n) [length]
-  std::vector<Row> v, w;     ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
-  std::vector<Row> f, m;     ///< forces and moments on the nodes at t(n): external minus internal
+  int period = 1;            ///< steps of length dt up to where all elements have forces again; 1 but in sub-cycling
+  double interval() const { return period * dt; }  ///< their time
+  /// The impulses of this step are the first of a period, whose end is the next state that is recorded.
+  bool begins_period() const { return cycle == 0 || cycle % period == 1; }
+  long cycle = 0;         ///< n
+  bool relaxing = false;  ///< dynamic relaxation, before the run
+  std::vector<Row> x;     ///< positions at t(n) [length]
+  std::vector<Row> v, w;  ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
+  std::vector<Row> f, m;  ///< forces and moments on the nodes at t(n): external minus internal
 
   void archive(Archive& a);
 };
+
+/// The weight of a force of this step in its mean over a period, whose steps are as long as the last one: the next
+/// one's length says nothing of it.
+inline double time_of_mean(const State& s) {
+  return s.cycle == 0 ? s.dt : s.dt_previous;
+}
 
 }  // namespace nugget::system

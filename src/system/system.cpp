@@ -50,11 +50,13 @@ void fit_motion(RigidBody& body, double m, const Vec3d& linear, const Vec3d& ang
 
 }  // namespace
 
-System::System(const model::Model& m, const weld::Ties& t, Findings& findings) : model(m), ties(t) {
+System::System(const model::Model& m, const weld::Ties& t, Findings& findings, ElementPeriods periods)
+    : model(m), ties(t), periods_(std::move(periods)) {
   order_nodes();
   make_groups(findings);
   make_constraints(findings);
   link_slots();
+  if (periods_.on()) subcycles_ = Subcycles(*this);
   assemble_mass();
   transfer_dependent_mass();
   make_bodies();
@@ -440,6 +442,10 @@ Vec3d System::nodal_moment(ElementLocation location, int a) const {
 }
 
 void System::internal_force(State& state) {
+  if (subcycles_.on()) {
+    subcycles_.internal_force(*this, state);
+    return;
+  }
   for (const auto& group : groups)
     if (auto* looks = dynamic_cast<BeforeCycle*>(group.get())) looks->before_cycle(state);
   for_each_block([&](int g, std::size_t begin, std::size_t end) {
@@ -448,13 +454,14 @@ void System::internal_force(State& state) {
   gather_slots(slots_, single_slots_, state.f, state.m);
 }
 
-void System::for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const {
-  parallel_for(blocks_.size(), 16, [&](std::size_t begin, std::size_t end) {
+void for_each_block(const std::vector<std::pair<int, std::size_t>>& blocks,
+                    const std::function<void(int, std::size_t, std::size_t)>& body) {
+  parallel_for(blocks.size(), 16, [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
-      const int g = blocks_[begin].first;
+      const int g = blocks[begin].first;
       std::size_t run = begin;
-      while (run < end && blocks_[run].first == g) ++run;
-      body(g, blocks_[begin].second, blocks_[run - 1].second + 1);
+      while (run < end && blocks[run].first == g) ++run;
+      body(g, blocks[begin].second, blocks[run - 1].second + 1);
       begin = run;
     }
   });
@@ -501,6 +508,15 @@ void System::gather_slots(std::span<const Row> slots, std::span<const SingleRow>
   for (std::size_t k = nodes; k < all_nodes(); ++k) force[k] = moment[k] = Row{};
 }
 
+void System::compute_at_rest() {
+  State rest = initial_state();
+  rest.dt = 0.0;
+  std::fill(rest.v.begin(), rest.v.end(), Row{});
+  std::fill(rest.w.begin(), rest.w.end(), Row{});
+  internal_force(rest);
+  scale_mass(true);
+}
+
 System::Controlling System::controlling() const {
   Controlling c;
   c.step = std::numeric_limits<double>::infinity();
@@ -508,7 +524,7 @@ System::Controlling System::controlling() const {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::vector<double>& steps = groups[g]->block_step;
     for (std::size_t b = 0; b < steps.size(); ++b) {
-      const double step = groups[g]->step_share * groups[g]->damped_step(steps[b]);
+      const double step = groups[g]->step_share * groups[g]->damped_step(steps[b]) / groups[g]->period;
       if (!(step >= c.step)) {  // a NaN comes through, and stays
         c.step = step;
         c.group = static_cast<int>(g);
@@ -524,7 +540,8 @@ System::Controlling System::controlling() const {
   for (std::size_t e = block * width; e < std::min(group.size(), (block + 1) * width); ++e) {
     // By the step that was looked for: rounding may make those of two elements equal, and then it is the first one's,
     // however many elements a block has.
-    if (!(group.step_share * group.damped_step(group.stable_step(e)) > c.step)) c.element = static_cast<int>(e);
+    if (!(group.step_share * group.damped_step(group.stable_step(e)) / group.period > c.step))
+      c.element = static_cast<int>(e);
     if (c.element >= 0) break;
   }
   return c;
@@ -647,11 +664,11 @@ double System::part_mass(model::Index part) const {
 
 void System::archive(Archive& a) {
   a.section("system");
-  a(mass, inertia, own_mass, own_inertia_, carried_mass_, carried_inertia_, map, bodies, slots_);
+  a(mass, inertia, own_mass, own_inertia_, carried_mass_, carried_inertia_, map, bodies, slots_, subcycles_);
   if (!single_slots_.empty()) a(single_slots_);
   a.built(model, ties, nodes, node_of, model_node, body_of, springs, shell_location, solid_location, beam_location,
           discrete_location, start_, mass_only_elements_, constraint_source_, damping_slots, gather_start_, gather_,
-          blocks_);
+          blocks_, periods_);
   a.section("elements");
   a(groups);
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,6 +20,7 @@
 #include "system/element_group.hpp"
 #include "system/rigid_body.hpp"
 #include "system/state.hpp"
+#include "system/subcycles.hpp"
 #include "weld/failure/heat_zones.hpp"
 #include "weld/tie/ties.hpp"
 
@@ -30,7 +32,8 @@ enum class ShellKind;  // shell_elements.hpp
 /// constraint map, element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
 class System {
  public:
-  System(const model::Model& model, const weld::Ties& ties, Findings& findings);
+  /// `periods`: of elements in sub-cycling.
+  System(const model::Model& model, const weld::Ties& ties, Findings& findings, ElementPeriods periods = {});
 
   const model::Model& model;
   const weld::Ties& ties;
@@ -113,8 +116,21 @@ class System {
   /// Forces of all elements at the end of a step into state.f and state.m (overwritten); keeps the smallest stable
   /// step.
   void internal_force(State& state);
+  /// Cycles from one time at which all elements have forces to the next; 1 but in sub-cycling.
+  int period() const { return subcycles_.period(); }
+  /// In sub-cycling: the velocities of the nodes, in the mean since the last call or the last period.
+  std::span<const Row> mean_velocities() { return subcycles_.mean_velocities(); }
+  /// In sub-cycling, between two periods: elements whose stable step has become shorter, as that of those with a period
+  /// of 1 has not, have their forces more often.
+  void shorten_periods() { subcycles_.shorten(*this); }
+  /// Then, when the step is chosen.
+  void correct_impulses(State& state) { subcycles_.correct_impulses(*this, state); }
+  /// Stable steps and scaled masses of the elements where they stand.
+  void compute_at_rest();
   /// Calls `body(group, begin, end)` for ranges of blocks of elements, all of all groups, side by side.
-  void for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const;
+  void for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const {
+    system::for_each_block(blocks_, body);
+  }
   /// Forces by which elements damp themselves, laid out as the slots of their internal forces (ElementGroup::slot_row);
   /// empty until `allocate_damping_slots`.
   std::vector<Row> damping_slots;
@@ -170,8 +186,10 @@ class System {
   };
   template <class Elements>
   Members members(const Elements& elements, const std::vector<model::Index>& chosen) const;
+  /// Those of one period together.
+  std::map<int, Members> by_period(model::ElementKind kind, const Members& m) const;
   template <class Element>
-  void add_group(Element element, model::ElementKind kind, std::size_t part, const Members& m,
+  void add_group(const Element& element, model::ElementKind kind, std::size_t part, const Members& m,
                  std::vector<ElementLocation>& locations);
   const model::Hourglass& hourglass_of(const model::Part& part) const;
   void make_groups(Findings& findings);
@@ -235,6 +253,9 @@ class System {
     return row < slots_.size() ? vec(slots_[row]) : vec(single_slots_[row - slots_.size()]);
   }
 
+  ElementPeriods periods_;
+  Subcycles subcycles_;
+  friend class Subcycles;
   std::vector<Row> slots_;
   SingleRows single_slots_;  ///< of groups of single precision, counted on behind slots_
   std::vector<std::size_t> gather_start_;

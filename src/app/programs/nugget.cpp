@@ -54,9 +54,9 @@ int main(int argc, char** argv) {
   if (lanes == "8" || (lanes.empty() && has_avx512())) {
     const std::string program = become("nugget-avx512", argv);
     if (lanes == "8")
-      return refuse(
-          fmt::format("NUGGET_LANES=8 needs {}: {} [./dev build makes it; without NUGGET_LANES this one runs]", program,
-                      std::strerror(errno)));
+      return refuse(fmt::format(
+          "NUGGET_LANES=8 needs {}: {} [./dev build nugget-avx512 makes it; without NUGGET_LANES this one runs]",
+          program, std::strerror(errno)));
   }
   nugget::app::guard_terminal();
   return nugget::app::code_after_terminal(nugget::app::command_line(argc, argv));

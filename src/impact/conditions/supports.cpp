@@ -163,7 +163,7 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
       if (!(obeyed >> i & 1u)) continue;
       constrained_dofs_.push_back({spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death});
     }
-    spc_.push_back({node, static_cast<model::Index>(s), spc.set_id, {}, {}, 0.0});
+    spc_.push_back({node, static_cast<model::Index>(s), spc.set_id, {}, {}, 0.0, {}, {}});
   }
   for (std::size_t k = 0; k < model.motions.size(); ++k) {
     const model::PrescribedMotion& motion = model.motions[k];
@@ -182,7 +182,7 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
         prescribed.at_start = directions[d];
         prescribed_dofs_.push_back(prescribed);
       }
-      motion_.push_back({node, static_cast<model::Index>(k), 0, {}, {}, 0.0});
+      motion_.push_back({node, static_cast<model::Index>(k), 0, {}, {}, 0.0, {}, {}});
     };
     if (motion.target == model::PrescribedMotion::Target::nodes) {
       for (model::Index n : motion.nodes) {
@@ -421,6 +421,16 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
   }
   for (PrescribedDof& d : prescribed_dofs_)
     if (d.motion->circular) d.left = vec(state.v[d.node]);
+  if (state.period > 1) average_reactions(state);
+}
+
+void Supports::average_reactions(const system::State& state) {
+  const double time = system::time_of_mean(state);
+  for (std::vector<Reaction>* reactions : {&spc_, &motion_})
+    for (Reaction& r : *reactions) {
+      r.force = r.mean_force.add(r.force, time, state.begins_period());
+      r.moment = r.mean_moment.add(r.moment, time, state.begins_period());
+    }
 }
 
 void Supports::book_opening_work(double dt) {

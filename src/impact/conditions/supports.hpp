@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/period_mean.hpp"
 #include "impact/energy/energy.hpp"
 #include "system/system.hpp"
 
@@ -42,8 +43,9 @@ class Supports {
     int node = 0;                       ///< system node
     model::Index source = model::none;  ///< SPC or motion in the model
     int set_id = 0;
-    Vec3d force, moment;  ///< on the structure
+    Vec3d force, moment;  ///< on the structure; in sub-cycling, means over a period
     double energy = 0.0;  ///< work done so far
+    PeriodMean mean_force, mean_moment;
   };
   const std::vector<Reaction>& spc_reactions() const { return spc_; }
   const std::vector<Reaction>& motion_reactions() const { return motion_; }
@@ -83,6 +85,9 @@ class Supports {
   /// Drives a node that supports hold in oblique directions: both are met, and both have their reactions.
   void prescribe_beside_supports(PrescribedDof& prescribed, double target, system::State& state,
                                  double velocity_interval);
+
+  /// In sub-cycling: what results show.
+  void average_reactions(const system::State& state);
 
   const system::System& system_;
   std::vector<ConstrainedDof> constrained_dofs_;

@@ -57,6 +57,7 @@ void Walls::constrain(const system::System& system, system::State& state, std::s
       time -= state.dt;
     walls_[w].constrain(time, state.dt, state.dt_previous, state.x, state.v, state.f, system.mass, dependent);
     power_on_change += walls_[w].power_on_change();
+    if (state.period > 1) walls_[w].average(system::time_of_mean(state), state.begins_period());
   }
 }
 

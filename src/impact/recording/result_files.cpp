@@ -107,7 +107,7 @@ std::shared_ptr<output::Binout> ResultFiles::binout() {
 
 /// Due at the last time that is not beyond the mark, as LS-DYNA does: the next step would pass it.
 bool ResultFiles::due(const Channel& channel, const system::State& state) const {
-  return state.time + state.dt > channel.next + 1e-9 * state.dt;
+  return state.time + state.interval() > channel.next + 1e-9 * state.interval();
 }
 
 bool ResultFiles::due(const system::State& state) {

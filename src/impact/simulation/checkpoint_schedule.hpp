@@ -20,7 +20,7 @@ class CheckpointSchedule {
   /// Somebody wants one that is not due.
   void ask() { asked_ = true; }
   bool due(const Checkpoints& every, long cycle, double time, double seconds) const {
-    return asked_ || (every.cycles > 0 && cycle > cycle_ && cycle % every.cycles == 0) ||
+    return asked_ || (every.cycles > 0 && cycle / every.cycles > cycle_ / every.cycles) ||
            passed(time_, time, every.time) || passed(seconds_, seconds, 60.0 * every.minutes);
   }
 

@@ -254,7 +254,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       next_report = elapsed() + between_reports;
     }
     add_time(output);
-    if (!last) step();
+    if (!last) advance();
   }
   recorder.finish();
   add_time(output);
@@ -286,6 +286,8 @@ void Simulation::write_results(Recorder& recorder, bool last) {
                   .components = components_,
                   .v_before = v_before_,
                   .w_before = w_before_,
+                  .v_period = v_period_.empty() ? v_before_ : v_period_,
+                  .w_period = w_period_.empty() ? w_before_ : w_period_,
                   .energy = energy_,
                   .parts = parts_,
                   .controlling = controlling_,
@@ -323,6 +325,20 @@ void Simulation::update_velocities() {
   for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
   components_.walls.constrain(system_, state_, dependent_, power_on_change_);
   add_time(motion);
+}
+
+void Simulation::advance() {
+  if (state_.period > 1) {
+    v_period_ = state_.v;
+    w_period_ = state_.w;
+  }
+  step();
+  for (int i = 1; i < state_.period; ++i) {
+    state_.dt_previous = state_.dt;
+    update_velocities();
+    step();
+  }
+  if (run_end_ > 0.0) state_.time = run_end_;  // steps of equal length need not add up to it
 }
 
 void Simulation::step() {
@@ -471,6 +487,8 @@ void Simulation::update_inverse_mass() {
 
 void Simulation::choose_step(double end_time) {
   const model::Control& control = system_.model.control;
+  if (state_.cycle > 0) system_.shorten_periods();
+  state_.period = system_.period();
   controlling_ = system_.controlling();
   state_.dt_previous = state_.cycle == 0 ? 0.0 : state_.dt;
   if (!assembled_step_.empty() && !control.step_scale_given && state_.cycle > 0 &&
@@ -497,8 +515,11 @@ void Simulation::choose_step(double end_time) {
   }
   // A rest of less than a millionth of a step, which round-off leaves, belongs to this step: over a step of nothing no
   // acceleration and no reaction has a meaning.
-  if (state_.time < end_time && state_.time + (1.0 + 1e-6) * dt > end_time) dt = end_time - state_.time;
+  if (state_.time < end_time && state_.time + state_.period * (1.0 + 1e-6) * dt > end_time)
+    dt = (end_time - state_.time) / state_.period;
+  run_end_ = state_.period > 1 && state_.time + state_.period * (1.0 + 1e-6) * dt > end_time ? end_time : 0.0;
   state_.dt = dt;
+  if (state_.cycle > 0) system_.correct_impulses(state_);
 }
 
 Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
@@ -595,12 +616,28 @@ void Simulation::move() {
 }
 
 void Simulation::contact_forces() {
-  longest_step_ = std::max(longest_step_, stable_step_);
-  const contact::Step step{state_.time, state_.dt, stable_step_,  longest_step_,
-                           state_.x,    state_.v,  contact_mass_, components_.element_alive.all()};
-  components_.contacts.apply(step, state_.f);
-  components_.interiors.apply(step, state_.f);
-  components_.walls.press(step, state_.f);
+  const int period = state_.dt > 0.0 ? std::min(system_.model.control.subcycling.contact_period, state_.period) : 1;
+  if (state_.cycle % period != 0) return;
+  longest_step_ = std::max(longest_step_, period * stable_step_);
+  contact::Step step{state_.time, period * state_.dt, period * stable_step_, longest_step_,
+                     state_.x,    state_.v,           contact_mass_,         components_.element_alive.all()};
+  if (period == 1) {
+    apply_contacts(step, state_.f);
+    return;
+  }
+  // An impulse as long as the period, as those of elements.
+  step.v = system_.mean_velocities();
+  contact_forces_.assign(state_.f.size(), Row{});
+  apply_contacts(step, contact_forces_);
+  parallel_for(contact_forces_.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) add(state_.f[k], period * vec(contact_forces_[k]));
+  });
+}
+
+void Simulation::apply_contacts(const contact::Step& step, std::span<Row> force) {
+  components_.contacts.apply(step, force);
+  components_.interiors.apply(step, force);
+  components_.walls.press(step, force);
 }
 
 void Simulation::applied_forces() {
@@ -690,6 +727,8 @@ void Simulation::archive(Archive& a) {
   a(diverged_, unstable_, relaxation_, step_change_, largest_input_, power_on_change_, first_step_, smallest_step_,
     stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
+  a(v_period_, w_period_);
+  a.built(contact_forces_, run_end_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
           block_power_, stop_requested_, checkpoints_, begin_, timed_until_);
 }

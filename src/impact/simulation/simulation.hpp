@@ -66,11 +66,14 @@ class Simulation {
   void update_velocities();
   /// The step from t(n) to t(n+1), up to the forces there.
   void step();
+  /// As many steps as the time takes from one at which all elements have forces to the next.
+  void advance();
   void choose_step(double end_time);
   /// Gives the free nodes and bodies their velocities at t(n+1/2); `power_on_change_` begins anew.
   void accelerate();
   void move();
   void contact_forces();
+  void apply_contacts(const contact::Step& step, std::span<Row> force);
   void applied_forces();  // of ties with springs, joints, loads and damping
   /// Removes the elements that were deleted from contacts and ties.
   void remove_deleted_elements();
@@ -119,6 +122,9 @@ class Simulation {
   std::vector<unsigned char> dependent_;               ///< by node
   std::vector<double> inverse_mass_, inverse_inertia_;
   std::vector<Row> v_before_, w_before_;
+  std::vector<Row> v_period_, w_period_;  ///< in sub-cycling: velocities and spins after those of the last period
+  std::vector<Row> contact_forces_;       ///< in sub-cycling, where contacts have theirs not in each cycle
+  double run_end_ = 0.0;                  ///< where the period that begins ends the run: its time; else 0
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle

@@ -19,6 +19,8 @@ struct Snapshot {
   const system::State& state;
   const Components& components;
   std::span<const Row> v_before, w_before;  ///< at t(n-1/2); those in state stand at t(n+1/2)
+  /// Those from which on accelerations count: the same, but in sub-cycling at the first half step of the last period.
+  std::span<const Row> v_period, w_period;
   const Energy& energy;
   const std::vector<PartEnergy>& parts;
   const system::System::Controlling& controlling;
@@ -29,15 +31,17 @@ struct Snapshot {
   Vec3d velocity(std::size_t node) const { return at_now(vec(v_before[node]), vec(state.v[node])); }
   Vec3d spin(std::size_t node) const { return at_now(vec(w_before[node]), vec(state.w[node])); }
   Vec3d acceleration(std::size_t node) const {
-    return (1.0 / velocity_interval()) * (vec(state.v[node]) - vec(v_before[node]));
+    return (1.0 / acceleration_time()) * (vec(state.v[node]) - vec(v_period[node]));
   }
   Vec3d rotary_acceleration(std::size_t node) const {
-    return (1.0 / velocity_interval()) * (vec(state.w[node]) - vec(w_before[node]));
+    return (1.0 / acceleration_time()) * (vec(state.w[node]) - vec(w_period[node]));
   }
-  /// Time between t(n-1/2) and t(n+1/2); half a step at the start.
-  double velocity_interval() const { return 0.5 * (state.dt + state.dt_previous); }
 
  private:
+  /// Time between t(n-1/2) and t(n+1/2), half a step at the start; in sub-cycling a period and half of one.
+  double acceleration_time() const {
+    return 0.5 * (state.cycle == 0 ? state.interval() : state.period * (state.dt + state.dt_previous));
+  }
   Vec3d at_now(const Vec3d& before, const Vec3d& after) const {
     return before + share_before_now(state) * (after - before);
   }

@@ -83,6 +83,7 @@ class RunArguments:
     resume: str
     weld_tie: str
     precision: str
+    subcycle: bool
     load_case: int
     skip_unsupported: bool
 

@@ -101,7 +101,7 @@ def _put_ends(arguments: _nugget.RunArguments, until: float | None, max_cycles: 
 def run(deck: str | os.PathLike[str] | Deck, *, directory: str | os.PathLike[str] = ".", threads: int = 0,
         until: float | None = None, max_cycles: int | None = None, progress: Progress | None = None, case: int = 0,
         weld_tie: str = "", weld_law: str = "", checkpoint: str = "", stop_after: float | None = None,
-        skip_unsupported: bool = False, precision: str = "double") -> Results:
+        skip_unsupported: bool = False, precision: str = "double", subcycle: bool = False) -> Results:
     """Runs a deck as `nugget run` does, in this process, and gives its results. Other threads of Python go on
     meanwhile; a second run waits until the first has ended.
 
@@ -109,7 +109,7 @@ def run(deck: str | os.PathLike[str] | Deck, *, directory: str | os.PathLike[str
     end of an explicit run. Where it gives False the run stops after that cycle, with a restart file: the results say
     `interrupted`, and nugget.resume() goes on. So it does where `progress` raises; that exception is raised again.
     Ctrl-C stops the run likewise and raises KeyboardInterrupt. `stop_after`: seconds of the clock. `precision`: single
-    or double, as of `nugget run`.
+    or double, `subcycle`: sub-cycling, as of `nugget run`.
 
     DeckError where the deck is refused; RunError where it ends in an error termination, with the folder; OSError
     where a result cannot be written.
@@ -120,6 +120,7 @@ def run(deck: str | os.PathLike[str] | Deck, *, directory: str | os.PathLike[str
     _expect_one_case(path, case)
     arguments = _arguments(path, directory, threads, case, weld_tie, skip_unsupported)
     arguments.precision = precision
+    arguments.subcycle = subcycle
     _put_ends(arguments, until, max_cycles, checkpoint, stop_after)
     arguments.weld_law = os.fspath(weld_law)
     return _Command(path, directory, case, skip_unsupported).end(*_nugget.run(arguments, progress))

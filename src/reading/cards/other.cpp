@@ -44,7 +44,9 @@ Rows other_solutions() {
       refused("CONTROL_ADAPSTEP", "adaptive remeshing is not built; refine the mesh in advance"),
       refused("CONTROL_REMESHING*", "remeshing is not built"),
       refused("CONTROL_FORMING_*", "sheet forming is not built"),
-      refused("CONTROL_SUBCYCLE*", "subcycling is not built; use mass scaling (DT2MS)"),
+      refused("CONTROL_SUBCYCLE_MASS_SCALED_PART*",
+              "mass scaling of parts in sub-cycling is not built; *CONTROL_SUBCYCLE without it is, or DT2MS of "
+              "*CONTROL_TIMESTEP"),
       refused("CONTROL_COUPLING", "coupling to other programs is not built"),
       refused("CONTROL_STAGED_CONSTRUCTION", "construction in stages is not built"),
       refused("CASE*", "several load cases in one deck are not built; make a deck for each"),
