@@ -520,6 +520,7 @@ int nugget::app::command_line(int argc, char** argv) {
     return cli.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
   }
   if (!stop_after.empty()) run.stop_after = *nugget::app::clock_seconds(stop_after);
+  run.over_ranks = true;
   if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
   if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));
   if (frf_command->parsed()) return static_cast<int>(nugget::app::frf(frf, direct));

@@ -39,7 +39,8 @@ struct RunArguments {
   std::vector<std::string> intrusion;  ///< of those runs: pairs of nodes `A,B`
   int load_case = 0;                   ///< *CASE of the deck; 0: all of them, one after the other
   bool skip_unsupported = false;
-  bool vtk = false;  ///< states, modes and welds as .vtu and .pvd, too
+  bool over_ranks = false;  ///< an explicit run may be shared out among the ranks of mpirun
+  bool vtk = false;         ///< states, modes and welds as .vtu and .pvd, too
   bool quiet = false;
   impact::ProgressCallback progress;  ///< of an explicit run, instead of its display; empty: that, unless quiet
 };

@@ -12,6 +12,7 @@
 
 #include "base/finding.hpp"
 #include "base/index.hpp"
+#include "base/ranks.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_joint.hpp"
 #include "model/model.hpp"
@@ -25,12 +26,14 @@
 namespace nugget::system {
 
 enum class ShellKind;  // shell_elements.hpp
+class Share;           // share.hpp
 
 /// A model made discrete: nodes and elements in an order that keeps neighbours close in memory, lumped masses, the
 /// constraint map, element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
 class System {
  public:
   System(const model::Model& model, const weld::Ties& ties, Findings& findings);
+  ~System();
 
   const model::Model& model;
   const weld::Ties& ties;
@@ -115,14 +118,15 @@ class System {
   void internal_force(State& state);
   /// Calls `body(group, begin, end)` for ranges of blocks of elements, all of all groups, side by side.
   void for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const;
+  /// Calls `body(begin, end)` for ranges of real nodes that this rank follows, side by side; all, in one process.
+  void for_each_node(std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) const;
   /// Forces by which elements damp themselves, laid out as the slots of their internal forces (ElementGroup::slot_row);
   /// empty until `allocate_damping_slots`.
   std::vector<Row> damping_slots;
   void allocate_damping_slots() { damping_slots.resize(slots_.size() + single_slots_.size()); }
   /// Takes the sum of its slots from each node: what forces of elements do to nodes. Rows of bodies become 0. `single`:
   /// the slots behind `slots`, where they are of single precision.
-  void gather_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
-                    std::span<Row> moment) const;
+  void gather_slots(std::span<Row> slots, std::span<SingleRow> single, std::span<Row> force, std::span<Row> moment);
 
   /// The element that controls the time step.
   struct Controlling {
@@ -157,6 +161,20 @@ class System {
   double part_mass(model::Index part) const;
   /// The rigid body that carries a node, in `bodies`; -1: none.
   int rigid_body_of_node(int node) const;
+
+  // ---- A run over several ranks
+
+  /// From now on this rank computes its share of the elements only. All ranks do so at the same state, which is whole
+  /// on each of them. `for_everyone`: elements whose state is looked at by what all ranks compute.
+  void share_out(Ranks& ranks, std::span<const ElementLocation> for_everyone);
+  /// Share of the stable step below which all ranks are to know an element's; 0: none.
+  double told_below = 0.0;
+  /// What this rank does; null in a run by one process.
+  const Share* share() const { return share_.get(); }
+  /// Elements of all ranks, of which each has computed its own, come to the first rank; `whole` to all of them.
+  void collect(Carried what);
+  /// Takes the steps of elements that other ranks compute out of the choice: after `collect(Carried::whole)`.
+  void leave_steps_to_others();
 
   void archive(Archive& a);
 
@@ -240,7 +258,21 @@ class System {
   std::vector<std::size_t> gather_start_;
   std::vector<std::uint32_t>
       gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows
-  std::vector<std::pair<int, std::size_t>> blocks_;  ///< all blocks of all groups: group, block
+  std::vector<std::pair<int, std::size_t>> blocks_;  ///< all blocks of all groups, or of the share: group, block
+
+  /// Elements deleted by their law, inverted ones and, where small steps delete, those with one, become known to all.
+  void exchange_news();
+  std::vector<std::pair<int, std::size_t>> steps_of_others_;  ///< elements with a step by the last exchange_news
+  /// Deleted elements, by group, as far as all ranks know them.
+  void note_deleted();
+  void carry(int rank, Carried what, std::vector<std::byte>& data, bool reading);
+  void for_blocks(std::size_t first, std::size_t last,
+                  const std::function<void(int, std::size_t, std::size_t)>& body) const;
+  void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
+                    std::span<Row> moment) const;
+  std::unique_ptr<Share> share_;
+  std::vector<std::vector<char>> deleted_;  ///< known to all, by group and element
+  std::vector<int> deletions_seen_;         ///< by group: ElementGroup::deletions when `deleted_` was made
 };
 
 }  // namespace nugget::system

@@ -57,6 +57,10 @@ void Simulation::interrupt(const char* by) {
   interrupted_by = by;
 }
 
+bool Simulation::interrupted() {
+  return interrupted_by != nullptr;
+}
+
 Simulation::Simulation(system::System& system, Findings& findings)
     : system_(system),
       state_(system.initial_state()),
@@ -145,7 +149,9 @@ void Simulation::bound_step_again() {
   if (looks_ >= (assembled_step_.sheets() ? looks_at_sheets_at_first + state_.cycle / cycles_of_a_look_at_sheets
                                           : looks_at_first + state_.cycle / cycles_of_a_look))
     return;
+  system_.collect(system::Carried::whole);
   const AssembledStep::Limit limit = assembled_step_.limit(state_, step);
+  if (ranks_ != nullptr) system_.leave_steps_to_others();
   const double before = step_factor_;
   if (limit.step > 0.0 && std::isfinite(limit.step))
     step_factor_ = step > bearable_share * limit.step ? default_step_scale * limit.step / step : 1.0;
@@ -232,22 +238,31 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   start();
   if (options.restore) resume(options);
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
+  if (options.ranks != nullptr) {
+    share_out(*options.ranks);
+    pass_on_balance(recorder);
+  }
   add_time(elements);
   const Outcome relaxed = options.restore ? Outcome{} : relax(options, recorder, progress);
   Outcome outcome;
   double next_report = 0.0;
   for (bool last = false; !last;) {
+    agree(options);
     if (!relaxed.stops()) write_checkpoint_if_due(options);
     choose_step(end_time);
     outcome = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
     last = outcome.stops() || state_.time >= end_time;
-    const bool record = last || recorder.due(state_);
+    const bool record = last || results_due(recorder);
     const bool balance = record || state_.cycle % 100 == 0;
     if (balance) store_velocities();
     update_velocities();
-    if (balance) update_energy_balance();
+    if (balance) {
+      system_.collect(record ? system::Carried::results : system::Carried::energies);
+      update_energy_balance();
+    }
     // Numbers that are none would only spoil files that are good up to here.
-    if (record && !diverged_) write_results(recorder, last);
+    if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
+    if (balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
       if (progress) report_progress(progress, end_time);
       if (options.sense_switches) obey(options.sense_switches(), recorder);
@@ -299,17 +314,18 @@ void Simulation::report_progress(const ProgressCallback& progress, double end_ti
 
 void Simulation::obey(const SenseSwitches& switches, Recorder& recorder) {
   if (switches.stop) interrupt("d3kil");
-  if (switches.state) recorder.ask_for_state();
+  if (switches.state) {
+    recorder.ask_for_state();
+    state_asked_ = true;
+  }
   if (switches.restart_file) checkpoints_.ask();
 }
 
 void Simulation::write_checkpoint_if_due(const Options& options) {
-  // Asked once a cycle: the run ends in the cycle that begins with the restart file.
-  stop_requested_ = interrupted_by != nullptr;
-  if (!options.write_checkpoint || diverged_) return;
-  solve_seconds_ = elapsed();
-  if (!stop_requested_ && !checkpoints_.due(options.checkpoints, state_.cycle, state_.time, solve_seconds_)) return;
-  options.write_checkpoint();
+  if (!restart_file_due_) return;
+  system_.collect(system::Carried::whole);
+  if (options.write_checkpoint) options.write_checkpoint();
+  if (ranks_ != nullptr) system_.leave_steps_to_others();
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
 }
 
@@ -412,8 +428,8 @@ Outcome Simulation::relax(const Options& options, Recorder& recorder, const Prog
   relaxation_ = Relaxation(control);
   const double end_time = control.end_time > 0.0 ? control.end_time : std::numeric_limits<double>::infinity();
   for (double next_report = 0.0; !relaxation_.at_rest() && state_.time < end_time;) {
+    agree(options);
     choose_step(end_time);
-    stop_requested_ = interrupted_by != nullptr;
     if (stop = reason_to_stop(options, end_time); stop.stops()) break;
     relaxation_.damp(system_, state_);
     update_velocities();
@@ -469,7 +485,6 @@ void Simulation::update_inverse_mass() {
 
 void Simulation::choose_step(double end_time) {
   const model::Control& control = system_.model.control;
-  controlling_ = system_.controlling();
   state_.dt_previous = state_.cycle == 0 ? 0.0 : state_.dt;
   if (!assembled_step_.empty() && !control.step_scale_given && state_.cycle > 0 &&
       state_.cycle % cycles_between_looks == 0)
@@ -656,6 +671,7 @@ std::string Simulation::describe_instability() const {
 void Simulation::update_energy_balance() {
   // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
   system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
+  if (!on_first_rank()) return;
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;
@@ -689,7 +705,8 @@ void Simulation::archive(Archive& a) {
     stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, stop_requested_, checkpoints_, begin_, timed_until_);
+          block_power_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_mark_, checkpoints_, begin_,
+          timed_until_);
 }
 
 }  // namespace nugget::impact

@@ -50,6 +50,7 @@ class Simulation {
 
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt(const char* by = "the user");
+  static bool interrupted();
 
   void archive(Archive& a);
 
@@ -62,6 +63,16 @@ class Simulation {
   /// Dynamic relaxation, where the deck asks for it. Afterwards the run begins at time 0 with the stresses and places
   /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
   Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
+  /// From now on several ranks compute the run together.
+  void share_out(Ranks& ranks);
+  bool on_first_rank() const { return ranks_ == nullptr || ranks_->rank() == 0; }
+  /// Once a cycle, before it begins: the element that controls the step, and whether the run is to stop, to write a
+  /// restart file or a state that is not due. Of several ranks all take the same.
+  void agree(const Options& options);
+  /// Whether results are due at the state that is about to be complete.
+  bool results_due(Recorder& recorder) const;
+  /// After a balance of energies, which the first rank makes: what others must know of it.
+  void pass_on_balance(const Recorder& recorder);
   /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
   void update_velocities();
   /// The step from t(n) to t(n+1), up to the forces there.
@@ -106,6 +117,7 @@ class Simulation {
   std::string describe_instability() const;
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
   void write_checkpoint_if_due(const Options& options);
+  bool state_asked_ = false;  ///< a state of d3plot that is not due
   Outcome reason_to_stop(const Options& options, double end_time) const;
   /// Adds the time since the last call to a phase.
   void add_time(Phase phase);
@@ -122,6 +134,9 @@ class Simulation {
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
+  bool restart_file_due_ = false;
+  Ranks* ranks_ = nullptr;  ///< null: one process
+  double next_mark_ = 0.0;  ///< over several ranks: Recorder::next_mark of the first one
   CheckpointSchedule checkpoints_;
   bool diverged_ = false;
   bool unstable_ = false;  ///< energy_is_made at the last cycle that is a multiple of 100

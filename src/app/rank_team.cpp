@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/rank_team.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace nugget::app {
+namespace {
+RankTeam* the_team = nullptr;
+}  // namespace
+
+RankTeam* rank_team() {
+  return the_team;
+}
+
+void set_rank_team(RankTeam* team) {
+  the_team = team;
+}
+
+JoinedRun::JoinedRun(RankTeam* team, int load_case) : team_(team), exceptions_(std::uncaught_exceptions()) {
+  if (team_ != nullptr && team_->ranks->rank() == 0) team_->call(load_case);
+}
+
+JoinedRun::~JoinedRun() {
+  if (team_ == nullptr) return;
+  std::string why;
+  if (!agreed_)
+    agree({}, why);
+  else if (begun_ && std::uncaught_exceptions() > exceptions_)
+    team_->broken = true;
+}
+
+bool JoinedRun::agree(const Ready& own, std::string& why) {
+  agreed_ = true;
+  if (team_ == nullptr) return begun_ = own.willing;
+  const std::vector<Ready> all = gather(*team_->ranks, own);
+  begun_ = std::ranges::all_of(all, &Ready::willing);
+  for (std::size_t r = 1; begun_ && r < all.size(); ++r) {
+    const auto differ = [&](const char* what, const char* remedy) {
+      why = fmt::format("rank {} has {} than the first one [{}]", r, what, remedy);
+      begun_ = false;
+    };
+    if (all[r].program != all[0].program)
+      differ("another build of nugget", "install the same on all machines");
+    else if (all[r].deck != all[0].deck)
+      differ("another deck", "all ranks read it by the same name: it must stand in a folder that all machines see");
+    else if (all[r].lanes != all[0].lanes)
+      differ("other lanes", "set NUGGET_LANES=4 for all");
+  }
+  return begun_;
+}
+
+}  // namespace nugget::app
