@@ -138,6 +138,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
 
+  bool looks_at_neighbours() const override {
+    if constexpr (requires { kernel_.nodal_pressure; }) return kernel_.nodal_pressure != nullptr;
+    return false;
+  }
   void before_cycle(const State& now) override {
     if constexpr (requires(bool (*alive)(std::size_t), void (*put)(std::size_t, int, double)) {
                     kernel_.before_cycle(now, alive, put);

@@ -125,6 +125,12 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
     sums.data.resize(sums.nodes.size() + at(static_cast<int>(std::count(sums.turns.begin(), sums.turns.end(), 1))));
   const auto follows = [&](int k) { return everyone_follows(k) || owners[k].has(own); };
   followed_ = ranges_of(system.nodes, follows);
+  for (int k = static_cast<int>(system.nodes); k < static_cast<int>(system.all_nodes()); k += longest_range)
+    followed_.push_back({k, std::min(static_cast<int>(system.all_nodes()), k + longest_range)});
+  reported_.resize(at(count));
+  for (int k = 0; k < static_cast<int>(system.nodes); ++k)
+    if (!everyone_follows(k)) reported_[owners[k].ranks.front()].push_back(k);
+  follows_everything_ = std::ranges::all_of(reported_, &std::vector<int>::empty);
   summed_ = ranges_of(system.nodes, [&](int k) { return follows(k) && (!sum_travels(k) || owners[k].only(own)); });
 
   for (const bool border : {true, false}) {
@@ -196,6 +202,24 @@ void Share::exchange_sums(std::span<Row> force, std::span<Row> moment) {
       }
     }
   }
+}
+
+void Share::report(std::span<double> of_nodes) {
+  const int own = ranks_.rank();
+  std::vector<std::vector<double>> numbers(at(ranks_.count()));
+  for (int r = 1; r < ranks_.count(); ++r) {
+    if (reported_[r].empty() || (own != 0 && own != r)) continue;
+    numbers[r].resize(reported_[r].size());
+    if (own == 0) {
+      ranks_.receive(r, std::as_writable_bytes(std::span(numbers[r])));
+      continue;
+    }
+    for (std::size_t i = 0; i < numbers[r].size(); ++i) numbers[r][i] = of_nodes[reported_[r][i]];
+    ranks_.send(0, std::as_bytes(std::span<const double>(numbers[r])));
+  }
+  ranks_.finish();
+  for (int r = 1; own == 0 && r < ranks_.count(); ++r)
+    for (std::size_t i = 0; i < numbers[r].size(); ++i) of_nodes[reported_[r][i]] = numbers[r][i];
 }
 
 std::size_t Share::bytes_of_step() const {

@@ -50,8 +50,16 @@ class Share {
   const std::vector<Range>& summed() const { return summed_; }
   /// Sends and receives the sums of nodes that are summed by one rank and followed by everyone.
   void exchange_sums(std::span<Row> force, std::span<Row> moment);
-  /// Ranges of nodes that this rank follows; real ones.
+  /// Ranges of nodes that this rank follows, bodies' and anchors' virtual ones included.
   const std::vector<Range>& followed() const { return followed_; }
+
+  /// Whether all ranks follow all nodes.
+  bool follows_everything() const { return follows_everything_; }
+  /// Nodes that not all ranks follow, by the rank that answers for them: the first one of those whose elements they
+  /// have.
+  const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
+  /// The numbers of these nodes come to the first rank.
+  void report(std::span<double> of_nodes);
 
   /// Numbers that a step sends from here, of all kinds, in bytes.
   std::size_t bytes_of_step() const;
@@ -81,6 +89,8 @@ class Share {
   std::vector<Message> out_, in_;
   std::vector<Sums> sums_;  ///< by rank
   std::vector<Range> summed_, followed_;
+  std::vector<std::vector<int>> reported_;  ///< by rank
+  bool follows_everything_ = true;
 };
 
 }  // namespace nugget::system

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "system/before_cycle.hpp"
 #include "system/share.hpp"
 #include "system/system.hpp"
 
@@ -21,8 +22,7 @@ struct ElementNews {
 
 }  // namespace
 
-void System::share_out(Ranks& ranks, std::span<const ElementLocation> for_everyone) {
-  const std::vector<char> followed(nodes, 1);
+void System::share_out(Ranks& ranks, std::span<const ElementLocation> for_everyone, std::span<const char> followed) {
   share_ = std::make_unique<Share>(*this, ranks, Partition(*this, ranks.count(), for_everyone), followed);
   blocks_ = share_->blocks();
   leave_steps_to_others();
@@ -91,8 +91,18 @@ void System::exchange_news() {
   }
 }
 
-void System::carry(int rank, Carried what, std::vector<std::byte>& data, bool reading) {
-  Parcel parcel(data, reading);
+bool System::looks_at_neighbours() const {
+  return std::ranges::any_of(groups, [](const auto& group) {
+    const auto* looks = dynamic_cast<const BeforeCycle*>(group.get());
+    return looks != nullptr && looks->looks_at_neighbours();
+  });
+}
+
+bool System::computes(ElementLocation location) const {
+  return !share_ || share_->computes(location.group, at(location.element));
+}
+
+void System::carry(int rank, Carried what, Parcel& parcel) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     ElementGroup& group = *groups[g];
     const std::size_t width = group.block_width(), blocks = group.blocks();
@@ -116,13 +126,21 @@ void System::carry(int rank, Carried what, std::vector<std::byte>& data, bool re
   }
 }
 
-void System::collect(Carried what) {
+void System::collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
+                     const std::function<void(const Computed& of, Parcel&)>& more) {
   if (!share_) return;
+  const auto carry_all = [&](int rank, std::vector<std::byte>& data, bool reading) {
+    Parcel parcel(data, reading);
+    carry(rank, what, parcel);
+    for (std::vector<Row>* rows : of_nodes)
+      for (const int k : share_->reported_by(rank)) parcel(&(*rows)[k], 1);
+    more([&](int group, std::size_t e) { return share_->partition().of_element(group, e) == rank; }, parcel);
+  };
   Ranks& ranks = share_->ranks();
   const int own = ranks.rank(), count = ranks.count();
   std::vector<std::byte> mine;
   const bool to_all = what == Carried::whole;
-  if (to_all || own != 0) carry(own, what, mine, false);
+  if (to_all || own != 0) carry_all(own, mine, false);
   const std::vector<std::uint64_t> sizes = gather(ranks, static_cast<std::uint64_t>(mine.size()));
   std::vector<std::vector<std::byte>> of_others(at(count));
   for (int r = 0; r < count; ++r) {
@@ -135,7 +153,7 @@ void System::collect(Carried what) {
   }
   ranks.finish();
   for (int r = 0; r < count; ++r)
-    if (!of_others[r].empty()) carry(r, what, of_others[r], true);
+    if (!of_others[r].empty()) carry_all(r, of_others[r], true);
 }
 
 }  // namespace nugget::system

@@ -501,7 +501,7 @@ void System::for_blocks(std::size_t first, std::size_t last,
 }
 
 void System::for_each_node(std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) const {
-  if (!share_) return parallel_for(nodes, grain, body);
+  if (!share_) return parallel_for(all_nodes(), grain, body);
   for_ranges(share_->followed(), body);
 }
 

@@ -118,7 +118,8 @@ class System {
   void internal_force(State& state);
   /// Calls `body(group, begin, end)` for ranges of blocks of elements, all of all groups, side by side.
   void for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const;
-  /// Calls `body(begin, end)` for ranges of real nodes that this rank follows, side by side; all, in one process.
+  /// Calls `body(begin, end)` for ranges of nodes that this rank follows, side by side; all, in one process. Virtual
+  /// ones are among them.
   void for_each_node(std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) const;
   /// Forces by which elements damp themselves, laid out as the slots of their internal forces (ElementGroup::slot_row);
   /// empty until `allocate_damping_slots`.
@@ -166,13 +167,23 @@ class System {
 
   /// From now on this rank computes its share of the elements only. All ranks do so at the same state, which is whole
   /// on each of them. `for_everyone`: elements whose state is looked at by what all ranks compute.
-  void share_out(Ranks& ranks, std::span<const ElementLocation> for_everyone);
+  /// `followed`: by node, whether all ranks follow its motion.
+  void share_out(Ranks& ranks, std::span<const ElementLocation> for_everyone, std::span<const char> followed);
   /// Share of the stable step below which all ranks are to know an element's; 0: none.
   double told_below = 0.0;
   /// What this rank does; null in a run by one process.
-  const Share* share() const { return share_.get(); }
+  Share* share() const { return share_.get(); }
   /// Elements of all ranks, of which each has computed its own, come to the first rank; `whole` to all of them.
-  void collect(Carried what);
+  /// `more(of, parcel)` puts into each parcel, or takes out of it, what others keep of the elements for which `of(group,
+  /// element)` is true.
+  /// With the elements go the rows `of_nodes` of nodes that not all ranks follow.
+  using Computed = std::function<bool(int group, std::size_t element)>;
+  void collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
+               const std::function<void(const Computed& of, Parcel&)>& more);
+  /// Whether this process computes an element: always, where it is alone.
+  bool computes(ElementLocation location) const;
+  /// Whether elements look at places of nodes that are not their own (BeforeCycle).
+  bool looks_at_neighbours() const;
   /// Takes the steps of elements that other ranks compute out of the choice: after `collect(Carried::whole)`.
   void leave_steps_to_others();
 
@@ -265,7 +276,7 @@ class System {
   std::vector<std::pair<int, std::size_t>> steps_of_others_;  ///< elements with a step by the last exchange_news
   /// Deleted elements, by group, as far as all ranks know them.
   void note_deleted();
-  void carry(int rank, Carried what, std::vector<std::byte>& data, bool reading);
+  void carry(int rank, Carried what, Parcel& parcel);
   void for_blocks(std::size_t first, std::size_t last,
                   const std::function<void(int, std::size_t, std::size_t)>& body) const;
   void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the ranks of a run agree on (docs/decisions/0101). In one process each of these functions does what it says for
 // the process alone.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "base/index.hpp"
 #include "impact/simulation/simulation.hpp"
+#include "system/share.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -14,6 +18,7 @@ struct Wishes {
   double step = std::numeric_limits<double>::infinity();
   int group = -1, element = -1;
   bool stop = false, restart_file = false, writes_restart_files = false, state = false;
+  int not_finite = std::numeric_limits<int>::max();  ///< the first node whose velocity is not a number
 };
 
 /// Whether `a` controls the step rather than `b`: the choice of one process, which goes through all elements in order
@@ -35,12 +40,63 @@ struct Balance {
 
 }  // namespace
 
+/// Nodes that all ranks follow, by node: where forces or motions are computed by all of them, whole. What acts only
+/// through elements, loads and supports leaves the others to the ranks whose elements have them.
+std::vector<char> Simulation::followed_by_all() const {
+  const model::Model& model = system_.model;
+  const Components& c = components_;
+  const bool everywhere =
+      system_.all_nodes() != system_.nodes || std::ranges::count(dependent_, 0) != std::ssize(dependent_) ||
+      !c.contacts.all().empty() || !c.interiors.all().empty() || !c.walls.all().empty() || !c.joints.empty() ||
+      c.rivets.size() != 0 || !model.discretes.empty() || !model.accelerometers.empty() || model.control.relaxation.on() ||
+      model.control.distorted_shells > 1 || model.control.distorted_full_shells > 1 || !c.damping.empty() ||
+      !model.body_loads.empty() || !model.control_volumes.empty() || system_.looks_at_neighbours();
+  std::vector<char> followed(system_.nodes, everywhere);
+  if (everywhere) return followed;
+  const auto follow = [&](model::Index n) {
+    if (n != model::none) followed[system_.node_of[n]] = 1;
+  };
+  for (const Supports::Reaction& r : c.supports.spc_reactions()) followed[r.node] = 1;
+  for (const Supports::Reaction& r : c.supports.motion_reactions()) followed[r.node] = 1;
+  for (const model::NodalLoad& load : model.nodal_loads) {
+    std::ranges::for_each(load.nodes, follow);
+    std::ranges::for_each(load.follower_nodes, follow);
+  }
+  for (const model::PressureLoad& load : model.pressure_loads)
+    for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
+  for (const model::TractionLoad& load : model.traction_loads)
+    for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
+  for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
+  for (const model::CoordinateSystem& system : model.systems)
+    if (system.nodes)
+      for (const model::Index n : {system.nodes->origin, system.nodes->on_axis, system.nodes->in_plane}) follow(n);
+  return followed;
+}
+
 void Simulation::share_out(Ranks& ranks) {
   std::vector<system::System::ElementLocation> read;
   components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
   ranks_ = &ranks;
   system_.told_below = components_.erosion.smallest_step(first_step_);
-  system_.share_out(ranks, read);
+  system_.share_out(ranks, read, followed_by_all());
+}
+
+bool Simulation::follows_every_node() const {
+  return ranks_ == nullptr || system_.share()->follows_everything();
+}
+
+void Simulation::report_power() {
+  system_.share()->report(node_power_);
+}
+
+void Simulation::collect(system::Carried what) {
+  std::vector<std::vector<Row>*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
+  if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
+  system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {
+    components_.for_each([&](auto& component) {
+      if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);
+    });
+  });
 }
 
 void Simulation::agree(const Options& options) {
@@ -52,6 +108,7 @@ void Simulation::agree(const Options& options) {
     own.restart_file = checkpoints_.due(options.checkpoints, state_.cycle, state_.time, solve_seconds_);
   }
   own.state = state_asked_;
+  if (state_.cycle % 50 == 0) own.not_finite = first_not_finite();
   controlling_ = system_.controlling();
   if (ranks_ != nullptr) {
     own.step = controlling_.step;
@@ -68,6 +125,7 @@ void Simulation::agree(const Options& options) {
       all.restart_file |= w.restart_file;
       all.writes_restart_files |= w.writes_restart_files;
       all.state |= w.state;
+      all.not_finite = std::min(all.not_finite, w.not_finite);
     }
     if (all.stop && !own.stop) interrupt("a signal to another rank");
     if (all.state) next_mark_ = -std::numeric_limits<double>::infinity();
@@ -77,6 +135,22 @@ void Simulation::agree(const Options& options) {
   stop_requested_ = own.stop;
   restart_file_due_ = own.restart_file || (own.stop && own.writes_restart_files);
   state_asked_ = false;
+  not_finite_ = own.not_finite == std::numeric_limits<int>::max() ? -1 : own.not_finite;
+}
+
+int Simulation::first_not_finite() const {
+  std::atomic<int> first{std::numeric_limits<int>::max()};
+  system_.for_each_node(2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) {
+      const Row& v = state_.v[k];
+      if (std::isfinite(v.x + v.y + v.z)) continue;
+      const int node = static_cast<int>(k);
+      for (int now = first; node < now && !first.compare_exchange_weak(now, node);) {
+      }
+      return;
+    }
+  });
+  return first;
 }
 
 bool Simulation::results_due(Recorder& recorder) const {

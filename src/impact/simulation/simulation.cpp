@@ -149,7 +149,7 @@ void Simulation::bound_step_again() {
   if (looks_ >= (assembled_step_.sheets() ? looks_at_sheets_at_first + state_.cycle / cycles_of_a_look_at_sheets
                                           : looks_at_first + state_.cycle / cycles_of_a_look))
     return;
-  system_.collect(system::Carried::whole);
+  collect(system::Carried::whole);
   const AssembledStep::Limit limit = assembled_step_.limit(state_, step);
   if (ranks_ != nullptr) system_.leave_steps_to_others();
   const double before = step_factor_;
@@ -257,7 +257,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (balance) store_velocities();
     update_velocities();
     if (balance) {
-      system_.collect(record ? system::Carried::results : system::Carried::energies);
+      collect(record ? system::Carried::results : system::Carried::energies);
       update_energy_balance();
     }
     // Numbers that are none would only spoil files that are good up to here.
@@ -323,7 +323,7 @@ void Simulation::obey(const SenseSwitches& switches, Recorder& recorder) {
 
 void Simulation::write_checkpoint_if_due(const Options& options) {
   if (!restart_file_due_) return;
-  system_.collect(system::Carried::whole);
+  collect(system::Carried::whole);
   if (options.write_checkpoint) options.write_checkpoint();
   if (ranks_ != nullptr) system_.leave_steps_to_others();
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
@@ -553,15 +553,9 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   if (masses_.physical > 0.0 && 100.0 * masses_.added / masses_.physical > control.added_mass_limit)
     return error(fmt::format("the added mass, {:.4g} % of the physical one, exceeds ENDMAS = {:.4g} %",
                              100.0 * masses_.added / masses_.physical, control.added_mass_limit));
-  if (state_.cycle % 50 == 0) {
-    for (std::size_t k = 0; k < system_.nodes; ++k) {
-      const Row& v = state_.v[k];
-      if (std::isfinite(v.x + v.y + v.z)) continue;
-      return error(
-          fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
-                      system_.node_id(static_cast<int>(k)), state_.time, state_.cycle));
-    }
-  }
+  if (not_finite_ >= 0)
+    return error(fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
+                             system_.node_id(not_finite_), state_.time, state_.cycle));
   const long most = options.max_cycles > 0 ? options.max_cycles : control.end_cycle;
   if (most > 0 && state_.cycle >= most) return {Termination::normal, fmt::format("stopped after {} cycles", most)};
   return {};
@@ -570,28 +564,46 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
 void Simulation::accelerate() {
   const double velocity_interval = 0.5 * (state_.dt + state_.dt_previous);
   constexpr std::size_t block = 1024;
-  block_power_.resize((system_.nodes + block - 1) / block);
-  parallel_for(block_power_.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      double power = 0.0;
-      for (std::size_t k = i * block; k < std::min(system_.nodes, (i + 1) * block); ++k) {
-        const double a = velocity_interval * inverse_mass_[k], b = velocity_interval * inverse_inertia_[k];
-        Row &v = state_.v[k], &w = state_.w[k];
-        const Row &f = state_.f[k], &m = state_.m[k];
-        v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
-        w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
-        power += a * (f.x * f.x + f.y * f.y + f.z * f.z) + b * (m.x * m.x + m.y * m.y + m.z * m.z);
+  // Gives a node its velocity, and the power of its forces on the change.
+  const auto accelerate = [&](std::size_t k) {
+    const double a = velocity_interval * inverse_mass_[k], b = velocity_interval * inverse_inertia_[k];
+    Row &v = state_.v[k], &w = state_.w[k];
+    const Row &f = state_.f[k], &m = state_.m[k];
+    v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
+    w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
+    return a * (f.x * f.x + f.y * f.y + f.z * f.z) + b * (m.x * m.x + m.y * m.y + m.z * m.z);
+  };
+  const auto sum_blocks = [&](const auto& term) {
+    block_power_.resize((system_.nodes + block - 1) / block);
+    parallel_for(block_power_.size(), 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        double power = 0.0;
+        for (std::size_t k = i * block; k < std::min(system_.nodes, (i + 1) * block); ++k) power += term(k);
+        block_power_[i] = power;
       }
-      block_power_[i] = power;
+    });
+  };
+  if (follows_every_node()) {
+    sum_blocks(accelerate);
+  } else {
+    node_power_.resize(system_.nodes);
+    system_.for_each_node(block, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) node_power_[k] = accelerate(k);
+    });
+    // At a constant step nobody asks for the power.
+    block_power_.clear();
+    if (state_.dt != state_.dt_previous) {
+      report_power();
+      if (on_first_rank()) sum_blocks([&](std::size_t k) { return node_power_[k]; });
     }
-  });
+  }
   power_on_change_ = 0.0;
   for (double power : block_power_) power_on_change_ += power;
   for (system::RigidBody& body : system_.bodies) power_on_change_ += body.advance(velocity_interval, state_.dt, state_);
 }
 
 void Simulation::move() {
-  parallel_for(system_.all_nodes(), 2048, [&](std::size_t begin, std::size_t end) {
+  system_.for_each_node(2048, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Row& x = state_.x[k];
       const Row& v = state_.v[k];
@@ -705,7 +717,7 @@ void Simulation::archive(Archive& a) {
     stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_mark_, checkpoints_, begin_,
+          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_mark_, checkpoints_, begin_,
           timed_until_);
 }
 

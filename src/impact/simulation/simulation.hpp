@@ -65,10 +65,16 @@ class Simulation {
   Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
   /// From now on several ranks compute the run together.
   void share_out(Ranks& ranks);
+  std::vector<char> followed_by_all() const;
+  int first_not_finite() const;
+  bool follows_every_node() const;
+  void report_power();
   bool on_first_rank() const { return ranks_ == nullptr || ranks_->rank() == 0; }
   /// Once a cycle, before it begins: the element that controls the step, and whether the run is to stop, to write a
   /// restart file or a state that is not due. Of several ranks all take the same.
   void agree(const Options& options);
+  /// Elements that other ranks compute, and what components keep of them; see System::collect.
+  void collect(system::Carried what);
   /// Whether results are due at the state that is about to be complete.
   bool results_due(Recorder& recorder) const;
   /// After a balance of energies, which the first rank makes: what others must know of it.
@@ -136,6 +142,7 @@ class Simulation {
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
   bool restart_file_due_ = false;
   Ranks* ranks_ = nullptr;  ///< null: one process
+  int not_finite_ = -1;     ///< a node whose velocity is not a number, every 50 cycles
   double next_mark_ = 0.0;  ///< over several ranks: Recorder::next_mark of the first one
   CheckpointSchedule checkpoints_;
   bool diverged_ = false;
@@ -145,6 +152,7 @@ class Simulation {
   double largest_input_ = 0.0;       ///< of the energy balances so far: what was there and put in, its size
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
   std::vector<double> block_power_;  ///< the nodes' part of it, by block
+  std::vector<double> node_power_;   ///< the same by node, where ranks follow nodes of their own
 
   Energy energy_;
   std::vector<PartEnergy> parts_;
