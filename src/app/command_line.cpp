@@ -273,6 +273,11 @@ int nugget::app::command_line(int argc, char** argv) {
   check_command->add_option("-o,--output", check.deck.directory, "folder for welds.csv, findings.json and check.log");
   check_command->add_option("--target-step", check.target_step, "mass or stiffness that each weld takes for this step")
       ->check(time);
+  check_command
+      ->add_option(
+          "-n,--ranks", check.ranks,
+          "how an explicit run over so many ranks (mpirun -n) would share out the elements; partition.vtu shows it")
+      ->check(count);
   check_command->add_option("-j,--threads", check.deck.threads, "threads (default: all cores)")->check(count);
   check_command->add_option("--weld-law", check.deck.weld_law, weld_law);
   add_weld_tie(check_command, check.deck.weld_tie);

@@ -104,6 +104,10 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   const double work = static_cast<double>(elements) * static_cast<double>(s.cycles);
   if (work > 0.0) s.ns_per_element_cycle = 1e9 * (run.solve_seconds() - s.seconds.output) / work;
   s.threads = threads();
+  s.ranks = nvh::ranks();
+  for (const impact::Simulation::RankReport& r : run.rank_reports())
+    s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.nodes), static_cast<long>(r.shared_nodes),
+                      static_cast<long>(r.neighbours), r.cost, r.messages, r.bytes, r.busy, r.waiting});
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);

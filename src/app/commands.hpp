@@ -57,6 +57,7 @@ struct ModesArguments {
 
 struct CheckArguments {
   RunArguments deck;  ///< of these: deck, directory, threads, weld_tie, units, load_case, skip_unsupported, weld_law
+  int ranks = 0;      ///< for so many the elements are shared out; 0: not asked
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 

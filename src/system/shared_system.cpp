@@ -22,8 +22,8 @@ struct ElementNews {
 
 }  // namespace
 
-void System::share_out(Ranks& ranks, std::span<const ElementLocation> for_everyone, std::span<const char> followed) {
-  share_ = std::make_unique<Share>(*this, ranks, Partition(*this, ranks.count(), for_everyone), followed);
+void System::share_out(Ranks& ranks, Partition partition, std::span<const char> followed) {
+  share_ = std::make_unique<Share>(*this, ranks, std::move(partition), followed);
   blocks_ = share_->blocks();
   leave_steps_to_others();
   deletions_seen_.assign(groups.size(), -1);

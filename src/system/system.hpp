@@ -26,6 +26,7 @@
 namespace nugget::system {
 
 enum class ShellKind;  // shell_elements.hpp
+class Partition;       // partition.hpp
 class Share;           // share.hpp
 
 /// A model made discrete: nodes and elements in an order that keeps neighbours close in memory, lumped masses, the
@@ -166,17 +167,15 @@ class System {
   // ---- A run over several ranks
 
   /// From now on this rank computes its share of the elements only. All ranks do so at the same state, which is whole
-  /// on each of them. `for_everyone`: elements whose state is looked at by what all ranks compute.
-  /// `followed`: by node, whether all ranks follow its motion.
-  void share_out(Ranks& ranks, std::span<const ElementLocation> for_everyone, std::span<const char> followed);
+  /// on each of them. `followed`: by node, whether all ranks follow its motion.
+  void share_out(Ranks& ranks, Partition partition, std::span<const char> followed);
   /// Share of the stable step below which all ranks are to know an element's; 0: none.
   double told_below = 0.0;
   /// What this rank does; null in a run by one process.
   Share* share() const { return share_.get(); }
   /// Elements of all ranks, of which each has computed its own, come to the first rank; `whole` to all of them.
-  /// `more(of, parcel)` puts into each parcel, or takes out of it, what others keep of the elements for which `of(group,
-  /// element)` is true.
-  /// With the elements go the rows `of_nodes` of nodes that not all ranks follow.
+  /// `more(of, parcel)` puts into each parcel, or takes out of it, what others keep of the elements for which
+  /// `of(group, element)` is true. With the elements go the rows `of_nodes` of nodes that not all ranks follow.
   using Computed = std::function<bool(int group, std::size_t element)>;
   void collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
                const std::function<void(const Computed& of, Parcel&)>& more);

@@ -40,17 +40,47 @@ struct Balance {
 
 }  // namespace
 
+std::vector<std::string> Simulation::computed_by_all() const {
+  const model::Model& model = system_.model;
+  const model::Control& control = model.control;
+  const Components& c = components_;
+  std::vector<std::string> whole;
+  const auto add = [&](bool there, const char* name) {
+    if (there) whole.emplace_back(name);
+  };
+  add(!c.contacts.all().empty(), "contact");
+  add(!c.interiors.all().empty(), "interior contact");
+  add(!c.walls.all().empty(), "rigid walls");
+  add(!system_.bodies.empty(), "rigid bodies");
+  add(!system_.ties.ties.empty() || !model.interpolations.empty() || !model.hanging_nodes.empty(), "ties");
+  add(!c.joints.empty(), "joints");
+  add(c.rivets.size() != 0, "rivets");
+  add(!model.discretes.empty(), "springs");
+  add(!model.accelerometers.empty(), "accelerometers");
+  add(!model.control_volumes.empty(), "gas in volumes");
+  add(!model.body_loads.empty(), "body loads");
+  add(!c.damping.empty(), "damping");
+  add(control.relaxation.on(), "dynamic relaxation");
+  add(control.distorted_shells > 1 || control.distorted_full_shells > 1, "deletion of distorted shells");
+  add(system_.looks_at_neighbours(), "nodal pressures of tetrahedra");
+  const bool depends =
+      system_.all_nodes() != system_.nodes || std::ranges::count(dependent_, 0) != std::ssize(dependent_);
+  add(whole.empty() && depends, "nodes that follow others");
+  return whole;
+}
+
+system::Partition Simulation::partition(int ranks) const {
+  std::vector<system::System::ElementLocation> read;
+  components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
+  return {system_, ranks, read};
+}
+
 /// Nodes that all ranks follow, by node: where forces or motions are computed by all of them, whole. What acts only
 /// through elements, loads and supports leaves the others to the ranks whose elements have them.
 std::vector<char> Simulation::followed_by_all() const {
   const model::Model& model = system_.model;
   const Components& c = components_;
-  const bool everywhere =
-      system_.all_nodes() != system_.nodes || std::ranges::count(dependent_, 0) != std::ssize(dependent_) ||
-      !c.contacts.all().empty() || !c.interiors.all().empty() || !c.walls.all().empty() || !c.joints.empty() ||
-      c.rivets.size() != 0 || !model.discretes.empty() || !model.accelerometers.empty() || model.control.relaxation.on() ||
-      model.control.distorted_shells > 1 || model.control.distorted_full_shells > 1 || !c.damping.empty() ||
-      !model.body_loads.empty() || !model.control_volumes.empty() || system_.looks_at_neighbours();
+  const bool everywhere = !computed_by_all().empty();
   std::vector<char> followed(system_.nodes, everywhere);
   if (everywhere) return followed;
   const auto follow = [&](model::Index n) {
@@ -74,11 +104,31 @@ std::vector<char> Simulation::followed_by_all() const {
 }
 
 void Simulation::share_out(Ranks& ranks) {
-  std::vector<system::System::ElementLocation> read;
-  components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
   ranks_ = &ranks;
+  traffic_before_ = ranks.traffic();
+  cycle_before_ = state_.cycle;
+  shared_out_at_ = elapsed();
   system_.told_below = components_.erosion.smallest_step(first_step_);
-  system_.share_out(ranks, read, followed_by_all());
+  system_.share_out(ranks, partition(ranks.count()), followed_by_all());
+}
+
+void Simulation::report_ranks() {
+  const double seconds = elapsed() - shared_out_at_,
+               cycles = std::max(1.0, static_cast<double>(state_.cycle - cycle_before_));
+  const Ranks::Traffic now = ranks_->traffic();
+  const double waiting = now.waiting - traffic_before_.waiting;
+  RankReport own;
+  own.messages = static_cast<double>(now.messages - traffic_before_.messages) / cycles;
+  own.bytes = static_cast<double>(now.bytes - traffic_before_.bytes) / cycles;
+  own.waiting = waiting;
+  own.busy = seconds - waiting;
+  const system::Partition::Share share = system_.share()->partition().shares(system_)[at(ranks_->rank())];
+  own.elements = share.elements;
+  own.nodes = share.nodes;
+  own.shared_nodes = share.shared_nodes;
+  own.neighbours = share.neighbours.size();
+  own.cost = share.cost;
+  rank_reports_ = gather(*ranks_, own);
 }
 
 bool Simulation::follows_every_node() const {

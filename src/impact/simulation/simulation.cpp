@@ -272,6 +272,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (!last) step();
   }
   solve_seconds_ = elapsed();
+  if (ranks_ != nullptr) report_ranks();
   interrupted_by = nullptr;  // not at the start: a signal that came while files were opened counts
   if (progress) report_progress(progress, end_time);
   // Of the last balance nobody has asked yet.
@@ -717,8 +718,8 @@ void Simulation::archive(Archive& a) {
     stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_mark_, checkpoints_, begin_,
-          timed_until_);
+          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_mark_,
+          rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
 }
 
 }  // namespace nugget::impact

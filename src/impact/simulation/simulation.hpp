@@ -12,6 +12,7 @@
 #include "impact/simulation/options.hpp"
 #include "impact/simulation/relaxation.hpp"
 #include "impact/simulation/snapshot.hpp"
+#include "system/partition.hpp"
 #include "system/spring_group.hpp"
 
 namespace nugget::impact {
@@ -48,6 +49,20 @@ class Simulation {
   const std::array<double, phases>& seconds() const { return seconds_; }
   double solve_seconds() const { return solve_seconds_; }
 
+  /// What a rank of the run did; of a run by one process there is none.
+  struct RankReport {
+    std::size_t elements = 0, nodes = 0, shared_nodes = 0, neighbours = 0;
+    double cost = 0.0;  ///< of its elements, over the mean of all ranks, as expected by system::element_cost
+    double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
+    double busy = 0.0, waiting = 0.0;    ///< seconds
+  };
+  const std::vector<RankReport>& rank_reports() const { return rank_reports_; }
+  /// What several ranks do not share out: every one of them computes it whole, and follows all nodes for that. Empty:
+  /// ranks follow the nodes of their elements, and those of supports and loads.
+  std::vector<std::string> computed_by_all() const;
+  /// How so many ranks would share out the elements.
+  system::Partition partition(int ranks) const;
+
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt(const char* by = "the user");
   static bool interrupted();
@@ -65,6 +80,7 @@ class Simulation {
   Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
   /// From now on several ranks compute the run together.
   void share_out(Ranks& ranks);
+  void report_ranks();
   std::vector<char> followed_by_all() const;
   int first_not_finite() const;
   bool follows_every_node() const;
@@ -141,9 +157,13 @@ class Simulation {
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
   bool restart_file_due_ = false;
-  Ranks* ranks_ = nullptr;  ///< null: one process
-  int not_finite_ = -1;     ///< a node whose velocity is not a number, every 50 cycles
-  double next_mark_ = 0.0;  ///< over several ranks: Recorder::next_mark of the first one
+  std::vector<RankReport> rank_reports_;
+  Ranks::Traffic traffic_before_;
+  long cycle_before_ = 0;       ///< when ranks began
+  Ranks* ranks_ = nullptr;      ///< null: one process
+  int not_finite_ = -1;         ///< a node whose velocity is not a number, every 50 cycles
+  double shared_out_at_ = 0.0;  ///< seconds: when ranks began
+  double next_mark_ = 0.0;      ///< over several ranks: Recorder::next_mark of the first one
   CheckpointSchedule checkpoints_;
   bool diverged_ = false;
   bool unstable_ = false;  ///< energy_is_made at the last cycle that is a multiple of 100
