@@ -71,13 +71,17 @@ class MpiRanks final : public nugget::Ranks {
   Traffic traffic() const override { return traffic_; }
 
  private:
-  /// Others may want the core: a rank that waits longer than messages take gives it away between two looks.
+  /// Others may want the core, ranks among them where there are more than cores: who waits longer than messages take
+  /// gives it away between two looks, and then sleeps.
   void wait() {
-    constexpr int looks = 200;
+    constexpr int looks = 200, yields = 2000;
     for (int look = 0, done = 0;; ++look) {
       MPI_Testall(static_cast<int>(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE);
       if (done) break;
-      if (look > looks) std::this_thread::yield();
+      if (look > yields)
+        std::this_thread::sleep_for(std::chrono::microseconds(20));
+      else if (look > looks)
+        std::this_thread::yield();
     }
     requests_.clear();
   }
