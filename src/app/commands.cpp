@@ -533,6 +533,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
     expect_same_deck(arguments.deck, p.deck_checksum, from->head());
   else
     output::remove_old_results(directory);
+  if (analysis != Analysis::explicit_dynamics) joined.decline();
   switch (analysis) {
     case Analysis::explicit_dynamics: return run_explicit(directory, arguments, std::move(p), findings, from, joined);
     case Analysis::direct_response: return direct_responses(directory, arguments, std::move(p), findings);

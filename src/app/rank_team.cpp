@@ -24,12 +24,13 @@ JoinedRun::JoinedRun(RankTeam* team, int load_case) : team_(team), exceptions_(s
 }
 
 JoinedRun::~JoinedRun() {
-  if (team_ == nullptr) return;
+  decline();
+  if (team_ != nullptr && begun_ && std::uncaught_exceptions() > exceptions_) team_->broken = true;
+}
+
+void JoinedRun::decline() {
   std::string why;
-  if (!agreed_)
-    agree({}, why);
-  else if (begun_ && std::uncaught_exceptions() > exceptions_)
-    team_->broken = true;
+  if (team_ != nullptr && !agreed_) agree({}, why);
 }
 
 bool JoinedRun::agree(const Ready& own, std::string& why) {

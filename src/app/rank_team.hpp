@@ -41,6 +41,8 @@ class JoinedRun {
   };
   /// Whether the run begins; all get the same answer. `why`: what differs between ranks, if that is the reason.
   bool agree(const Ready& own, std::string& why);
+  /// There is no explicit run: the others wait for what else the first rank does.
+  void decline();
   /// Null in a process of its own.
   Ranks* ranks() const { return team_ == nullptr ? nullptr : team_->ranks; }
 
