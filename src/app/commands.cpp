@@ -488,6 +488,10 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     fmt::print(stderr, "nugget: {}; nothing was run\n", why);
     return ExitCode::refused;
   }
+  if (const std::string crowded = joined.use_threads(arguments.threads); !crowded.empty()) {
+    log.add(fmt::format(" {}\n\n", crowded));
+    fmt::print(stderr, "note: {}\n", crowded);
+  }
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =
@@ -559,6 +563,7 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   impact::Simulation simulation(system, findings);
   std::string why;
   if (!joined.agree(ready(p, findings), why)) return ExitCode::normal;
+  joined.use_threads(arguments.threads);
   interrupt_on_signals(0.0);
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles, .ranks = joined.ranks()};
   if (from != nullptr) options.restore = [&] { (*from)(simulation); };

@@ -2,9 +2,13 @@
 #include "app/rank_team.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <exception>
+#include <thread>
+
+#include "base/parallel.hpp"
 
 namespace nugget::app {
 namespace {
@@ -26,6 +30,18 @@ JoinedRun::JoinedRun(RankTeam* team, int load_case) : team_(team), exceptions_(s
 JoinedRun::~JoinedRun() {
   decline();
   if (team_ != nullptr && begun_ && std::uncaught_exceptions() > exceptions_) team_->broken = true;
+}
+
+std::string JoinedRun::use_threads(int asked) const {
+  if (team_ == nullptr) return {};
+  const int cores = std::max(1, static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN))), here = team_->on_this_machine,
+            own = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  set_threads(asked > 0 ? asked : std::min(own, std::max(1, cores / here)));
+  if (here * threads() <= cores) return {};
+  return fmt::format(
+      "{} rank{} of {} thread{} on a machine of {} core{}: they wait for each other's cores [fewer ranks, or -j {}]", here,
+      here == 1 ? "" : "s", threads(), threads() == 1 ? "" : "s", cores, cores == 1 ? "" : "s",
+      std::max(1, cores / here));
 }
 
 void JoinedRun::decline() {

@@ -13,6 +13,7 @@ namespace nugget::app {
 /// same command line, and the same deck, and compute their shares in silence.
 struct RankTeam {
   Ranks* ranks = nullptr;
+  int on_this_machine = 1;  ///< how many of them
   std::function<void(int load_case)> call;  ///< on the first rank: the others begin to read for this case
   bool called = false;                      ///< on the others
   int load_case = 0;                        ///< on the others: which one
@@ -41,6 +42,9 @@ class JoinedRun {
   };
   /// Whether the run begins; all get the same answer. `why`: what differs between ranks, if that is the reason.
   bool agree(const Ready& own, std::string& why);
+  /// Threads of each rank from here on: what was asked for; else this machine's cores over its ranks, as far as mpirun
+  /// has not bound this one to fewer. What to say of it: empty where there are cores enough.
+  std::string use_threads(int asked) const;
   /// There is no explicit run: the others wait for what else the first rank does.
   void decline();
   /// Null in a process of its own.

@@ -194,6 +194,9 @@ int run(int argc, char** argv) {
   nugget::output::take_for_program(std::filesystem::read_symlink("/proc/self/exe", unknown).replace_filename("nugget"));
   nugget::app::RankTeam team;
   team.ranks = &all;
+  MPI_Comm here = MPI_COMM_NULL;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+  MPI_Comm_size(here, &team.on_this_machine);
   nugget::app::set_rank_team(&team);
   if (all.rank() == 0) {
     nugget::app::guard_terminal();
