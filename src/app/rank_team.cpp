@@ -39,8 +39,8 @@ std::string JoinedRun::use_threads(int asked) const {
   set_threads(asked > 0 ? asked : std::min(own, std::max(1, cores / here)));
   if (here * threads() <= cores) return {};
   return fmt::format(
-      "{} rank{} of {} thread{} on a machine of {} core{}: they wait for each other's cores [fewer ranks, or -j {}]", here,
-      here == 1 ? "" : "s", threads(), threads() == 1 ? "" : "s", cores, cores == 1 ? "" : "s",
+      "{} rank{} of {} thread{} on a machine of {} core{}: they wait for each other's cores [fewer ranks, or -j {}]",
+      here, here == 1 ? "" : "s", threads(), threads() == 1 ? "" : "s", cores, cores == 1 ? "" : "s",
       std::max(1, cores / here));
 }
 

@@ -13,7 +13,7 @@ namespace nugget::app {
 /// same command line, and the same deck, and compute their shares in silence.
 struct RankTeam {
   Ranks* ranks = nullptr;
-  int on_this_machine = 1;  ///< how many of them
+  int on_this_machine = 1;                  ///< how many of them
   std::function<void(int load_case)> call;  ///< on the first rank: the others begin to read for this case
   bool called = false;                      ///< on the others
   int load_case = 0;                        ///< on the others: which one

@@ -129,15 +129,17 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
 void System::collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
                      const std::function<void(const Computed& of, Parcel&)>& more) {
   if (!share_) return;
+  const int count = share_->ranks().count();
   const auto carry_all = [&](int rank, std::vector<std::byte>& data, bool reading) {
     Parcel parcel(data, reading);
     carry(rank, what, parcel);
     for (std::vector<Row>* rows : of_nodes)
       for (const int k : share_->reported_by(rank)) parcel(&(*rows)[k], 1);
-    more([&](int group, std::size_t e) { return share_->partition().of_element(group, e) == rank; }, parcel);
+    more({rank, count, [&](int group, std::size_t e) { return share_->partition().of_element(group, e) == rank; }},
+         parcel);
   };
   Ranks& ranks = share_->ranks();
-  const int own = ranks.rank(), count = ranks.count();
+  const int own = ranks.rank();
   std::vector<std::byte> mine;
   const bool to_all = what == Carried::whole;
   if (to_all || own != 0) carry_all(own, mine, false);

@@ -176,7 +176,11 @@ class System {
   /// Elements of all ranks, of which each has computed its own, come to the first rank; `whole` to all of them.
   /// `more(of, parcel)` puts into each parcel, or takes out of it, what others keep of the elements for which
   /// `of(group, element)` is true. With the elements go the rows `of_nodes` of nodes that not all ranks follow.
-  using Computed = std::function<bool(int group, std::size_t element)>;
+  struct Computed {
+    int rank = 0, ranks = 1;  ///< whose parcel it is
+    std::function<bool(int group, std::size_t element)> element;
+    bool operator()(int group, std::size_t e) const { return element(group, e); }
+  };
   void collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
                const std::function<void(const Computed& of, Parcel&)>& more);
   /// Whether this process computes an element: always, where it is alone.

@@ -623,7 +623,8 @@ void Simulation::move() {
 void Simulation::contact_forces() {
   longest_step_ = std::max(longest_step_, stable_step_);
   const contact::Step step{state_.time, state_.dt, stable_step_,  longest_step_,
-                           state_.x,    state_.v,  contact_mass_, components_.element_alive.all()};
+                           state_.x,    state_.v,  contact_mass_, components_.element_alive.all(),
+                           ranks_};
   components_.contacts.apply(step, state_.f);
   components_.interiors.apply(step, state_.f);
   components_.walls.press(step, state_.f);
