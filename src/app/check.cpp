@@ -12,6 +12,7 @@
 #include "app/frf.hpp"
 #include "app/linear_job.hpp"
 #include "app/load_cases.hpp"
+#include "app/partition_report.hpp"
 #include "app/preload.hpp"
 #include "app/run_log.hpp"
 #include "app/subcycling.hpp"
@@ -115,6 +116,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   Log log(directory / "check.log");
   // Faults of ties, of the system and of what acts in it are reported together.
   const Analysis analysis = analysis_of(p.model);
+  std::string ranks;
   if (p.is_tied && analysis != Analysis::explicit_dynamics) {
     try_linear_setup(directory, arguments.deck, p, analysis, findings);
   } else if (p.is_tied) {
@@ -123,6 +125,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
     impact::Simulation simulation(*system, findings);
     check_subcycling(simulation, findings);
     if (findings.errors() == 0) try_first_cycles(p.model, simulation, findings);
+    if (findings.errors() == 0 && arguments.ranks > 0) ranks = report_partition(directory, simulation, arguments.ranks);
   }
   const std::string refused = findings.errors() > 0 ? report_refused_welds(p, findings) : std::string();
   start_log(log, arguments.deck, p, findings);
@@ -137,6 +140,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   }
   audit += add_holds(p);
   add_joints(p);
+  audit += ranks;
   audit += weld_table(p.model, p.ties, p.audit);
   audit +=
       fmt::format("\nSeconds: read {:.2f}, tie {:.2f}, audit {:.2f}\n", p.read_seconds, p.tie_seconds, p.audit_seconds);
@@ -151,7 +155,9 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
 
 ExitCode check(const CheckArguments& arguments) {
   if (has_cases(arguments.deck))
-    return each_case(arguments.deck, [&](const RunArguments& one) { return check({one, arguments.target_step}); });
+    return each_case(arguments.deck, [&](const RunArguments& one) {
+      return check({one, arguments.ranks, arguments.target_step});
+    });
   // A check must not take the place of results: those of a run in the same folder stay whole (decision 0015).
   const fs::path asked = arguments.deck.directory;
   std::error_code error;

@@ -276,6 +276,11 @@ int nugget::app::command_line(int argc, char** argv) {
   check_command->add_option("-o,--output", check.deck.directory, "folder for welds.csv, findings.json and check.log");
   check_command->add_option("--target-step", check.target_step, "mass or stiffness that each weld takes for this step")
       ->check(time);
+  check_command
+      ->add_option(
+          "-n,--ranks", check.ranks,
+          "how an explicit run over so many ranks (mpirun -n) would share out the elements; partition.vtu shows it")
+      ->check(count);
   check_command->add_option("-j,--threads", check.deck.threads, "threads (default: all cores)")->check(count);
   check_command->add_option("--weld-law", check.deck.weld_law, weld_law);
   add_weld_tie(check_command, check.deck.weld_tie);
@@ -523,6 +528,7 @@ int nugget::app::command_line(int argc, char** argv) {
     return cli.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
   }
   if (!stop_after.empty()) run.stop_after = *nugget::app::clock_seconds(stop_after);
+  run.over_ranks = true;
   if (run_command->parsed()) return static_cast<int>(nugget::app::run(run));
   if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));
   if (frf_command->parsed()) return static_cast<int>(nugget::app::frf(frf, direct));

@@ -20,6 +20,7 @@
 #include "app/modes.hpp"
 #include "app/outcome.hpp"
 #include "app/progress.hpp"
+#include "app/rank_team.hpp"
 #include "app/restart.hpp"
 #include "app/run_log.hpp"
 #include "app/run_status.hpp"
@@ -104,6 +105,10 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   const double work = static_cast<double>(elements) * static_cast<double>(s.cycles);
   if (work > 0.0) s.ns_per_element_cycle = 1e9 * (run.solve_seconds() - s.seconds.output) / work;
   s.threads = threads();
+  s.ranks = nvh::ranks();
+  for (const impact::Simulation::RankReport& r : run.rank_reports())
+    s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.nodes), static_cast<long>(r.shared_nodes),
+                      static_cast<long>(r.neighbours), r.cost, r.messages, r.bytes, r.busy, r.waiting});
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);
@@ -170,7 +175,7 @@ void interrupt_on_signals(double stop_after) {
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as
 /// far as that can still be done.
 impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directory, const RunArguments& arguments,
-                         output::RestartHead head, output::RestartReader* from, Log& log) {
+                         output::RestartHead head, output::RestartReader* from, Ranks* ranks, Log& log) {
   interrupt_on_signals(arguments.stop_after);
   ProgressDisplay display;
   StatusFile status(directory, arguments.deck);
@@ -188,6 +193,7 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
                               {system.model.title, fmt::format("nugget {}", NUGGET_VERSION), head.date,
                                from == nullptr ? output::OpenMode::create : output::OpenMode::append});
     impact::Options options = options_of(arguments, head, directory, simulation, files, from);
+    options.ranks = ranks;
     options.sense_switches = [&] {
       const impact::SenseSwitches asked = take_sense_switch(directory);
       if (asked.report || asked.restart_file || asked.state) {
@@ -380,10 +386,10 @@ std::string wrong_command(Analysis analysis, const RunArguments& arguments, cons
            "precision only [leave the option out]";
   if (arguments.subcycle && !is_explicit)
     return "--subcycle: this deck asks for an implicit solution, which has no cycles [leave the option out]";
-  if (findings.errors() == 0 && is_explicit && nvh::ranks() > 1)
+  if (findings.errors() == 0 && is_explicit && nvh::ranks() > 1 && !arguments.over_ranks)
     return fmt::format(
-        "{}: this is an explicit run, which is one process with -j N threads; several ranks are for modes, responses "
-        "and statics; nothing was run",
+        "{}: explicit runs of this command are one process each, with -j N threads; several ranks are for nugget run, "
+        "modes, responses and statics; nothing was run",
         arguments.deck);
   return {};
 }
@@ -440,9 +446,14 @@ void report_end(const RunArguments& arguments, const fs::path& directory, const 
   fmt::print("{}", log_termination({outcome.termination, {}}));
 }
 
+/// What the ranks of a run compare before it begins.
+JoinedRun::Ready ready(const PreparedDeck& p, const Findings& findings) {
+  return {findings.errors() == 0, p.deck_checksum, output::checksum_of_program(), system::elements_at_a_time()};
+}
+
 /// `from`: the restart file of a run that is resumed; null: a new one.
 ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, PreparedDeck p, Findings& findings,
-                      output::RestartReader* from) {
+                      output::RestartReader* from, JoinedRun& joined) {
   Log log(directory / "run.log");
   Clock clock;
   std::optional<system::System> system;
@@ -478,10 +489,20 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(log_ties(p.model, p.ties, no_limit) + log_tied_nodes(p.model, p.ties));
     log.add(audit_table(p.model, p.ties, p.audit));
   }
+  std::string why;
+  if (!joined.agree(ready(p, findings), why)) {
+    log.add(fmt::format(" {}\n\n E r r o r   t e r m i n a t i o n\n", why));
+    fmt::print(stderr, "nugget: {}; nothing was run\n", why);
+    return ExitCode::refused;
+  }
+  if (const std::string crowded = joined.use_threads(arguments.threads); !crowded.empty()) {
+    log.add(fmt::format(" {}\n\n", crowded));
+    fmt::print(stderr, "note: {}\n", crowded);
+  }
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =
-      simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, log);
+      simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, joined.ranks(), log);
 
   impact::add_weld_results(simulation->system(), simulation->components(), p.welds);
   output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
@@ -509,6 +530,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
 /// `from` as of run_explicit.
 ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
   use_threads(arguments.threads);
+  JoinedRun joined(arguments.over_ranks ? rank_team() : nullptr, arguments.load_case);
   Findings findings;
   PreparedDeck p = prepare(arguments, findings);
   if (!p.has_text) return refuse_missing(findings);
@@ -522,8 +544,9 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
     expect_same_deck(arguments.deck, p.deck_checksum, from->head());
   else
     output::remove_old_results(directory);
+  if (analysis != Analysis::explicit_dynamics) joined.decline();
   switch (analysis) {
-    case Analysis::explicit_dynamics: return run_explicit(directory, arguments, std::move(p), findings, from);
+    case Analysis::explicit_dynamics: return run_explicit(directory, arguments, std::move(p), findings, from, joined);
     case Analysis::direct_response: return direct_responses(directory, arguments, std::move(p), findings);
     case Analysis::statics: return statics_of(directory, arguments, std::move(p), findings);
     case Analysis::modes_and_responses: {
@@ -534,6 +557,29 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
     }
   }
   return ExitCode::error_termination;
+}
+
+/// A rank of a run that another one leads: computes its share and writes nothing.
+ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
+  use_threads(arguments.threads);
+  JoinedRun joined(rank_team(), arguments.load_case);
+  Findings findings;
+  PreparedDeck p = prepare(arguments, findings);
+  if (!p.has_text || analysis_of(p.model) != Analysis::explicit_dynamics || !p.is_tied) return ExitCode::normal;
+  system::System system(p.model, p.ties, findings);
+  impact::Simulation simulation(system, findings);
+  std::string why;
+  if (!joined.agree(ready(p, findings), why)) return ExitCode::normal;
+  joined.use_threads(arguments.threads);
+  interrupt_on_signals(0.0);
+  impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles, .ranks = joined.ranks()};
+  if (from != nullptr) options.restore = [&] { (*from)(simulation); };
+  class : public impact::Recorder {
+    bool due(const system::State&) override { return false; }
+    void write(const impact::Snapshot&, bool) override {}
+  } nothing;
+  simulation.run(options, nothing, {});
+  return ExitCode::normal;
 }
 
 /// The same, and its results for ParaView where they are asked for.
@@ -553,7 +599,24 @@ ExitCode run_and_convert(const fs::path& directory, const RunArguments& argument
 }  // namespace
 
 ExitCode run(const RunArguments& arguments) {
-  if (drops_each(arguments.drop_weld)) return run_without_each(arguments);
+  const RankTeam* team = rank_team();
+  const bool called = team != nullptr && team->called;
+  if (called && arguments.resume.empty()) {
+    RunArguments one = arguments;
+    if (team->load_case != 0) one.load_case = team->load_case;
+    return join(one, nullptr);
+  }
+  if (drops_each(arguments.drop_weld)) {
+    if (nvh::ranks() > 1) {
+      fmt::print(
+          stderr,
+          "nugget: --drop-weld {}: these are many runs, each a process of its own: leave mpirun out, and give -j "
+          "N\n",
+          arguments.drop_weld);
+      return ExitCode::wrong_command;
+    }
+    return run_without_each(arguments);
+  }
   if (has_cases(arguments)) return each_case(arguments, run);
   if (arguments.resume.empty())
     return guarded(arguments.directory,
@@ -569,7 +632,7 @@ ExitCode run(const RunArguments& arguments) {
           fmt::format("--until {:g} lies before the restart file, whose time is {:g}: give a later end, "
                       "or run the deck again",
                       run.until, from->head().time));
-    return run_and_convert(run.directory, run, from.get());
+    return called ? join(run, from.get()) : run_and_convert(run.directory, run, from.get());
   });
 }
 

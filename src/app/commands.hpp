@@ -40,7 +40,8 @@ struct RunArguments {
   std::vector<std::string> intrusion;  ///< of those runs: pairs of nodes `A,B`
   int load_case = 0;                   ///< *CASE of the deck; 0: all of them, one after the other
   bool skip_unsupported = false;
-  bool vtk = false;  ///< states, modes and welds as .vtu and .pvd, too
+  bool over_ranks = false;  ///< an explicit run may be shared out among the ranks of mpirun
+  bool vtk = false;         ///< states, modes and welds as .vtu and .pvd, too
   bool quiet = false;
   impact::ProgressCallback progress;  ///< of an explicit run, instead of its display; empty: that, unless quiet
 };
@@ -57,6 +58,7 @@ struct ModesArguments {
 
 struct CheckArguments {
   RunArguments deck;  ///< of these: deck, directory, threads, weld_tie, units, load_case, skip_unsupported, weld_law
+  int ranks = 0;      ///< for so many the elements are shared out; 0: not asked
   double target_step = 0.0;  ///< what each weld would take to allow it; 0: not asked [time]
 };
 

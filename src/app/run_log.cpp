@@ -224,6 +224,33 @@ std::string log_mass(const system::System& system) {
   return s + '\n';
 }
 
+std::string log_computed_by_all(const impact::Simulation& run) {
+  const std::vector<std::string> whole = run.computed_by_all();
+  if (whole.empty()) return " elements and nodes are shared out\n\n";
+  return fmt::format(" elements are shared out; every rank moves all nodes and computes whole: {}\n\n",
+                     fmt::join(whole, ", "));
+}
+
+/// Of a run over several ranks: what each had, sent and waited for.
+std::string log_ranks(const impact::Simulation& run, const output::Summary& summary) {
+  if (summary.rank.empty()) return {};
+  std::string s =
+      "Ranks\n\n" + log_computed_by_all(run) +
+      " rank  elements     nodes    shared  neighbours  expected load  messages a cycle  bytes a cycle  busy s  "
+      "waiting\n";
+  double most = 0.0, mean = 0.0;
+  for (std::size_t r = 0; r < summary.rank.size(); ++r) {
+    const output::Summary::Rank& rank = summary.rank[r];
+    const double seconds = rank.busy + rank.waiting;
+    s += fmt::format(" {:>4} {:>9} {:>9} {:>9} {:>11} {:>14.3f} {:>17.1f} {:>14.0f} {:>7.2f} {:>7.1f} %\n", r,
+                     rank.elements, rank.nodes, rank.shared_nodes, rank.neighbours, rank.expected_load, rank.messages,
+                     rank.bytes, rank.busy, seconds > 0.0 ? 100.0 * rank.waiting / seconds : 0.0);
+    most = std::max(most, rank.busy);
+    mean += rank.busy / static_cast<double>(summary.rank.size());
+  }
+  return s + fmt::format("\n the busiest rank has {:.2f} times the mean work\n\n", mean > 0.0 ? most / mean : 1.0);
+}
+
 std::string log_run(const impact::Simulation& run, const output::Summary& summary) {
   const auto units = model::units_named(summary.units);
   const std::string in_time = model::unit_of(units, dimension::time);
@@ -280,7 +307,7 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   s += fmt::format(" {:.1f} ns per element and cycle on {} threads, {} elements at a time",
                    summary.ns_per_element_cycle, summary.threads, summary.lanes);
   if (summary.elements_by_precision.single > 0) s += fmt::format(", of single precision {}", 2 * summary.lanes);
-  return s + "\n\n";
+  return s + "\n\n" + log_ranks(run, summary);
 }
 
 std::string in_short(const output::Summary& summary) {

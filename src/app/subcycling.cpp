@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "nvh/matrices/ranks.hpp"
+
 namespace nugget::app {
 
 void make_system(const PreparedDeck& p, std::optional<system::System>& system, Findings& findings) {
@@ -39,6 +41,7 @@ void check_subcycling(const impact::Simulation& simulation, Findings& findings) 
                    : "leave the option out; DT2MS of *CONTROL_TIMESTEP is another way to longer steps");
   };
   const impact::Components& acting = simulation.components();
+  if (nvh::ranks() > 1) refuse("several ranks", "among which sub-cycling is not shared out");
   if (model.control.relaxation.on()) refuse("a dynamic relaxation", "whose damping goes by the cycles of all elements");
   for (const auto& group : system.groups) {
     if (!group->damped() && !(group->damping_stiffness_ratio > 0.0)) continue;

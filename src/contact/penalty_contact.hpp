@@ -22,6 +22,8 @@ class PenaltyContact {
 
   /// See SurfaceContact::apply.
   void apply(const Step& step, std::span<Row> force);
+  /// See SurfaceContact::carry.
+  void carry(int rank, int ranks, system::Parcel& parcel) { surface_.carry(rank, ranks, parcel); }
   /// Elements of the surface were deleted.
   void surface_changed();
 

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "base/ranks.hpp"
 #include "base/row.hpp"
 
 namespace nugget::contact {
@@ -20,6 +21,7 @@ struct Step {
   std::span<const Row> v;  ///< velocities in its middle
   std::span<const double> mass;
   std::span<const unsigned char> element_alive;
+  Ranks* ranks = nullptr;  ///< that compute the contact together; null: this process alone
 };
 
 }  // namespace nugget::contact

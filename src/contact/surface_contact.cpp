@@ -108,10 +108,15 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
 void SurfaceContact::apply(const Step& step, std::span<Row> force) {
   const bool active = !faces_.empty() && step.time >= birth_ && step.time < death_;
   if (active) {
-    if (moved_too_far(step.x) || !searched_) search(step.x, step.element_alive);
-    parallel_for(active_blocks_.size(), 4,
+    if (moved_too_far(step.x) || !searched_) search(step.x, step.element_alive, step.ranks);
+    own_active_.clear();
+    for (const int b : active_blocks_)
+      if (computes(at(b), step.ranks)) own_active_.push_back(b);
+    parallel_for(own_active_.size(), 4,
                  [this, &step](std::size_t begin, std::size_t end) { look_at(begin, end, work_of_thread(), step); });
+    if (step.ranks != nullptr) exchange_hits(*step.ranks);
   }
+  shared_ = step.ranks != nullptr;
   add_forces(step, force, active);
 }
 
@@ -156,13 +161,13 @@ SurfaceContact::Touch& SurfaceContact::Block::touch(Pair& pair) {
 /// Works on some of the active blocks. A body has more pairs and segments than a cache holds: the pairs of the block
 /// after the next, and the segments of the next, are on their way meanwhile.
 void SurfaceContact::look_at(std::size_t begin, std::size_t end, Work& work, const Step& step) {
-  wake(blocks_[active_blocks_[begin]], work.next);
+  wake(blocks_[own_active_[begin]], work.next);
   for (std::size_t b = begin; b < end; ++b) {
-    if (b + 4 < end) ask_for_lines(&blocks_[active_blocks_[b + 4]], sizeof(Block));
-    if (b + 2 < end) ask_for(blocks_[active_blocks_[b + 2]]);
+    if (b + 4 < end) ask_for_lines(&blocks_[own_active_[b + 4]], sizeof(Block));
+    if (b + 2 < end) ask_for(blocks_[own_active_[b + 2]]);
     std::swap(work.awake, work.next);
-    if (b + 1 < end) wake(blocks_[active_blocks_[b + 1]], work.next);
-    look_at(blocks_[active_blocks_[b]], work, step);
+    if (b + 1 < end) wake(blocks_[own_active_[b + 1]], work.next);
+    look_at(blocks_[own_active_[b]], work, step);
   }
 }
 
@@ -616,7 +621,7 @@ void SurfaceContact::add_forces(const Step& step, std::span<Row> force, bool act
   deepest_ = 0.0;
   for (std::vector<Source>& sources : sources_) sources.clear();
   if (active) {
-    for (const int b : active_blocks_) {
+    for (const int b : step.ranks != nullptr ? with_hits_ : active_blocks_) {
       const Block& block = blocks_[b];
       resultant_ += block.resultant;
       deepest_ = std::max(deepest_, block.deepest);
@@ -663,7 +668,8 @@ void SurfaceContact::archive(Archive& a) {
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_,
     active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, energies_);
   a.built(law_, stiffness_scale_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, masses_,
-          around_, excluded_, stays_active_, thickest_segment_, pressing_, margin_, sources_, work_);
+          around_, excluded_, stays_active_, thickest_segment_, pressing_, margin_, sources_, work_, shared_,
+          own_active_, with_hits_);
 }
 
 }  // namespace nugget::contact

@@ -13,6 +13,7 @@
 #include "contact/step.hpp"
 #include "contact/surface.hpp"
 #include "kernel/contact/penalty.hpp"
+#include "system/parcel.hpp"
 
 namespace nugget::contact {
 
@@ -117,6 +118,9 @@ class SurfaceContact {
   /// force; the solver's a = (force - internal)/m).
   void apply(const Step& step, std::span<Row> force);
 
+  /// Over several ranks (Step::ranks): what this class remembers of the pairs of a rank, on its way to another one.
+  void carry(int rank, int ranks, system::Parcel& parcel);
+
   /// Tracked nodes (in the order of the setup) that something else holds are not looked at while their entry is not 0;
   /// the vector must outlive the contact.
   void exclude(const std::vector<unsigned char>& excluded) { excluded_ = &excluded; }
@@ -144,7 +148,7 @@ class SurfaceContact {
   template <class Visit>
   void each_hit(const Visit& visit) const {
     if (touching_ == 0) return;
-    for (int b : active_blocks_)
+    for (int b : shared_ ? with_hits_ : active_blocks_)
       for (const Hit& hit : blocks_[b].hits) visit(hit);
   }
   double deepest() const { return deepest_; }  ///< largest depth that counts in a force [length]
@@ -294,7 +298,11 @@ class SurfaceContact {
   template <class Displacement>
   double approach(const Displacement& displacement);
   double widest(int tracked) const { return 0.5 * (nodes_[tracked].thickness + thickest_segment_); }
-  void search(std::span<const Row> x, std::span<const unsigned char> element_alive);
+  void search(std::span<const Row> x, std::span<const unsigned char> element_alive, const Ranks* ranks);
+  static bool computes(std::size_t block, const Ranks* ranks) {
+    return ranks == nullptr || static_cast<int>(block % at(ranks->count())) == ranks->rank();
+  }
+  void exchange_hits(Ranks& ranks);
   void list_neighbours(Block& block, const BoxTree& tree, Work& work, std::span<const Row> x,
                        std::span<const unsigned char> element_alive) const;
   Box around(const Block& block, int tracked, const Vec3d& p) const;
@@ -374,7 +382,11 @@ class SurfaceContact {
   std::vector<Box> moved_;            // displacements of active_nodes_, by group of nodes
   std::vector<int> active_segments_;  // active segments at the last search
   std::vector<Block> blocks_;
-  std::vector<int> active_blocks_;            // blocks that have pairs
+  std::vector<int> active_blocks_;  // blocks that have pairs
+  // Over several ranks, of which each looks at some of the blocks:
+  bool shared_ = false;                       // the last forces were found so
+  std::vector<int> own_active_;               // those of active_blocks_ that this rank looks at
+  std::vector<int> with_hits_;                // blocks of all ranks that have hits
   std::vector<std::vector<Source>> sources_;  // of forces, by part of the nodes
   std::vector<NodalForces::Work> work_;       // by part of the nodes
 

@@ -20,7 +20,7 @@ bool any_bricks(const SurfaceContactSetup& setup) {
 /// The overlaps of a contact that has not been applied yet. The lists of the last call stay, where no nodes have moved
 /// too far for them; what is found is the same.
 std::vector<Penetration> SurfaceContact::penetrations(std::span<const Row> x) {
-  if (!searched_ || !lists_are_good_for(x)) search(x, {});
+  if (!searched_ || !lists_are_good_for(x)) search(x, {}, nullptr);
   Step step;
   step.x = x;
   std::vector<std::vector<Penetration>> found(active_blocks_.size());

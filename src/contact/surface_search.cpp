@@ -48,7 +48,7 @@ bool SurfaceContact::lists_are_good_for(std::span<const Row> x) {
   return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - vec(searched_at_[i]); }) <= margin_;
 }
 
-void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive) {
+void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive, const Ranks* ranks) {
   active_nodes_.clear();
   active_nodes_.reserve(forces_.nodes().size());
   searched_at_.clear();
@@ -75,8 +75,9 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
   const BoxTree tree = BoxTree(boxes);
   boxes = {};
 
-  const auto list = [this, &tree, &x, &element_alive](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) list_neighbours(blocks_[b], tree, work_of_thread(), x, element_alive);
+  const auto list = [this, &tree, &x, &element_alive, ranks](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b)
+      if (computes(b, ranks)) list_neighbours(blocks_[b], tree, work_of_thread(), x, element_alive);
   };
   parallel_for(blocks_.size(), 4, list);
   active_blocks_.clear();

@@ -134,6 +134,16 @@ Json to_json(const Summary& s) {
     json["elements_by_precision"] = {{"single", s.elements_by_precision.single},
                                      {"double", s.elements_by_precision.of_double}};
   json["ranks"] = s.ranks;
+  for (const Summary::Rank& r : s.rank)
+    json["rank"].push_back({{"elements", r.elements},
+                            {"nodes", r.nodes},
+                            {"shared_nodes", r.shared_nodes},
+                            {"neighbours", r.neighbours},
+                            {"expected_load", r.expected_load},
+                            {"messages_per_cycle", r.messages},
+                            {"bytes_per_cycle", r.bytes},
+                            {"busy", r.busy},
+                            {"waiting", r.waiting}});
   json["weld"] = Json::array();
   for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));
   json["modes"] = Json::array();

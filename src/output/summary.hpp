@@ -148,6 +148,14 @@ struct Summary {
   std::optional<Hourglass> hourglass;  ///< nothing where there is none of that energy
   double ns_per_element_cycle = 0.0;
   int threads = 0, ranks = 1;
+  /// A rank of an explicit run over several.
+  struct Rank {
+    long elements = 0, nodes = 0, shared_nodes = 0, neighbours = 0;
+    double expected_load = 0.0;          ///< over the mean of all
+    double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
+    double busy = 0.0, waiting = 0.0;    ///< seconds
+  };
+  std::vector<Rank> rank;
   int lanes = 1;                     ///< elements of double precision that the kernels took at a time
   std::string precision = "double";  ///< that was asked for
   struct ElementsByPrecision {

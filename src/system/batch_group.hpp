@@ -139,6 +139,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
 
+  bool looks_at_neighbours() const override {
+    if constexpr (requires { kernel_.nodal_pressure; }) return kernel_.nodal_pressure != nullptr;
+    return false;
+  }
   void before_cycle(const State& now) override {
     if constexpr (requires(bool (*alive)(std::size_t), void (*put)(std::size_t, int, double)) {
                     kernel_.before_cycle(now, alive, put);
@@ -335,6 +339,29 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   void release_step(std::size_t e) override {
     step_[e] = std::numeric_limits<double>::infinity();
     find_block_step(e / width);
+  }
+  void take_step(std::size_t e, double step) override {
+    step_[e] = step;
+    find_block_step(e / width);
+  }
+  void carry(std::size_t begin, std::size_t end, Carried what, Parcel& parcel) override {
+    const std::size_t first = begin * width, count = (end - begin) * width;
+    parcel(&energy_[first], count);
+    if (what == Carried::energies) {
+      using Layout = typename Element::Layout;
+      for (std::size_t b = begin; b < end; ++b) {
+        const auto row = [&](int i) { parcel(state(b * width) + i * width, width); };
+        row(Layout::alive);
+        row(Layout::density_scale);
+        if constexpr (Layout::hourglass_energy >= 0) row(Layout::hourglass_energy);
+        if constexpr (requires { Layout::bulk_viscosity_work; }) row(Layout::bulk_viscosity_work);
+      }
+      return;
+    }
+    parcel(state(first), count * at(state_size()));
+    if (what != Carried::whole) return;
+    parcel(&step_[first], count);
+    for (std::size_t b = begin; parcel.reading() && b < end; ++b) find_block_step(b);
   }
   double stable_step(std::size_t e) const override { return step_[e]; }
   double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }

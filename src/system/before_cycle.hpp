@@ -10,6 +10,8 @@ class BeforeCycle {
  public:
   /// `now` as in ElementGroup::cycle.
   virtual void before_cycle(const State& now) = 0;
+  /// Whether it looks at more than its elements' own nodes.
+  virtual bool looks_at_neighbours() const = 0;
 
  protected:
   ~BeforeCycle() = default;

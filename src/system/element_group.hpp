@@ -14,6 +14,7 @@
 #include "base/index.hpp"
 #include "kernel/law/point_damage.hpp"
 #include "model/lumped_mass.hpp"
+#include "system/parcel.hpp"
 #include "system/state.hpp"
 
 namespace nugget::system {
@@ -97,6 +98,11 @@ class ElementGroup {
   virtual void remove(std::size_t e) = 0;
   /// Takes the step of a deleted element out of the choice at once: the step is why it was deleted.
   virtual void release_step(std::size_t e) = 0;
+  /// Puts the step of an element that another rank computes into the choice; `release_step` takes it out again.
+  virtual void take_step(std::size_t, double) {}
+  /// Blocks [begin, end) on their way from the rank that computes them to another. Groups that all ranks compute have
+  /// nothing to carry.
+  virtual void carry(std::size_t, std::size_t, Carried, Parcel&) {}
   virtual double stable_step(std::size_t e) const = 0;      ///< before TSSFAC, mass scaling included; of the last cycle
   virtual double internal_energy(std::size_t e) const = 0;  ///< hourglass work not included
   virtual double hourglass_energy(std::size_t e) const = 0;

@@ -18,7 +18,7 @@ namespace nugget::system {
 class System;
 
 /// Calls `body(group, begin, end)` for ranges of the blocks, each a group and a number in it, side by side.
-void for_each_block(const std::vector<std::pair<int, std::size_t>>& blocks,
+void for_each_block(std::span<const std::pair<int, std::size_t>> blocks,
                     const std::function<void(int, std::size_t, std::size_t)>& body);
 
 /// Cycles between the forces of each element of the model, a power of two; empty: all have theirs in each cycle.

@@ -11,6 +11,7 @@
 #include "base/parallel.hpp"
 #include "system/before_cycle.hpp"
 #include "system/order.hpp"
+#include "system/share.hpp"
 #include "system/spring_group.hpp"
 #include "weld/tie/tie_findings.hpp"
 
@@ -27,6 +28,23 @@ void regularize_inertia(Inertia& i) {
   i[0] += share;
   i[3] += share;
   i[5] += share;
+}
+
+/// An element whose density is scaled, on its way to other ranks.
+struct ScaledMass {
+  double factor;
+  std::size_t element;
+  int group;
+  friend bool operator<(const ScaledMass& a, const ScaledMass& b) {
+    return a.group != b.group ? a.group < b.group : a.element < b.element;
+  }
+};
+
+/// Calls `body` for ranges of nodes, side by side.
+void for_ranges(const std::vector<Share::Range>& ranges, const std::function<void(std::size_t, std::size_t)>& body) {
+  parallel_for(ranges.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(at(ranges[i].begin), at(ranges[i].end));
+  });
 }
 
 /// The motion of a body whose mass is given, so that its nodes' masses say nothing of its centre: that of its nodes'
@@ -49,6 +67,8 @@ void fit_motion(RigidBody& body, double m, const Vec3d& linear, const Vec3d& ang
 }
 
 }  // namespace
+
+System::~System() = default;
 
 System::System(const model::Model& m, const weld::Ties& t, Findings& findings, ElementPeriods periods)
     : model(m), ties(t), periods_(std::move(periods)) {
@@ -448,31 +468,60 @@ void System::internal_force(State& state) {
   }
   for (const auto& group : groups)
     if (auto* looks = dynamic_cast<BeforeCycle*>(group.get())) looks->before_cycle(state);
-  for_each_block([&](int g, std::size_t begin, std::size_t end) {
+  const auto cycle = [&](int g, std::size_t begin, std::size_t end) {
     groups[g]->cycle(begin, end, state, state.dt, slots_, damping_slots);
-  });
-  gather_slots(slots_, single_slots_, state.f, state.m);
+  };
+  if (!share_) {
+    for_each_block(cycle);
+    add_up_slots(slots_, single_slots_, state.f, state.m);
+    return;
+  }
+  note_deleted();
+  const std::size_t border = share_->border_blocks();
+  const std::span all(blocks_);
+  system::for_each_block(all.first(border), cycle);
+  share_->send(slots_, single_slots_);
+  system::for_each_block(all.subspan(border), cycle);
+  share_->receive(slots_, single_slots_);
+  exchange_news();
+  add_up_slots(slots_, single_slots_, state.f, state.m);
+  share_->exchange_sums(state.f, state.m);
 }
 
-void for_each_block(const std::vector<std::pair<int, std::size_t>>& blocks,
+void for_each_block(std::span<const std::pair<int, std::size_t>> blocks,
                     const std::function<void(int, std::size_t, std::size_t)>& body) {
   parallel_for(blocks.size(), 16, [&](std::size_t begin, std::size_t end) {
     while (begin < end) {
-      const int g = blocks[begin].first;
-      std::size_t run = begin;
-      while (run < end && blocks[run].first == g) ++run;
-      body(g, blocks[begin].second, blocks[run - 1].second + 1);
+      const auto [g, block] = blocks[begin];
+      std::size_t run = begin + 1;
+      while (run < end && blocks[run].first == g && blocks[run].second == block + (run - begin)) ++run;
+      body(g, block, block + (run - begin));
       begin = run;
     }
   });
 }
 
-void System::gather_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
+void System::for_each_node(std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) const {
+  if (!share_) return parallel_for(all_nodes(), grain, body);
+  for_ranges(share_->followed(), body);
+}
+
+void System::gather_slots(std::span<Row> slots, std::span<SingleRow> single, std::span<Row> force,
+                          std::span<Row> moment) {
+  if (share_) {
+    share_->send(slots, single);
+    share_->receive(slots, single);
+  }
+  add_up_slots(slots, single, force, moment);
+  if (share_) share_->exchange_sums(force, moment);
+}
+
+void System::add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
                           std::span<Row> moment) const {
   constexpr std::size_t slots_ahead = 32;
   const auto gather = [&](auto with_single) {
     constexpr bool has_single = decltype(with_single)::value;
-    parallel_for(nodes, 512, [=, this](std::size_t begin, std::size_t end) {
+    const auto some = [=, this](std::size_t begin, std::size_t end) {
       const std::uint32_t* entry = gather_.data();
       const std::size_t *start = gather_start_.data(), last_entry = gather_.size() - 1;
       // Adds up entries [i, stop) to f and m; all of them stand in `rows`, which are counted from `first` on.
@@ -499,7 +548,11 @@ void System::gather_slots(std::span<const Row> slots, std::span<const SingleRow>
         set(force[k], f);
         set(moment[k], m);
       }
-    });
+    };
+    if (share_)
+      for_ranges(share_->summed(), some);
+    else
+      parallel_for(nodes, 512, some);
   };
   if (single.empty())
     gather(std::false_type{});
@@ -592,10 +645,12 @@ void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {
 
 bool System::scale_mass(bool at_start) {
   if (!at_start && model.control.mass_scaling_at_start_only) return false;
-  bool changed = false;
+  bool changed = false, any = false;
+  std::vector<ScaledMass> scaled;  // over several ranks
   for (auto& group : groups) {
     const double target = std::max(group->mass_step, group->physical_mass_step);
     if (target <= 0.0) continue;
+    any = true;
     // DT2MS > 0: every element gets exactly this step, mass added or taken away, but for what DT of a weld added.
     const bool exactly = at_start && model.control.mass_step > 0.0 && group->physical_mass_step == 0.0;
     const std::size_t width = group->block_width();
@@ -607,10 +662,21 @@ bool System::scale_mass(bool at_start) {
         if (!group->alive(e) || step == 0.0) continue;
         const double wanted = exactly ? now * (target / step) * (target / step) : group->wanted_mass_scale(e);
         if (!exactly && wanted == now) continue;
+        if (share_) {
+          const auto g = static_cast<int>(&group - groups.data());
+          if (share_->answers_for(g, e)) scaled.push_back({wanted, e, g});
+          continue;
+        }
         set_mass_scale(*group, e, wanted);
         changed = true;
       }
     }
+  }
+  if (share_ && any) {
+    scaled = gather_lists(share_->ranks(), scaled);
+    std::sort(scaled.begin(), scaled.end());
+    for (const ScaledMass& s : scaled) set_mass_scale(*groups[s.group], s.element, s.factor);
+    changed = !scaled.empty();
   }
   if (changed) transfer_dependent_mass();
   return changed;
@@ -668,7 +734,7 @@ void System::archive(Archive& a) {
   if (!single_slots_.empty()) a(single_slots_);
   a.built(model, ties, nodes, node_of, model_node, body_of, springs, shell_location, solid_location, beam_location,
           discrete_location, start_, mass_only_elements_, constraint_source_, damping_slots, gather_start_, gather_,
-          blocks_, periods_);
+          blocks_, periods_, share_, deleted_, deletions_seen_, steps_of_others_, told_below);
   a.section("elements");
   a(groups);
 }

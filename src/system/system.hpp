@@ -13,6 +13,7 @@
 
 #include "base/finding.hpp"
 #include "base/index.hpp"
+#include "base/ranks.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_joint.hpp"
 #include "model/model.hpp"
@@ -27,6 +28,8 @@
 namespace nugget::system {
 
 enum class ShellKind;  // shell_elements.hpp
+class Partition;       // partition.hpp
+class Share;           // share.hpp
 
 /// A model made discrete: nodes and elements in an order that keeps neighbours close in memory, lumped masses, the
 /// constraint map, element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
@@ -34,6 +37,7 @@ class System {
  public:
   /// `periods`: of elements in sub-cycling.
   System(const model::Model& model, const weld::Ties& ties, Findings& findings, ElementPeriods periods = {});
+  ~System();
 
   const model::Model& model;
   const weld::Ties& ties;
@@ -131,14 +135,16 @@ class System {
   void for_each_block(const std::function<void(int, std::size_t, std::size_t)>& body) const {
     system::for_each_block(blocks_, body);
   }
+  /// Calls `body(begin, end)` for ranges of nodes that this rank follows, side by side; all, in one process. Virtual
+  /// ones are among them.
+  void for_each_node(std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) const;
   /// Forces by which elements damp themselves, laid out as the slots of their internal forces (ElementGroup::slot_row);
   /// empty until `allocate_damping_slots`.
   std::vector<Row> damping_slots;
   void allocate_damping_slots() { damping_slots.resize(slots_.size() + single_slots_.size()); }
   /// Takes the sum of its slots from each node: what forces of elements do to nodes. Rows of bodies become 0. `single`:
   /// the slots behind `slots`, where they are of single precision.
-  void gather_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
-                    std::span<Row> moment) const;
+  void gather_slots(std::span<Row> slots, std::span<SingleRow> single, std::span<Row> force, std::span<Row> moment);
 
   /// The element that controls the time step.
   struct Controlling {
@@ -173,6 +179,32 @@ class System {
   double part_mass(model::Index part) const;
   /// The rigid body that carries a node, in `bodies`; -1: none.
   int rigid_body_of_node(int node) const;
+
+  // ---- A run over several ranks
+
+  /// From now on this rank computes its share of the elements only. All ranks do so at the same state, which is whole
+  /// on each of them. `followed`: by node, whether all ranks follow its motion.
+  void share_out(Ranks& ranks, Partition partition, std::span<const char> followed);
+  /// Share of the stable step below which all ranks are to know an element's; 0: none.
+  double told_below = 0.0;
+  /// What this rank does; null in a run by one process.
+  Share* share() const { return share_.get(); }
+  /// Elements of all ranks, of which each has computed its own, come to the first rank; `whole` to all of them.
+  /// `more(of, parcel)` puts into each parcel, or takes out of it, what others keep of the elements for which
+  /// `of(group, element)` is true. With the elements go the rows `of_nodes` of nodes that not all ranks follow.
+  struct Computed {
+    int rank = 0, ranks = 1;  ///< whose parcel it is
+    std::function<bool(int group, std::size_t element)> element;
+    bool operator()(int group, std::size_t e) const { return element(group, e); }
+  };
+  void collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
+               const std::function<void(const Computed& of, Parcel&)>& more);
+  /// Whether this process computes an element: always, where it is alone.
+  bool computes(ElementLocation location) const;
+  /// Whether elements look at places of nodes that are not their own (BeforeCycle).
+  bool looks_at_neighbours() const;
+  /// Takes the steps of elements that other ranks compute out of the choice: after `collect(Carried::whole)`.
+  void leave_steps_to_others();
 
   void archive(Archive& a);
 
@@ -261,7 +293,19 @@ class System {
   std::vector<std::size_t> gather_start_;
   std::vector<std::uint32_t>
       gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows
-  std::vector<std::pair<int, std::size_t>> blocks_;  ///< all blocks of all groups: group, block
+  std::vector<std::pair<int, std::size_t>> blocks_;  ///< all blocks of all groups, or of the share: group, block
+
+  /// Elements deleted by their law, inverted ones and, where small steps delete, those with one, become known to all.
+  void exchange_news();
+  std::vector<std::pair<int, std::size_t>> steps_of_others_;  ///< elements with a step by the last exchange_news
+  /// Deleted elements, by group, as far as all ranks know them.
+  void note_deleted();
+  void carry(int rank, Carried what, Parcel& parcel);
+  void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
+                    std::span<Row> moment) const;
+  std::unique_ptr<Share> share_;
+  std::vector<std::vector<char>> deleted_;  ///< known to all, by group and element
+  std::vector<int> deletions_seen_;         ///< by group: ElementGroup::deletions when `deleted_` was made
 };
 
 }  // namespace nugget::system

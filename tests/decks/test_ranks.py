@@ -8,7 +8,6 @@ import subprocess
 import time
 import unittest
 
-import lap_joint
 from nugget_command import NUGGET, CommandTest
 from test_mode_studies import strips
 from test_responses import fields, frf, strip
@@ -66,12 +65,6 @@ class Ranks(CommandTest):
         one, two = (self.json(f"{folder}/summary.json") for folder in ("one", "two"))
         self.same([one["energy"]["internal"], one["weld"][0]["peak"]["shear"]],
                   [two["energy"]["internal"], two["weld"][0]["peak"]["shear"]])
-
-    def test_an_explicit_run_is_refused(self):
-        self.write(lap_joint.deck())
-        run = self.two("run", "model.k", "-o", "out", expect=2)
-        self.assertEqual(run.stderr.count("this is an explicit run"), 1)
-        self.assertEqual(self.files("out"), [])
 
     def test_exit_codes(self):
         self.assertIn("there is no command", self.two("mode", "model.k", expect=2).stderr)

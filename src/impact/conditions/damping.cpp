@@ -353,6 +353,19 @@ void Damping::add(const Relative& damping, const system::State& state) {
   }
 }
 
+void Damping::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
+  if (what != system::Carried::whole) return;
+  for (Deforming& d : deforming_) {
+    const std::size_t elements = system_.groups[d.group]->size(),
+                      numbers = d.passed.size() / std::max<std::size_t>(1, elements);
+    for (std::size_t e = 0; e < elements; ++e) {
+      if (!of(d.group, e)) continue;
+      parcel(&d.passed[e * numbers], numbers);
+      if (!d.across.empty()) parcel(&d.across[e], 1);
+    }
+  }
+}
+
 void Damping::ByRange::archive(Archive& a) {
   a(v, w, started);
   a.built(card, filters, members);

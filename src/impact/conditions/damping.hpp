@@ -48,7 +48,10 @@ class Damping {
     for (ByRange& d : range_) d.started = false;
   }
 
+  bool empty() const { return force_.empty(); }
   void add_energy(Energy& energy) const { energy.damping += energy_; }
+  /// Over several ranks: filtered forces of elements on their way to another one.
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   void archive(Archive& a);
 
  private:

@@ -24,6 +24,14 @@ class NodalForceGroups {
   }
   output::NodforState state(const system::State& now) const;
 
+  /// See Components::elements_read.
+  template <class Visit>
+  void elements_read(const Visit& visit) const {
+    for (const Group& group : groups_)
+      for (const Node& node : group.nodes)
+        for (const Corner& c : node.corners) visit(c.location);
+  }
+
   void archive(Archive& a);
 
  private:

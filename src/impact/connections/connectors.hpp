@@ -43,6 +43,12 @@ class Connectors {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
+  /// See Components::elements_read.
+  template <class Visit>
+  void elements_read(const Visit& visit) const {
+    for (const Entry& entry : records_) visit(entry.location);
+  }
+
   void archive(Archive& a);
 
  private:

@@ -41,6 +41,14 @@ class RigidWelds {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
+  /// See Components::elements_read.
+  template <class Visit>
+  void elements_read(const Visit& visit) const {
+    for (const Weld& weld : welds_)
+      for (const std::vector<Neighbour>& around : weld.around)
+        for (const Neighbour& n : around) visit(system::System::ElementLocation{n.group, static_cast<int>(n.element)});
+  }
+
   void archive(Archive& a);
 
  private:

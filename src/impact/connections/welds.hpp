@@ -40,6 +40,16 @@ class Welds {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
+  /// See Components::elements_read.
+  template <class Visit>
+  void elements_read(const Visit& visit) const {
+    for (std::size_t i = 0; i < histories_.size(); ++i) {
+      if (histories_[i] == nullptr) continue;
+      const weld::Weld& weld = system_.ties.welds[i];
+      for (const model::Index e : weld.elements) visit(system_.location_of(weld, e));
+    }
+  }
+
   void archive(Archive& a);
 
  private:

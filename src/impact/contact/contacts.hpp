@@ -33,6 +33,11 @@ class Contacts {
   std::vector<std::string> drop_summary(const system::System& system) const;
 
   void add_energy(Energy& energy) const;
+  /// Over several ranks: what contacts remember of the pairs of one on its way to another.
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
+    if (what != system::Carried::whole) return;
+    for (contact::PenaltyContact& contact : contacts_) contact.carry(of.rank, of.ranks, parcel);
+  }
   void archive(Archive& a) { a(contacts_); }
 
  private:

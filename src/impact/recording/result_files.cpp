@@ -116,6 +116,12 @@ bool ResultFiles::due(const system::State& state) {
   return false;
 }
 
+double ResultFiles::next_mark() const {
+  double earliest = std::numeric_limits<double>::infinity();
+  for (const Channel& c : channels_) earliest = std::min(earliest, c.next);
+  return earliest;
+}
+
 void ResultFiles::Channel::archive(Archive& a) {
   archive_file(a);
   a(next);

@@ -23,6 +23,7 @@ class ResultFiles : public Recorder {
   bool due(const system::State& state) override;
   void write(const Snapshot& now, bool last) override;
   void finish() override;
+  double next_mark() const override;
   void ask_for_state() override { state_asked_ = true; }
   /// Sizes of the files and when they are next due. Reading, what was written later is cut off.
   void archive(Archive& a) override;

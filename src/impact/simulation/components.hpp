@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "impact/conditions/accelerometers.hpp"
@@ -63,6 +64,13 @@ struct Components {
     visit_all(*this, visit);
   }
 
+  /// Calls `visit` with the element groups' places whose states some component looks at between results: over several
+  /// ranks all of them compute these. What a component looks at is found by name, `elements_read(visit)`.
+  void elements_read(const std::function<void(system::System::ElementLocation)>& visit) const {
+    for_each([&](const auto& component) {
+      if constexpr (requires { component.elements_read(visit); }) component.elements_read(visit);
+    });
+  }
   /// Welds of every kind that have failed so far.
   int failed_welds() const;
   void archive(Archive& a);

@@ -74,13 +74,19 @@ int Erosion::distortion_rule(const system::ElementGroup& group) const {
   return elform == 16 || elform == 9 ? model.control.distorted_full_shells : model.control.distorted_shells;
 }
 
+double Erosion::smallest_step(double first_step) const {
+  const auto small = [this](const auto& group) { return wants_small_steps(group->kind); };
+  if (std::none_of(system_.groups.begin(), system_.groups.end(), small)) return 0.0;
+  const double dtmin = system_.model.control.smallest_step;
+  return (dtmin > 0.0 ? dtmin : smallest_share) * first_step;
+}
+
 void Erosion::update(const system::State& state, double first_step) {
   delete_by_time(state.time);
-  const double dtmin = system_.model.control.smallest_step;
+  const double limit = smallest_step(first_step);
   for (const auto& group : system_.groups) {
     if (group->inverted >= 0 && wants_negative_volume(*group)) delete_negative_volumes(*group, state.time);
-    if (wants_small_steps(group->kind))
-      delete_small_steps(*group, (dtmin > 0.0 ? dtmin : smallest_share) * first_step, state.time);
+    if (wants_small_steps(group->kind)) delete_small_steps(*group, limit, state.time);
     if (const int rule = distortion_rule(*group); rule > 0) check_distortion(*group, rule, state);
   }
   if (stop_.empty()) stop_ = too_many_failed(system_, state.time);

@@ -33,6 +33,8 @@ class Erosion {
   /// NFAIL1 or NFAIL4 = 2, or as many failed shells as they say: why the run is to stop; else empty.
   const std::string& reason_to_stop() const { return stop_; }
 
+  /// Share of the stable step (TSSFAC included) below which elements are deleted; 0: none are.
+  double smallest_step(double first_step) const;
   void archive(Archive& a);
 
  private:

@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "base/ranks.hpp"
+
 namespace nugget::impact {
 
 /// When restart files are written, besides at an interruption: every so many cycles, minutes of the clock, or model
@@ -28,6 +30,7 @@ struct Options {
   Checkpoints checkpoints{};
   std::function<void()> write_checkpoint{};  ///< writes a restart file, between two cycles; empty: there are none
   std::function<void()> restore{};  ///< takes the state from one, in place of the start's; empty: a run from its start
+  Ranks* ranks = nullptr;           ///< that compute the run together; null: this process alone
   std::function<SenseSwitches()> sense_switches{};  ///< asked a few times a second; empty: nobody asks for anything
 };
 

@@ -57,6 +57,10 @@ void Simulation::interrupt(const char* by) {
   interrupted_by = by;
 }
 
+bool Simulation::interrupted() {
+  return interrupted_by != nullptr;
+}
+
 Simulation::Simulation(system::System& system, Findings& findings)
     : system_(system),
       state_(system.initial_state()),
@@ -145,7 +149,9 @@ void Simulation::bound_step_again() {
   if (looks_ >= (assembled_step_.sheets() ? looks_at_sheets_at_first + state_.cycle / cycles_of_a_look_at_sheets
                                           : looks_at_first + state_.cycle / cycles_of_a_look))
     return;
+  collect(system::Carried::whole);
   const AssembledStep::Limit limit = assembled_step_.limit(state_, step);
+  if (ranks_ != nullptr) system_.leave_steps_to_others();
   const double before = step_factor_;
   if (limit.step > 0.0 && std::isfinite(limit.step))
     step_factor_ = step > bearable_share * limit.step ? default_step_scale * limit.step / step : 1.0;
@@ -232,22 +238,33 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   start();
   if (options.restore) resume(options);
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
+  if (options.ranks != nullptr) {
+    share_out(*options.ranks);
+    pass_on_balance(recorder);
+  }
   add_time(elements);
   const Outcome relaxed = options.restore ? Outcome{} : relax(options, recorder, progress);
   Outcome outcome;
   double next_report = 0.0;
   for (bool last = false; !last;) {
+    if (state_.cycle > 0) system_.shorten_periods();
+    state_.period = system_.period();
+    agree(options);
     if (!relaxed.stops()) write_checkpoint_if_due(options);
     choose_step(end_time);
     outcome = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
     last = outcome.stops() || state_.time >= end_time;
-    const bool record = last || recorder.due(state_);
+    const bool record = last || results_due(recorder);
     const bool balance = record || state_.cycle % 100 == 0;
     if (balance) store_velocities();
     update_velocities();
-    if (balance) update_energy_balance();
+    if (balance) {
+      collect(record ? system::Carried::results : system::Carried::energies);
+      update_energy_balance();
+    }
     // Numbers that are none would only spoil files that are good up to here.
-    if (record && !diverged_) write_results(recorder, last);
+    if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
+    if (balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
       if (progress) report_progress(progress, end_time);
       if (options.sense_switches) obey(options.sense_switches(), recorder);
@@ -259,6 +276,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   recorder.finish();
   add_time(output);
   solve_seconds_ = elapsed();
+  if (ranks_ != nullptr) report_ranks();
   interrupted_by = nullptr;  // not at the start: a signal that came while files were opened counts
   if (progress) report_progress(progress, end_time);
   // Of the last balance nobody has asked yet.
@@ -303,17 +321,18 @@ void Simulation::report_progress(const ProgressCallback& progress, double end_ti
 
 void Simulation::obey(const SenseSwitches& switches, Recorder& recorder) {
   if (switches.stop) interrupt("d3kil");
-  if (switches.state) recorder.ask_for_state();
+  if (switches.state) {
+    recorder.ask_for_state();
+    state_asked_ = true;
+  }
   if (switches.restart_file) checkpoints_.ask();
 }
 
 void Simulation::write_checkpoint_if_due(const Options& options) {
-  // Asked once a cycle: the run ends in the cycle that begins with the restart file.
-  stop_requested_ = interrupted_by != nullptr;
-  if (!options.write_checkpoint || diverged_) return;
-  solve_seconds_ = elapsed();
-  if (!stop_requested_ && !checkpoints_.due(options.checkpoints, state_.cycle, state_.time, solve_seconds_)) return;
-  options.write_checkpoint();
+  if (!restart_file_due_) return;
+  collect(system::Carried::whole);
+  if (options.write_checkpoint) options.write_checkpoint();
+  if (ranks_ != nullptr) system_.leave_steps_to_others();
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
 }
 
@@ -430,8 +449,8 @@ Outcome Simulation::relax(const Options& options, Recorder& recorder, const Prog
   relaxation_ = Relaxation(control);
   const double end_time = control.end_time > 0.0 ? control.end_time : std::numeric_limits<double>::infinity();
   for (double next_report = 0.0; !relaxation_.at_rest() && state_.time < end_time;) {
+    agree(options);
     choose_step(end_time);
-    stop_requested_ = interrupted_by != nullptr;
     if (stop = reason_to_stop(options, end_time); stop.stops()) break;
     relaxation_.damp(system_, state_);
     update_velocities();
@@ -487,9 +506,6 @@ void Simulation::update_inverse_mass() {
 
 void Simulation::choose_step(double end_time) {
   const model::Control& control = system_.model.control;
-  if (state_.cycle > 0) system_.shorten_periods();
-  state_.period = system_.period();
-  controlling_ = system_.controlling();
   state_.dt_previous = state_.cycle == 0 ? 0.0 : state_.dt;
   if (!assembled_step_.empty() && !control.step_scale_given && state_.cycle > 0 &&
       state_.cycle % cycles_between_looks == 0)
@@ -561,15 +577,9 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   if (masses_.physical > 0.0 && 100.0 * masses_.added / masses_.physical > control.added_mass_limit)
     return error(fmt::format("the added mass, {:.4g} % of the physical one, exceeds ENDMAS = {:.4g} %",
                              100.0 * masses_.added / masses_.physical, control.added_mass_limit));
-  if (state_.cycle % 50 == 0) {
-    for (std::size_t k = 0; k < system_.nodes; ++k) {
-      const Row& v = state_.v[k];
-      if (std::isfinite(v.x + v.y + v.z)) continue;
-      return error(
-          fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
-                      system_.node_id(static_cast<int>(k)), state_.time, state_.cycle));
-    }
-  }
+  if (not_finite_ >= 0)
+    return error(fmt::format("the solution diverged: the velocity of node {} is not a number at time {:.6g}, cycle {}",
+                             system_.node_id(not_finite_), state_.time, state_.cycle));
   const long most = options.max_cycles > 0 ? options.max_cycles : control.end_cycle;
   if (most > 0 && state_.cycle >= most) return {Termination::normal, fmt::format("stopped after {} cycles", most)};
   return {};
@@ -578,28 +588,46 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
 void Simulation::accelerate() {
   const double velocity_interval = 0.5 * (state_.dt + state_.dt_previous);
   constexpr std::size_t block = 1024;
-  block_power_.resize((system_.nodes + block - 1) / block);
-  parallel_for(block_power_.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      double power = 0.0;
-      for (std::size_t k = i * block; k < std::min(system_.nodes, (i + 1) * block); ++k) {
-        const double a = velocity_interval * inverse_mass_[k], b = velocity_interval * inverse_inertia_[k];
-        Row &v = state_.v[k], &w = state_.w[k];
-        const Row &f = state_.f[k], &m = state_.m[k];
-        v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
-        w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
-        power += a * (f.x * f.x + f.y * f.y + f.z * f.z) + b * (m.x * m.x + m.y * m.y + m.z * m.z);
+  // Gives a node its velocity, and the power of its forces on the change.
+  const auto accelerate = [&](std::size_t k) {
+    const double a = velocity_interval * inverse_mass_[k], b = velocity_interval * inverse_inertia_[k];
+    Row &v = state_.v[k], &w = state_.w[k];
+    const Row &f = state_.f[k], &m = state_.m[k];
+    v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
+    w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
+    return a * (f.x * f.x + f.y * f.y + f.z * f.z) + b * (m.x * m.x + m.y * m.y + m.z * m.z);
+  };
+  const auto sum_blocks = [&](const auto& term) {
+    block_power_.resize((system_.nodes + block - 1) / block);
+    parallel_for(block_power_.size(), 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        double power = 0.0;
+        for (std::size_t k = i * block; k < std::min(system_.nodes, (i + 1) * block); ++k) power += term(k);
+        block_power_[i] = power;
       }
-      block_power_[i] = power;
+    });
+  };
+  if (follows_every_node()) {
+    sum_blocks(accelerate);
+  } else {
+    node_power_.resize(system_.nodes);
+    system_.for_each_node(block, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) node_power_[k] = accelerate(k);
+    });
+    // At a constant step nobody asks for the power.
+    block_power_.clear();
+    if (state_.dt != state_.dt_previous) {
+      report_power();
+      if (on_first_rank()) sum_blocks([&](std::size_t k) { return node_power_[k]; });
     }
-  });
+  }
   power_on_change_ = 0.0;
   for (double power : block_power_) power_on_change_ += power;
   for (system::RigidBody& body : system_.bodies) power_on_change_ += body.advance(velocity_interval, state_.dt, state_);
 }
 
 void Simulation::move() {
-  parallel_for(system_.all_nodes(), 2048, [&](std::size_t begin, std::size_t end) {
+  system_.for_each_node(2048, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Row& x = state_.x[k];
       const Row& v = state_.v[k];
@@ -619,8 +647,8 @@ void Simulation::contact_forces() {
   const int period = state_.dt > 0.0 ? std::min(system_.model.control.subcycling.contact_period, state_.period) : 1;
   if (state_.cycle % period != 0) return;
   longest_step_ = std::max(longest_step_, period * stable_step_);
-  contact::Step step{state_.time, period * state_.dt, period * stable_step_, longest_step_,
-                     state_.x,    state_.v,           contact_mass_,         components_.element_alive.all()};
+  contact::Step step{state_.time, period * state_.dt, period * stable_step_,           longest_step_, state_.x,
+                     state_.v,    contact_mass_,      components_.element_alive.all(), ranks_};
   if (period == 1) {
     apply_contacts(step, state_.f);
     return;
@@ -695,6 +723,7 @@ std::string Simulation::describe_instability() const {
 void Simulation::update_energy_balance() {
   // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
   system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
+  if (!on_first_rank()) return;
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;
@@ -730,7 +759,8 @@ void Simulation::archive(Archive& a) {
   a(v_period_, w_period_);
   a.built(contact_forces_, run_end_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, stop_requested_, checkpoints_, begin_, timed_until_);
+          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_mark_,
+          rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
 }
 
 }  // namespace nugget::impact

@@ -12,6 +12,7 @@
 #include "impact/simulation/options.hpp"
 #include "impact/simulation/relaxation.hpp"
 #include "impact/simulation/snapshot.hpp"
+#include "system/partition.hpp"
 #include "system/spring_group.hpp"
 
 namespace nugget::impact {
@@ -48,8 +49,23 @@ class Simulation {
   const std::array<double, phases>& seconds() const { return seconds_; }
   double solve_seconds() const { return solve_seconds_; }
 
+  /// What a rank of the run did; of a run by one process there is none.
+  struct RankReport {
+    std::size_t elements = 0, nodes = 0, shared_nodes = 0, neighbours = 0;
+    double cost = 0.0;  ///< of its elements, over the mean of all ranks, as expected by system::element_cost
+    double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
+    double busy = 0.0, waiting = 0.0;    ///< seconds
+  };
+  const std::vector<RankReport>& rank_reports() const { return rank_reports_; }
+  /// What several ranks do not share out: every one of them computes it whole, and follows all nodes for that. Empty:
+  /// ranks follow the nodes of their elements, and those of supports and loads.
+  std::vector<std::string> computed_by_all() const;
+  /// How so many ranks would share out the elements.
+  system::Partition partition(int ranks) const;
+
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt(const char* by = "the user");
+  static bool interrupted();
 
   void archive(Archive& a);
 
@@ -62,6 +78,23 @@ class Simulation {
   /// Dynamic relaxation, where the deck asks for it. Afterwards the run begins at time 0 with the stresses and places
   /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
   Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
+  /// From now on several ranks compute the run together.
+  void share_out(Ranks& ranks);
+  void report_ranks();
+  std::vector<char> followed_by_all() const;
+  int first_not_finite() const;
+  bool follows_every_node() const;
+  void report_power();
+  bool on_first_rank() const { return ranks_ == nullptr || ranks_->rank() == 0; }
+  /// Once a cycle, before it begins: the element that controls the step, and whether the run is to stop, to write a
+  /// restart file or a state that is not due. Of several ranks all take the same.
+  void agree(const Options& options);
+  /// Elements that other ranks compute, and what components keep of them; see System::collect.
+  void collect(system::Carried what);
+  /// Whether results are due at the state that is about to be complete.
+  bool results_due(Recorder& recorder) const;
+  /// After a balance of energies, which the first rank makes: what others must know of it.
+  void pass_on_balance(const Recorder& recorder);
   /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
   void update_velocities();
   /// The step from t(n) to t(n+1), up to the forces there.
@@ -109,6 +142,7 @@ class Simulation {
   std::string describe_instability() const;
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
   void write_checkpoint_if_due(const Options& options);
+  bool state_asked_ = false;  ///< a state of d3plot that is not due
   Outcome reason_to_stop(const Options& options, double end_time) const;
   /// Adds the time since the last call to a phase.
   void add_time(Phase phase);
@@ -128,6 +162,14 @@ class Simulation {
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
+  bool restart_file_due_ = false;
+  std::vector<RankReport> rank_reports_;
+  Ranks::Traffic traffic_before_;
+  long cycle_before_ = 0;       ///< when ranks began
+  Ranks* ranks_ = nullptr;      ///< null: one process
+  int not_finite_ = -1;         ///< a node whose velocity is not a number, every 50 cycles
+  double shared_out_at_ = 0.0;  ///< seconds: when ranks began
+  double next_mark_ = 0.0;      ///< over several ranks: Recorder::next_mark of the first one
   CheckpointSchedule checkpoints_;
   bool diverged_ = false;
   bool unstable_ = false;  ///< energy_is_made at the last cycle that is a multiple of 100
@@ -136,6 +178,7 @@ class Simulation {
   double largest_input_ = 0.0;       ///< of the energy balances so far: what was there and put in, its size
   double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
   std::vector<double> block_power_;  ///< the nodes' part of it, by block
+  std::vector<double> node_power_;   ///< the same by node, where ranks follow nodes of their own
 
   Energy energy_;
   std::vector<PartEnergy> parts_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,8 @@ class Recorder {
   virtual bool due(const system::State& state) = 0;
   /// `last`: the run ends here, whatever is due.
   virtual void write(const Snapshot& now, bool last) = 0;
+  /// The earliest mark of time of what is to be written: a state is due where the next step would pass it.
+  virtual double next_mark() const { return std::numeric_limits<double>::infinity(); }
   /// A state of d3plot is wanted that is not due.
   virtual void ask_for_state() {}
   /// Waits until all that was written stands in its files; the run has ended.

@@ -98,7 +98,7 @@ void Strains::update(const system::State& state) {
 
 void Strains::advance_shell(std::size_t e, const system::State& state) {
   const system::System::ElementLocation location = system_.shell_location[e];
-  if (location.group < 0) return;
+  if (location.group < 0 || !system_.computes(location)) return;
   const system::ElementGroup& group = *system_.groups[location.group];
   if (!group.alive(at(location.element))) return;
   const int corners = group.nodes_per_element;
@@ -152,7 +152,7 @@ void Strains::advance_shell(std::size_t e, const system::State& state) {
 
 void Strains::advance_solid(std::size_t e, const system::State& state) {
   const system::System::ElementLocation location = system_.solid_location[e];
-  if (location.group < 0) return;
+  if (location.group < 0 || !system_.computes(location)) return;
   const system::ElementGroup& group = *system_.groups[location.group];
   if (!group.alive(at(location.element))) return;
   if (model::bond_of(system_.model, system_.model.parts[group.part])) return;  // separations, not strains
@@ -206,6 +206,16 @@ Strains::Faces Strains::shell(std::size_t e, const system::State& now) const {
 
 Strains::Tensor Strains::solid(std::size_t e) const {
   return solids_.empty() ? Tensor{} : solids_[e];
+}
+
+void Strains::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
+  if (what == system::Carried::energies) return;
+  const auto some = [&](auto& strains, const std::vector<system::System::ElementLocation>& locations) {
+    for (std::size_t e = 0; e < strains.size(); ++e)
+      if (const auto& l = locations[e]; l.group >= 0 && of(l.group, at(l.element))) parcel(&strains[e], 1);
+  };
+  some(shells_, system_.shell_location);
+  some(solids_, system_.solid_location);
 }
 
 void Strains::archive(Archive& a) {

@@ -32,6 +32,8 @@ class Strains {
   Faces shell(std::size_t e, const system::State& now) const;
   Tensor solid(std::size_t e) const;
 
+  /// Over several ranks: strains of elements on their way to another one.
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   void archive(Archive& a);
 
  private:

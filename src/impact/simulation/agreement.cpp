@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ranks of a run agree on (docs/decisions/0101). In one process each of these functions does what it says for
+// the process alone.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "base/index.hpp"
+#include "impact/simulation/simulation.hpp"
+#include "system/share.hpp"
+
+namespace nugget::impact {
+namespace {
+
+/// What a rank brings to the agreement of a cycle.
+struct Wishes {
+  double step = std::numeric_limits<double>::infinity();
+  int group = -1, element = -1;
+  bool stop = false, restart_file = false, writes_restart_files = false, state = false;
+  int not_finite = std::numeric_limits<int>::max();  ///< the first node whose velocity is not a number
+};
+
+/// Whether `a` controls the step rather than `b`: the choice of one process, which goes through all elements in order
+/// and takes the first of the smallest steps, or the first that is not a number.
+bool controls(const Wishes& a, const Wishes& b) {
+  if (a.group < 0 || b.group < 0) return b.group < 0 && a.group >= 0;
+  const bool a_is_none = a.step != a.step, b_is_none = b.step != b.step;
+  if (a_is_none != b_is_none) return a_is_none;
+  if (!a_is_none && a.step != b.step) return a.step < b.step;
+  return a.group != b.group ? a.group < b.group : a.element < b.element;
+}
+
+/// What a balance of energies changes in a run.
+struct Balance {
+  Energy energy;
+  bool diverged = false, unstable = false;
+  double largest_input = 0.0, physical_mass = 0.0, added_mass = 0.0, next_mark = 0.0;
+};
+
+}  // namespace
+
+std::vector<std::string> Simulation::computed_by_all() const {
+  const model::Model& model = system_.model;
+  const model::Control& control = model.control;
+  const Components& c = components_;
+  std::vector<std::string> whole;
+  const auto add = [&](bool there, const char* name) {
+    if (there) whole.emplace_back(name);
+  };
+  add(!c.contacts.all().empty(), "contact");
+  add(!c.interiors.all().empty(), "interior contact");
+  add(!c.walls.all().empty(), "rigid walls");
+  add(!system_.bodies.empty(), "rigid bodies");
+  add(!system_.ties.ties.empty() || !model.interpolations.empty() || !model.hanging_nodes.empty(), "ties");
+  add(!c.joints.empty(), "joints");
+  add(c.rivets.size() != 0, "rivets");
+  add(!model.discretes.empty(), "springs");
+  add(!model.accelerometers.empty(), "accelerometers");
+  add(!model.control_volumes.empty(), "gas in volumes");
+  add(!model.body_loads.empty(), "body loads");
+  add(!c.damping.empty(), "damping");
+  add(control.relaxation.on(), "dynamic relaxation");
+  add(control.distorted_shells > 1 || control.distorted_full_shells > 1, "deletion of distorted shells");
+  add(system_.looks_at_neighbours(), "nodal pressures of tetrahedra");
+  const bool depends =
+      system_.all_nodes() != system_.nodes || std::ranges::count(dependent_, 0) != std::ssize(dependent_);
+  add(whole.empty() && depends, "nodes that follow others");
+  return whole;
+}
+
+system::Partition Simulation::partition(int ranks) const {
+  std::vector<system::System::ElementLocation> read;
+  components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
+  return {system_, ranks, read};
+}
+
+/// Nodes that all ranks follow, by node: where forces or motions are computed by all of them, whole. What acts only
+/// through elements, loads and supports leaves the others to the ranks whose elements have them.
+std::vector<char> Simulation::followed_by_all() const {
+  const model::Model& model = system_.model;
+  const Components& c = components_;
+  const bool everywhere = !computed_by_all().empty();
+  std::vector<char> followed(system_.nodes, everywhere);
+  if (everywhere) return followed;
+  const auto follow = [&](model::Index n) {
+    if (n != model::none) followed[system_.node_of[n]] = 1;
+  };
+  for (const Supports::Reaction& r : c.supports.spc_reactions()) followed[r.node] = 1;
+  for (const Supports::Reaction& r : c.supports.motion_reactions()) followed[r.node] = 1;
+  for (const model::NodalLoad& load : model.nodal_loads) {
+    std::ranges::for_each(load.nodes, follow);
+    std::ranges::for_each(load.follower_nodes, follow);
+  }
+  for (const model::PressureLoad& load : model.pressure_loads)
+    for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
+  for (const model::TractionLoad& load : model.traction_loads)
+    for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
+  for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
+  for (const model::CoordinateSystem& system : model.systems)
+    if (system.nodes)
+      for (const model::Index n : {system.nodes->origin, system.nodes->on_axis, system.nodes->in_plane}) follow(n);
+  return followed;
+}
+
+void Simulation::share_out(Ranks& ranks) {
+  ranks_ = &ranks;
+  traffic_before_ = ranks.traffic();
+  cycle_before_ = state_.cycle;
+  shared_out_at_ = elapsed();
+  system_.told_below = components_.erosion.smallest_step(first_step_);
+  system_.share_out(ranks, partition(ranks.count()), followed_by_all());
+}
+
+void Simulation::report_ranks() {
+  const double seconds = elapsed() - shared_out_at_,
+               cycles = std::max(1.0, static_cast<double>(state_.cycle - cycle_before_));
+  const Ranks::Traffic now = ranks_->traffic();
+  const double waiting = now.waiting - traffic_before_.waiting;
+  RankReport own;
+  own.messages = static_cast<double>(now.messages - traffic_before_.messages) / cycles;
+  own.bytes = static_cast<double>(now.bytes - traffic_before_.bytes) / cycles;
+  own.waiting = waiting;
+  own.busy = seconds - waiting;
+  const system::Partition::Share share = system_.share()->partition().shares(system_)[at(ranks_->rank())];
+  own.elements = share.elements;
+  own.nodes = share.nodes;
+  own.shared_nodes = share.shared_nodes;
+  own.neighbours = share.neighbours.size();
+  own.cost = share.cost;
+  rank_reports_ = gather(*ranks_, own);
+}
+
+bool Simulation::follows_every_node() const {
+  return ranks_ == nullptr || system_.share()->follows_everything();
+}
+
+void Simulation::report_power() {
+  system_.share()->report(node_power_);
+}
+
+void Simulation::collect(system::Carried what) {
+  std::vector<std::vector<Row>*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
+  if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
+  system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {
+    components_.for_each([&](auto& component) {
+      if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);
+    });
+  });
+}
+
+void Simulation::agree(const Options& options) {
+  Wishes own;
+  own.stop = interrupted();
+  own.writes_restart_files = options.write_checkpoint && !diverged_;
+  if (own.writes_restart_files) {
+    solve_seconds_ = elapsed();
+    own.restart_file = checkpoints_.due(options.checkpoints, state_.cycle, state_.time, solve_seconds_);
+  }
+  own.state = state_asked_;
+  if (state_.cycle % 50 == 0) own.not_finite = first_not_finite();
+  controlling_ = system_.controlling();
+  if (ranks_ != nullptr) {
+    own.step = controlling_.step;
+    own.group = controlling_.group;
+    own.element = controlling_.element;
+    Wishes all;
+    for (const Wishes& w : gather(*ranks_, own)) {
+      if (controls(w, all)) {
+        all.step = w.step;
+        all.group = w.group;
+        all.element = w.element;
+      }
+      all.stop |= w.stop;
+      all.restart_file |= w.restart_file;
+      all.writes_restart_files |= w.writes_restart_files;
+      all.state |= w.state;
+      all.not_finite = std::min(all.not_finite, w.not_finite);
+    }
+    if (all.stop && !own.stop) interrupt("a signal to another rank");
+    if (all.state) next_mark_ = -std::numeric_limits<double>::infinity();
+    own = all;
+    controlling_ = {own.step, own.group, own.element};
+  }
+  stop_requested_ = own.stop;
+  restart_file_due_ = own.restart_file || (own.stop && own.writes_restart_files);
+  state_asked_ = false;
+  not_finite_ = own.not_finite == std::numeric_limits<int>::max() ? -1 : own.not_finite;
+}
+
+int Simulation::first_not_finite() const {
+  std::atomic<int> first{std::numeric_limits<int>::max()};
+  system_.for_each_node(2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) {
+      const Row& v = state_.v[k];
+      if (std::isfinite(v.x + v.y + v.z)) continue;
+      const int node = static_cast<int>(k);
+      for (int now = first; node < now && !first.compare_exchange_weak(now, node);) {
+      }
+      return;
+    }
+  });
+  return first;
+}
+
+bool Simulation::results_due(Recorder& recorder) const {
+  if (on_first_rank()) return recorder.due(state_);
+  return state_.time + state_.dt > next_mark_ + 1e-9 * state_.dt;
+}
+
+void Simulation::pass_on_balance(const Recorder& recorder) {
+  if (ranks_ == nullptr) return;
+  Balance balance{energy_, diverged_, unstable_, largest_input_, masses_.physical, masses_.added, recorder.next_mark()};
+  broadcast(*ranks_, balance);
+  energy_ = balance.energy;
+  diverged_ = balance.diverged;
+  unstable_ = balance.unstable;
+  largest_input_ = balance.largest_input;
+  masses_.physical = balance.physical_mass;
+  masses_.added = balance.added_mass;
+  next_mark_ = balance.next_mark;
+}
+
+}  // namespace nugget::impact

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "system/partition.hpp"
+
+#include <metis.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/index.hpp"
+
+namespace nugget::system {
+namespace {
+
+/// Units that are shared out, and which share nodes with which (METIS: compressed rows).
+struct UnitGraph {
+  std::vector<std::pair<int, std::size_t>> unit;  ///< group and unit of each vertex
+  std::vector<idx_t> start{0}, neighbour, shared_nodes, cost;
+};
+
+UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& rank) {
+  UnitGraph graph;
+  std::vector<std::vector<std::size_t>> vertex_of(system.groups.size());
+  for (std::size_t g = 0; g < rank.size(); ++g) {
+    vertex_of[g].resize(rank[g].size());
+    for (std::size_t u = 0; u < rank[g].size(); ++u) {
+      vertex_of[g][u] = graph.unit.size();
+      if (rank[g][u] != Partition::everyone) graph.unit.emplace_back(static_cast<int>(g), u);
+    }
+  }
+  // Nodes of each vertex, each once, and vertices of each node.
+  std::vector<std::vector<int>> nodes_of(graph.unit.size());
+  std::vector<std::vector<std::size_t>> vertices_at(system.nodes);
+  for (std::size_t v = 0; v < graph.unit.size(); ++v) {
+    const auto [g, u] = graph.unit[v];
+    const ElementGroup& group = *system.groups[g];
+    const std::size_t size = Partition::unit_size(group), end = std::min(group.size(), (u + 1) * size);
+    std::vector<int>& nodes = nodes_of[v];
+    for (std::size_t e = u * size; e < end; ++e) {
+      const ElementNodes of_element = group.nodes(e);
+      nodes.insert(nodes.end(), of_element.begin(), of_element.begin() + group.nodes_per_element);
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const int n : nodes) vertices_at[n].push_back(v);
+    graph.cost.push_back(static_cast<idx_t>(
+        std::max(1.0, std::round(element_cost(system, group) * static_cast<double>(end - u * size)))));
+  }
+  std::vector<idx_t> common(graph.unit.size(), 0);
+  std::vector<std::size_t> found;
+  for (std::size_t v = 0; v < graph.unit.size(); ++v) {
+    found.clear();
+    for (const int n : nodes_of[v])
+      for (const std::size_t other : vertices_at[n])
+        if (other != v && common[other]++ == 0) found.push_back(other);
+    std::sort(found.begin(), found.end());
+    for (const std::size_t other : found) {
+      graph.neighbour.push_back(static_cast<idx_t>(other));
+      graph.shared_nodes.push_back(common[other]);
+      common[other] = 0;
+    }
+    graph.start.push_back(static_cast<idx_t>(graph.neighbour.size()));
+  }
+  return graph;
+}
+
+/// The rank of each vertex.
+std::vector<idx_t> cut(UnitGraph& graph, int ranks) {
+  auto vertices = static_cast<idx_t>(graph.unit.size());
+  std::vector<idx_t> rank(graph.unit.size(), 0);
+  if (ranks == 1) return rank;
+  if (vertices <= ranks) {  // fewer than METIS can cut
+    for (idx_t v = 0; v < vertices; ++v) rank[at(v)] = v;
+    return rank;
+  }
+  std::array<idx_t, METIS_NOPTIONS> options;
+  METIS_SetDefaultOptions(options.data());
+  options[METIS_OPTION_SEED] = 1;
+  options[METIS_OPTION_UFACTOR] = 10;  // thousandths by which a rank may have more than the mean
+  idx_t constraints = 1, parts = ranks, edge_cut = 0;
+  const auto method = ranks <= 8 ? METIS_PartGraphRecursive : METIS_PartGraphKway;
+  const int status =
+      method(&vertices, &constraints, graph.start.data(), graph.neighbour.data(), graph.cost.data(), nullptr,
+             graph.shared_nodes.data(), &parts, nullptr, nullptr, options.data(), &edge_cut, rank.data());
+  if (status != METIS_OK) throw std::runtime_error("METIS cannot cut the graph of the elements");
+  return rank;
+}
+
+/// Nodes by rank: to whom the elements around each belong, everyone's left out.
+std::vector<std::vector<int>> ranks_at_nodes(const System& system, const Partition& partition) {
+  std::vector<std::vector<int>> at_node(system.nodes);
+  for (std::size_t g = 0; g < system.groups.size(); ++g) {
+    const ElementGroup& group = *system.groups[g];
+    for (std::size_t e = 0; e < group.size(); ++e) {
+      const int rank = partition.of_element(static_cast<int>(g), e);
+      const ElementNodes nodes = group.nodes(e);
+      for (int a = 0; a < group.nodes_per_element; ++a) {
+        if (nodes[a] < 0) continue;  // a spring to the ground
+        std::vector<int>& here = at_node[nodes[a]];
+        if (std::find(here.begin(), here.end(), rank) == here.end()) here.push_back(rank);
+      }
+    }
+  }
+  return at_node;
+}
+
+}  // namespace
+
+Partition::Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone)
+    : ranks_(ranks) {
+  for (const auto& group : system.groups) {
+    const std::size_t size = unit_size(*group);
+    unit_.push_back(size);
+    // A unit must be whole blocks.
+    const bool shared_out = size % group->block_width() == 0;
+    rank_.emplace_back((group->size() + size - 1) / size, shared_out ? 0 : everyone);
+  }
+  for (const System::ElementLocation& one : for_everyone)
+    if (one.group >= 0) rank_[one.group][at(one.element) / unit_[one.group]] = everyone;
+  UnitGraph graph = graph_of(system, rank_);
+  const std::vector<idx_t> rank = cut(graph, ranks);
+  for (std::size_t v = 0; v < rank.size(); ++v)
+    rank_[graph.unit[v].first][graph.unit[v].second] = static_cast<int>(rank[v]);
+}
+
+std::size_t Partition::elements_of_everyone(const System& system) const {
+  std::size_t count = 0;
+  for (std::size_t g = 0; g < system.groups.size(); ++g)
+    for (std::size_t e = 0; e < system.groups[g]->size(); ++e) count += of_element(static_cast<int>(g), e) == everyone;
+  return count;
+}
+
+std::vector<Partition::Share> Partition::shares(const System& system) const {
+  std::vector<Share> all(at(ranks_));
+  double whole = 0.0;
+  for (std::size_t g = 0; g < system.groups.size(); ++g) {
+    const ElementGroup& group = *system.groups[g];
+    const double cost = element_cost(system, group);
+    for (std::size_t e = 0; e < group.size(); ++e) {
+      const int rank = of_element(static_cast<int>(g), e);
+      for (int r = rank == everyone ? 0 : rank; r < (rank == everyone ? ranks_ : rank + 1); ++r) {
+        ++all[r].elements;
+        all[r].cost += cost;
+        whole += cost;
+      }
+    }
+  }
+  for (const std::vector<int>& here : ranks_at_nodes(system, *this)) {
+    const bool of_everyone = std::find(here.begin(), here.end(), everyone) != here.end();
+    for (int r = 0; r < ranks_; ++r) {
+      if (!of_everyone && std::find(here.begin(), here.end(), r) == here.end()) continue;
+      ++all[r].nodes;
+      if (ranks_ == 1 || (!of_everyone && here.size() == 1)) continue;
+      ++all[r].shared_nodes;
+      for (int other = 0; other < ranks_; ++other) {
+        std::vector<int>& known = all[r].neighbours;
+        if (other == r || (!of_everyone && std::find(here.begin(), here.end(), other) == here.end())) continue;
+        if (std::find(known.begin(), known.end(), other) == known.end()) known.push_back(other);
+      }
+    }
+  }
+  for (Share& share : all) {
+    if (whole > 0.0) share.cost *= ranks_ / whole;
+    std::sort(share.neighbours.begin(), share.neighbours.end());
+  }
+  return all;
+}
+
+double element_cost(const System&, const ElementGroup& group) {
+  return group.kind == model::ElementKind::discrete ? 20.0 : 100.0;
+}
+
+}  // namespace nugget::system

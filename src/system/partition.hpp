@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "system/system.hpp"
+
+namespace nugget::system {
+
+/// Which rank computes which elements. Elements go to ranks by units, so many as the widest block of their group holds,
+/// whatever the width of this machine's: the partition is the same everywhere.
+class Partition {
+ public:
+  static constexpr int everyone = -1;  ///< in place of a rank: all of them compute the unit
+
+  /// Cuts the graph of units that share nodes by METIS so that all ranks have about the same cost (`element_cost`) and
+  /// few nodes lie on several. `for_everyone`: elements whose state is looked at by what is computed on all ranks; so
+  /// are all springs.
+  Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone);
+
+  int ranks() const { return ranks_; }
+  static std::size_t unit_size(const ElementGroup& group) { return group.widest(); }
+  int of_element(int group, std::size_t e) const { return rank_[group][e / unit_[group]]; }
+  int of_block(int group, std::size_t block, std::size_t width) const {
+    return rank_[group][block * width / unit_[group]];
+  }
+
+  /// What a rank has.
+  struct Share {
+    std::size_t elements = 0;      ///< those that everyone computes included
+    std::size_t nodes = 0;         ///< of these elements
+    std::size_t shared_nodes = 0;  ///< of them, those that other ranks have too
+    std::vector<int> neighbours;   ///< these ranks
+    double cost = 0.0;             ///< of its elements, as a share of the mean
+  };
+  std::vector<Share> shares(const System& system) const;
+  /// How many elements everyone computes.
+  std::size_t elements_of_everyone(const System& system) const;
+
+ private:
+  int ranks_;
+  std::vector<std::size_t> unit_;       ///< elements of a unit, by group
+  std::vector<std::vector<int>> rank_;  ///< by group and unit
+};
+
+/// What a cycle of one element costs [ns, on the machine of bench/element_costs.py]: a table of measured kinds.
+double element_cost(const System& system, const ElementGroup& group);
+
+}  // namespace nugget::system

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "system/share.hpp"
+
+#include <algorithm>
+
+#include "base/index.hpp"
+#include "base/parallel.hpp"
+
+namespace nugget::system {
+namespace {
+
+constexpr int longest_range = 512;  // so that threads have something to share
+
+/// Ranges of those nodes for which `chosen` is true.
+template <class Chosen>
+std::vector<Share::Range> ranges_of(std::size_t nodes, const Chosen& chosen) {
+  std::vector<Share::Range> ranges;
+  for (int k = 0; k < static_cast<int>(nodes); ++k) {
+    if (!chosen(k)) continue;
+    if (!ranges.empty() && ranges.back().end == k && k - ranges.back().begin < longest_range)
+      ++ranges.back().end;
+    else
+      ranges.push_back({k, k + 1});
+  }
+  return ranges;
+}
+
+/// Whose elements a node has.
+struct NodeOwners {
+  std::vector<int> ranks;  ///< rising, without everyone
+  bool everyone = false;   ///< it has elements that all ranks compute
+  bool turns = false;      ///< it has elements with moments
+  bool only(int rank) const { return !everyone && ranks.size() == 1 && ranks.front() == rank; }
+  bool has(int rank) const { return std::binary_search(ranks.begin(), ranks.end(), rank); }
+};
+
+template <class Visit>
+void each_corner(const System& system, const Visit& visit) {
+  for (std::size_t g = 0; g < system.groups.size(); ++g) {
+    const ElementGroup& group = *system.groups[g];
+    for (std::size_t e = 0; e < group.size(); ++e) {
+      const ElementNodes nodes = group.nodes(e);
+      for (int a = 0; a < group.nodes_per_element; ++a) visit(static_cast<int>(g), group, e, a, nodes[a]);
+    }
+  }
+}
+
+std::vector<NodeOwners> owners_of_nodes(const System& system, const Partition& partition) {
+  std::vector<NodeOwners> owners(system.nodes);
+  each_corner(system, [&](int g, const ElementGroup& group, std::size_t e, int, int node) {
+    NodeOwners& of = owners[node];
+    of.turns |= group.rotational;
+    const int rank = partition.of_element(g, e);
+    if (rank == Partition::everyone) {
+      of.everyone = true;
+      return;
+    }
+    const auto place = std::lower_bound(of.ranks.begin(), of.ranks.end(), rank);
+    if (place == of.ranks.end() || *place != rank) of.ranks.insert(place, rank);
+  });
+  return owners;
+}
+
+}  // namespace
+
+Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<const char> for_everyone)
+    : ranks_(ranks), partition_(std::move(partition)) {
+  const int count = ranks.count(), own = ranks.rank();
+  const std::vector<NodeOwners> owners = owners_of_nodes(system, partition_);
+  // A node without elements moves by what acts on it: nobody's share, so everyone's.
+  const auto everyone_follows = [&](int k) {
+    return for_everyone[k] != 0 || owners[k].everyone || owners[k].ranks.empty();
+  };
+  const auto sum_travels = [&](int k) {
+    return everyone_follows(k) && !owners[k].everyone && owners[k].ranks.size() == 1;
+  };
+
+  // Slots travel to everyone, and to single ranks.
+  std::vector<Message> to_all(at(count));
+  std::vector<std::vector<Message>> between(at(count), std::vector<Message>(at(count)));  // from, to
+  std::vector<std::vector<char>> at_border;
+  for (const auto& group : system.groups) at_border.emplace_back(group->blocks(), 0);
+  each_corner(system, [&](int g, const ElementGroup& group, std::size_t e, int a, int node) {
+    const int from = partition_.of_element(g, e);
+    if (from == Partition::everyone || sum_travels(node)) return;
+    const NodeOwners& of = owners[node];
+    const auto add = [&](Message& message) {
+      const std::size_t row = group.slot_row(e, a);
+      message.rows.push_back(row);
+      if (group.rotational) message.rows.push_back(row + 1);
+    };
+    bool travels = everyone_follows(node);
+    if (travels) add(to_all[from]);
+    for (const int to : of.ranks) {
+      if (to == from || everyone_follows(node) || (from != own && to != own)) continue;
+      add(between[from][to]);
+      travels = true;
+    }
+    if (travels && from == own) at_border[g][e / group.block_width()] = 1;
+  });
+  const auto keep = [&](Message& message, int from, std::vector<int> to) {
+    if (message.rows.empty()) return;
+    message.from = from;
+    message.to = std::move(to);
+    message.data.resize(message.rows.size());
+    (from == own ? out_ : in_).push_back(std::move(message));
+  };
+  std::vector<int> others;
+  for (int r = 0; r < count; ++r)
+    if (r != own) others.push_back(r);
+  for (int from = 0; from < count; ++from) {
+    keep(to_all[from], from, others);
+    for (int to = 0; to < count; ++to)
+      if (from == own || to == own) keep(between[from][to], from, {to});
+  }
+
+  sums_.resize(at(count));
+  for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
+    if (!sum_travels(k)) continue;
+    Sums& sums = sums_[owners[k].ranks.front()];
+    sums.nodes.push_back(k);
+    sums.turns.push_back(owners[k].turns);
+  }
+  for (Sums& sums : sums_)
+    sums.data.resize(sums.nodes.size() + at(static_cast<int>(std::count(sums.turns.begin(), sums.turns.end(), 1))));
+  const auto follows = [&](int k) { return everyone_follows(k) || owners[k].has(own); };
+  followed_ = ranges_of(system.nodes, follows);
+  for (int k = static_cast<int>(system.nodes); k < static_cast<int>(system.all_nodes()); k += longest_range)
+    followed_.push_back({k, std::min(static_cast<int>(system.all_nodes()), k + longest_range)});
+  reported_.resize(at(count));
+  for (int k = 0; k < static_cast<int>(system.nodes); ++k)
+    if (!everyone_follows(k)) reported_[owners[k].ranks.front()].push_back(k);
+  follows_everything_ = std::ranges::all_of(reported_, &std::vector<int>::empty);
+  summed_ = ranges_of(system.nodes, [&](int k) { return follows(k) && (!sum_travels(k) || owners[k].only(own)); });
+
+  for (const bool border : {true, false}) {
+    for (std::size_t g = 0; g < system.groups.size(); ++g) {
+      const ElementGroup& group = *system.groups[g];
+      for (std::size_t b = 0; b < group.blocks(); ++b) {
+        const int rank = partition_.of_block(static_cast<int>(g), b, group.block_width());
+        if (rank != Partition::everyone && rank != own) continue;
+        if ((at_border[g][b] != 0) == border) blocks_.emplace_back(static_cast<int>(g), b);
+      }
+    }
+    if (border) border_blocks_ = blocks_.size();
+  }
+}
+
+void Share::send(std::span<const Row> slots, std::span<const SingleRow> single) {
+  for (Message& message : in_) ranks_.receive(message.from, std::as_writable_bytes(std::span(message.data)));
+  for (Message& message : out_) {
+    for (std::size_t i = 0; i < message.rows.size(); ++i) {
+      const std::size_t row = message.rows[i];
+      const Vec3d v = row < slots.size() ? vec(slots[row]) : vec(single[row - slots.size()]);
+      message.data[i] = {v.x, v.y, v.z};
+    }
+    for (const int to : message.to) ranks_.send(to, std::as_bytes(std::span<const Row3>(message.data)));
+  }
+}
+
+void Share::receive(std::span<Row> slots, std::span<SingleRow> single) {
+  ranks_.finish();
+  for (const Message& message : in_) {
+    for (std::size_t i = 0; i < message.rows.size(); ++i) {
+      const std::size_t row = message.rows[i];
+      const Row3& v = message.data[i];
+      if (row < slots.size())
+        slots[row] = {v.x, v.y, v.z, 0.0};
+      else
+        single[row - slots.size()] = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0f};
+    }
+  }
+}
+
+void Share::exchange_sums(std::span<Row> force, std::span<Row> moment) {
+  const int own = ranks_.rank();
+  for (int r = 0; r < ranks_.count(); ++r)
+    if (r != own && !sums_[r].nodes.empty()) ranks_.receive(r, std::as_writable_bytes(std::span(sums_[r].data)));
+  Sums& mine = sums_[own];
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < mine.nodes.size(); ++i) {
+    const Row &f = force[mine.nodes[i]], &m = moment[mine.nodes[i]];
+    mine.data[place++] = {f.x, f.y, f.z};
+    if (mine.turns[i]) mine.data[place++] = {m.x, m.y, m.z};
+  }
+  if (!mine.nodes.empty())
+    for (int r = 0; r < ranks_.count(); ++r)
+      if (r != own) ranks_.send(r, std::as_bytes(std::span<const Row3>(mine.data)));
+  ranks_.finish();
+  for (int r = 0; r < ranks_.count(); ++r) {
+    if (r == own) continue;
+    const Sums& sums = sums_[r];
+    const Row3* next = sums.data.data();
+    for (std::size_t i = 0; i < sums.nodes.size(); ++i) {
+      Row &f = force[sums.nodes[i]], &m = moment[sums.nodes[i]];
+      f = {next->x, next->y, next->z, 0.0};
+      ++next;
+      m = {};
+      if (sums.turns[i]) {
+        m = {next->x, next->y, next->z, 0.0};
+        ++next;
+      }
+    }
+  }
+}
+
+void Share::report(std::span<double> of_nodes) {
+  const int own = ranks_.rank();
+  std::vector<std::vector<double>> numbers(at(ranks_.count()));
+  for (int r = 1; r < ranks_.count(); ++r) {
+    if (reported_[r].empty() || (own != 0 && own != r)) continue;
+    numbers[r].resize(reported_[r].size());
+    if (own == 0) {
+      ranks_.receive(r, std::as_writable_bytes(std::span(numbers[r])));
+      continue;
+    }
+    for (std::size_t i = 0; i < numbers[r].size(); ++i) numbers[r][i] = of_nodes[reported_[r][i]];
+    ranks_.send(0, std::as_bytes(std::span<const double>(numbers[r])));
+  }
+  ranks_.finish();
+  for (int r = 1; own == 0 && r < ranks_.count(); ++r)
+    for (std::size_t i = 0; i < numbers[r].size(); ++i) of_nodes[reported_[r][i]] = numbers[r][i];
+}
+
+std::size_t Share::bytes_of_step() const {
+  std::size_t rows = 0;
+  for (const Message& message : out_) rows += message.data.size() * message.to.size();
+  rows += sums_[ranks_.rank()].data.size() * at(ranks_.count() - 1);
+  return rows * sizeof(Row3);
+}
+
+}  // namespace nugget::system

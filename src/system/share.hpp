@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/ranks.hpp"
+#include "system/partition.hpp"
+
+namespace nugget::system {
+
+/// What one rank does of a run over several, and what it sends and receives for that (docs/decisions/0101).
+///
+/// Ranks number nodes, elements and slots alike, as one process does. A rank computes the elements of its share and
+/// knows, in each cycle, all slots around the nodes that it follows: its own, and those that others send. It adds them
+/// in the order in which one process does, so every rank that follows a node moves it by the same bits. Of a node that
+/// everyone follows, but that only one rank's elements have, that rank sends the sum.
+class Share {
+ public:
+  /// `followed`: by node, whether everyone follows it, besides those whose elements have it.
+  Share(const System& system, Ranks& ranks, Partition partition, std::span<const char> followed);
+
+  Ranks& ranks() const { return ranks_; }
+  const Partition& partition() const { return partition_; }
+  bool computes(int group, std::size_t e) const {
+    const int rank = partition_.of_element(group, e);
+    return rank == Partition::everyone || rank == ranks_.rank();
+  }
+  /// Whether this rank alone, or the first one where everyone does, computes it: who answers for it.
+  bool answers_for(int group, std::size_t e) const {
+    const int rank = partition_.of_element(group, e);
+    return rank == ranks_.rank() || (rank == Partition::everyone && ranks_.rank() == 0);
+  }
+
+  using Block = std::pair<int, std::size_t>;  ///< group, block
+  /// Blocks that this rank computes: those at nodes of others first, so that their slots are on the way meanwhile.
+  const std::vector<Block>& blocks() const { return blocks_; }
+  std::size_t border_blocks() const { return border_blocks_; }
+
+  /// Sends the slots of own elements at nodes that others follow.
+  void send(std::span<const Row> slots, std::span<const SingleRow> single);
+  /// Waits for those of others, and puts them in their places.
+  void receive(std::span<Row> slots, std::span<SingleRow> single);
+  /// Ranges of nodes whose slots this rank adds up.
+  struct Range {
+    int begin, end;
+  };
+  const std::vector<Range>& summed() const { return summed_; }
+  /// Sends and receives the sums of nodes that are summed by one rank and followed by everyone.
+  void exchange_sums(std::span<Row> force, std::span<Row> moment);
+  /// Ranges of nodes that this rank follows, bodies' and anchors' virtual ones included.
+  const std::vector<Range>& followed() const { return followed_; }
+
+  /// Whether all ranks follow all nodes.
+  bool follows_everything() const { return follows_everything_; }
+  /// Nodes that not all ranks follow, by the rank that answers for them: the first one of those whose elements they
+  /// have.
+  const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
+  /// The numbers of these nodes come to the first rank.
+  void report(std::span<double> of_nodes);
+
+  /// Numbers that a step sends from here, of all kinds, in bytes.
+  std::size_t bytes_of_step() const;
+
+ private:
+  struct Row3 {
+    double x, y, z;
+  };
+  /// Slots, or nodes, of one rank that others need, in one order for sender and receivers.
+  struct Message {
+    int from;
+    std::vector<int> to;
+    std::vector<std::size_t> rows;  ///< slot rows; moments are rows of their own
+    std::vector<Row3> data;
+  };
+  struct Sums {
+    std::vector<int> nodes;
+    std::vector<char> turns;  ///< by node: a moment follows
+    std::vector<Row3> data;
+  };
+  void start(const Message& message);
+
+  Ranks& ranks_;
+  Partition partition_;
+  std::vector<Block> blocks_;
+  std::size_t border_blocks_ = 0;
+  std::vector<Message> out_, in_;
+  std::vector<Sums> sums_;  ///< by rank
+  std::vector<Range> summed_, followed_;
+  std::vector<std::vector<int>> reported_;  ///< by rank
+  bool follows_everything_ = true;
+};
+
+}  // namespace nugget::system

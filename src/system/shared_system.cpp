@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs over several ranks: what of a System each computes, and what of it the others learn.
+#include <algorithm>
+#include <cmath>
+
+#include "base/index.hpp"
+#include "system/before_cycle.hpp"
+#include "system/share.hpp"
+#include "system/system.hpp"
+
+namespace nugget::system {
+namespace {
+
+/// What has happened to an element in a cycle that its rank has computed.
+struct ElementNews {
+  enum What : int { deleted, inverted, step };
+  int what = deleted;
+  int group = 0;
+  std::size_t element = 0;
+  double value = 0.0;  ///< the step
+};
+
+}  // namespace
+
+void System::share_out(Ranks& ranks, Partition partition, std::span<const char> followed) {
+  share_ = std::make_unique<Share>(*this, ranks, std::move(partition), followed);
+  blocks_ = share_->blocks();
+  leave_steps_to_others();
+  deletions_seen_.assign(groups.size(), -1);
+  deleted_.resize(groups.size());
+}
+
+void System::leave_steps_to_others() {
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (std::size_t e = 0; e < groups[g]->size(); ++e)
+      if (!share_->computes(static_cast<int>(g), e)) groups[g]->release_step(e);
+}
+
+void System::note_deleted() {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const ElementGroup& group = *groups[g];
+    if (group.deletions == deletions_seen_[g]) continue;
+    deletions_seen_[g] = group.deletions;
+    deleted_[g].resize(group.size());
+    for (std::size_t e = 0; e < group.size(); ++e) deleted_[g][e] = !group.alive(e);
+  }
+}
+
+void System::exchange_news() {
+  for (const auto& [g, e] : steps_of_others_) groups[g]->release_step(e);
+  steps_of_others_.clear();
+  std::vector<ElementNews> news;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const ElementGroup& group = *groups[i];
+    const auto g = static_cast<int>(i);
+    const auto each = [&](std::size_t begin, std::size_t end, const auto& visit) {
+      for (std::size_t e = begin; e < std::min(end, group.size()); ++e)
+        if (share_->partition().of_element(g, e) == share_->ranks().rank()) visit(e);
+    };
+    if (group.deletions != deletions_seen_[i])
+      each(0, group.size(), [&](std::size_t e) {
+        if (!group.alive(e) && !deleted_[i][e]) news.push_back({ElementNews::deleted, g, e});
+      });
+    if (group.inverted >= 0) {
+      each(0, group.size(), [&](std::size_t e) {
+        if (!group.alive(e) || group.stable_step(e) > 0.0) return;
+        news.push_back({ElementNews::step, g, e, group.stable_step(e)});
+      });
+      news.push_back({ElementNews::inverted, g, at(group.inverted)});
+    }
+    const std::size_t width = group.block_width();
+    for (std::size_t b = 0; told_below > 0.0 && b < group.blocks(); ++b)
+      if (group.step_share * group.block_step[b] < told_below)
+        each(b * width, (b + 1) * width, [&](std::size_t e) {
+          if (group.alive(e) && group.step_share * group.stable_step(e) < told_below)
+            news.push_back({ElementNews::step, g, e, group.stable_step(e)});
+        });
+  }
+  for (const ElementNews& n : gather_lists(share_->ranks(), news)) {
+    ElementGroup& group = *groups[n.group];
+    const bool own = share_->computes(n.group, n.element);
+    if (n.what == ElementNews::inverted) {
+      const auto e = static_cast<int>(n.element);
+      if (group.inverted < 0 || e < group.inverted) group.inverted = e;
+    } else if (!own && n.what == ElementNews::deleted) {
+      group.remove(n.element);
+    } else if (!own && n.what == ElementNews::step) {
+      group.take_step(n.element, n.value);
+      steps_of_others_.emplace_back(n.group, n.element);
+    }
+  }
+}
+
+bool System::looks_at_neighbours() const {
+  return std::ranges::any_of(groups, [](const auto& group) {
+    const auto* looks = dynamic_cast<const BeforeCycle*>(group.get());
+    return looks != nullptr && looks->looks_at_neighbours();
+  });
+}
+
+bool System::computes(ElementLocation location) const {
+  return !share_ || share_->computes(location.group, at(location.element));
+}
+
+void System::carry(int rank, Carried what, Parcel& parcel) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    ElementGroup& group = *groups[g];
+    const std::size_t width = group.block_width(), blocks = group.blocks();
+    for (std::size_t begin = 0; begin < blocks;) {
+      const auto of = [&](std::size_t b) { return share_->partition().of_block(static_cast<int>(g), b, width); };
+      std::size_t end = begin + 1;
+      const int here = of(begin);
+      while (end < blocks && of(end) == here) ++end;
+      if (here == rank) {
+        group.carry(begin, end, what, parcel);
+        if (what != Carried::energies) {
+          const std::size_t first = group.slot_row(begin * width, 0), rows = group.slot_row(end * width, 0) - first;
+          if (group.single_precision())
+            parcel(&single_slots_[first - slots_.size()], rows);
+          else
+            parcel(&slots_[first], rows);
+        }
+      }
+      begin = end;
+    }
+  }
+}
+
+void System::collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
+                     const std::function<void(const Computed& of, Parcel&)>& more) {
+  if (!share_) return;
+  const int count = share_->ranks().count();
+  const auto carry_all = [&](int rank, std::vector<std::byte>& data, bool reading) {
+    Parcel parcel(data, reading);
+    carry(rank, what, parcel);
+    for (std::vector<Row>* rows : of_nodes)
+      for (const int k : share_->reported_by(rank)) parcel(&(*rows)[k], 1);
+    more({rank, count, [&](int group, std::size_t e) { return share_->partition().of_element(group, e) == rank; }},
+         parcel);
+  };
+  Ranks& ranks = share_->ranks();
+  const int own = ranks.rank();
+  std::vector<std::byte> mine;
+  const bool to_all = what == Carried::whole;
+  if (to_all || own != 0) carry_all(own, mine, false);
+  const std::vector<std::uint64_t> sizes = gather(ranks, static_cast<std::uint64_t>(mine.size()));
+  std::vector<std::vector<std::byte>> of_others(at(count));
+  for (int r = 0; r < count; ++r) {
+    if (r == own) continue;
+    if (to_all || own == 0) {
+      of_others[r].resize(sizes[r]);
+      if (!of_others[r].empty()) ranks.receive(r, of_others[r]);
+    }
+    if ((to_all || r == 0) && !mine.empty()) ranks.send(r, mine);
+  }
+  ranks.finish();
+  for (int r = 0; r < count; ++r)
+    if (!of_others[r].empty()) carry_all(r, of_others[r], true);
+}
+
+}  // namespace nugget::system

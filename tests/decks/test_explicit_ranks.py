@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Explicit runs over several ranks of mpirun: the same bytes as one process, whatever acts; restart files; ranks that end; the partition."""
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+from lap_joint import deck as lap_joint
+from nugget_command import NUGGET, SOURCE
+from repeated_runs import FOREVER, RepeatedRuns, with_lanes
+from shared_out import block, tube
+
+MPIRUN = shutil.which("mpirun")
+# mpirun wants to be asked twice before it runs as root, which is what containers do.
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+
+@unittest.skipUnless(MPIRUN, "mpirun is not installed")
+class ExplicitRanks(RepeatedRuns):
+    def command(self, ranks, *arguments):
+        return [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", str(ranks), NUGGET, *map(str, arguments)]
+
+    def over(self, ranks, *arguments, expect=0):
+        run = subprocess.run(self.command(ranks, *arguments), capture_output=True, text=True, timeout=200, cwd=self.folder, env=ENVIRONMENT)
+        self.assertEqual(run.returncode, expect, f"{ranks} ranks: {arguments}\n{run.stderr}\n{run.stdout}")
+        return run
+
+    def compare_ranks(self, text, *options, ranks=((2, 1), (3, 2)), expect=0):
+        """One process with one thread against these ranks and threads; the summary of the last."""
+        model = self.write(text) if isinstance(text, str) else text
+        self.nugget("run", model, "-o", "one", "-j", 1, "--quiet", *options, env=with_lanes(4), expect=expect)
+        reference = self.bits("one")
+        for count, threads in ranks:
+            folder = f"r{count}_{threads}"
+            run = self.over(count, "run", model, "-o", folder, "-j", threads, "--quiet", *options, expect=expect)
+            self.assertEqual(run.stdout.count("t e r m i n a t i o n"), 1)  # one rank speaks
+            bits = self.bits(folder)
+            self.assertEqual(sorted(bits), sorted(reference))
+            for name, content in bits.items():
+                self.assertTrue(content == reference[name], f"{name} differs with {count} ranks of {threads} threads")
+            summary, alone = self.json(f"{folder}/summary.json"), self.json("one/summary.json")
+            self.assertEqual((summary["ranks"], len(summary["rank"]), summary["threads"]), (count, count, threads))
+            for quantity in ("cycles", "time", "time_step", "mass", "energy", "termination", "message", "weld"):
+                self.assertEqual(summary[quantity], alone[quantity], quantity)
+        return summary
+
+    def log(self, folder):
+        return self.read(f"{folder}/run.log")
+
+    def test_shells_with_supports_motions_and_loads(self):
+        """Nodes are shared out as well: only those of supports, loads and histories are followed by all."""
+        summary = self.compare_ranks(tube(), ranks=((2, 1), (3, 2), (4, 1), (7, 1)))
+        self.assertLessEqual({"d3plot", "glstat", "matsum", "nodout", "elout", "spcforc", "secforc", "bndout", "binout0000"}, set(self.files("one")))
+        self.assertIn("elements and nodes are shared out", self.log("r7_1"))
+        self.assertEqual(sum(rank["elements"] for rank in summary["rank"]), 720)
+        self.assertTrue(all(rank["shared_nodes"] < rank["nodes"] < 700 for rank in summary["rank"]))
+        self.assertTrue(all(0.8 < rank["expected_load"] < 1.2 and rank["bytes_per_cycle"] > 1000.0 for rank in summary["rank"]))
+
+    def test_shells_that_fail_under_mass_scaling(self):
+        self.compare_ranks(tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4))
+        self.assertRegex(self.log("one"), r"part 1: \d\d of 720 elements deleted")
+        self.assertGreater(self.json("one/summary.json")["mass"]["added"], 0.0)
+
+    def test_fully_integrated_shells_that_fail(self):
+        self.compare_ranks(tube(elform=16, fail=0.02))
+        self.assertRegex(self.log("one"), r"part 1: \d\d of 720 elements deleted")
+
+    def test_shells_deleted_for_their_step(self):
+        """DTMIN with ERODE: all ranks learn of the step of a shell that one of them computes."""
+        self.compare_ranks(tube(dtmin=0.93, end=8.0e-4))
+        self.assertRegex(self.log("one"), r"part 1: \d\d of 720 elements deleted")
+
+    def test_a_run_that_ends_in_error(self):
+        text = tube(dtmin=0.93, end=8.0e-4).replace("        11\n", "         0\n", 1)
+        self.compare_ranks(text, ranks=((2, 1),), expect=3)
+        self.assertIn("fell below DTMIN", self.json("r2_1/summary.json")["message"])
+
+    def test_bricks_tetrahedra_and_beams(self):
+        for elform in (1, 2):
+            with self.subTest(elform):
+                self.compare_ranks(block(elform=elform, end=3.0e-5))
+
+    def test_single_precision(self):
+        self.compare_ranks(tube(), "--precision", "single", ranks=((2, 1),))
+
+    def test_welds_contact_wall_and_rigid_sled(self):
+        """What is not shared out every rank computes whole."""
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        self.compare_ranks(self.folder / "double_hat.k", "--until", "2.0e-4")
+        self.assertIn("computes whole: contact, rigid walls, rigid bodies, ties", self.log("r2_1"))
+
+    def test_every_kind_of_damping(self):
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        text = (self.folder / "double_hat.k").read_text(encoding="ascii")
+        cards = ("*DAMPING_GLOBAL\n         0      50.0\n*DAMPING_PART_STIFFNESS\n         1      0.05\n"
+                 "*DAMPING_FREQUENCY_RANGE\n      0.02     100.0   10000.0\n*DAMPING_FREQUENCY_RANGE_DEFORM\n      0.02     100.0   10000.0\n")
+        self.compare_ranks(text.replace("*END", cards + "*END"), "--until", "1.0e-4", ranks=((3, 1),))
+
+    def test_a_weld_that_fails(self):
+        self.compare_ranks(lap_joint(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0")), ranks=((2, 1),))
+
+    def test_restart_files_with_other_numbers_of_ranks(self):
+        """Two ranks, three, one process."""
+        for name, text, options in (("tube", tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4), ()), ("lap joint", lap_joint(), ("--max-cycles", 600))):
+            with self.subTest(name):
+                model = self.write(text)
+                self.nugget("run", model, "-o", "whole", "-j", 1, "--quiet", *options)
+                cycles = self.json("whole/summary.json")["cycles"]
+                at = cycles // 3
+                self.over(2, "run", model, "-o", "cut", "-j", 1, "--quiet", "--checkpoint", f"{at}cycles", "--max-cycles", at + 5)
+                self.over(3, "run", "--resume", "cut", "-j", 1, "--quiet", "--max-cycles", 2 * at + 1)
+                self.nugget("run", "--resume", "cut", "-j", 2, "--quiet", *(options or FOREVER), env=with_lanes(4))
+                self.assertEqual(self.read("cut/run.log").count("Resumed from a restart file"), 2)
+                bits = self.bits("whole")
+                for file, content in self.bits("cut").items():
+                    if not file.startswith("restart"):
+                        self.assertTrue(content == bits[file], file)
+
+    def test_each_case_of_a_deck(self):
+        text = tube().replace("*CONTROL_TERMINATION\n", "*CASE\n" + f"{1:>10}\n" + "*CASE\n" + f"{2:>10}\n" + "*CONTROL_TERMINATION\n", 1)
+        self.write(text)
+        run = self.over(2, "run", "model.k", "-o", "out", "-j", 1, "--quiet", "--max-cycles", 5)
+        self.assertEqual(run.stdout.count("N o r m a l"), 2)
+        self.assertEqual([self.json(f"out/case{c}/summary.json")["ranks"] for c in (1, 2)], [2, 2])
+
+    def running(self):
+        """Processes that stand in the test's folder, but for mpirun."""
+        found = []
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                if (process / "cwd").resolve() == self.folder.resolve() and (process / "exe").resolve().name == "nugget-mpi":
+                    found.append(int(process.name))
+            except OSError:
+                continue  # of somebody else, or gone
+        return sorted(found)
+
+    def test_signals_and_the_death_of_a_rank(self):
+        """A signal, to mpirun or to any rank, leaves a restart file from which one process goes on; a rank that is killed ends all."""
+        self.write(tube(48, 60, end=1.0))
+        for strike, number in (("term to mpirun", signal.SIGTERM), ("term to a rank", signal.SIGTERM), ("kill a rank", signal.SIGKILL)):
+            with self.subTest(strike):
+                folder = strike.replace(" ", "_")
+                with subprocess.Popen(self.command(2, "run", "model.k", "-j", 1, "-o", folder, "--quiet", "--checkpoint", "20cycles"), cwd=self.folder,
+                                      env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as mpirun:
+                    deadline = time.monotonic() + 60
+                    while not (self.folder / folder / "restart.previous").exists():
+                        self.assertLess(time.monotonic(), deadline)
+                        self.assertIsNone(mpirun.poll())
+                        time.sleep(0.1)
+                    ranks = self.running()
+                    self.assertEqual(len(ranks), 2)
+                    if strike.endswith("mpirun"):
+                        mpirun.send_signal(number)
+                    else:
+                        os.kill(ranks[-1], number)
+                    code = mpirun.wait(30)
+                self.assertEqual(self.running(), [])
+                if strike == "term to a rank":
+                    self.assertEqual(code, 130)
+                else:
+                    self.assertNotEqual(code, 0)
+                before = re.findall(r"cycles\s+(\d+)", self.log(folder))
+                self.assertEqual(len(before), 0 if strike == "kill a rank" else 1)
+                self.nugget("run", "--resume", folder, "--quiet", "--max-cycles", int(before[0]) + 2 if before else 10, env=with_lanes(4))
+
+    def test_a_file_that_cannot_be_written(self):
+        """The first rank finds it, when the others are in the run already, and ends them with the exit code of one process."""
+        self.write(tube(end=1.0))
+        (self.folder / "out" / "spcforc").mkdir(parents=True)
+        run = self.over(2, "run", "model.k", "-o", "out", "-j", 1, "--quiet", expect=4)
+        self.assertIn("nugget: cannot write out/spcforc: Is a directory\n", run.stderr)
+        self.assertEqual(self.running(), [])
+
+    def test_refusals(self):
+        self.write(tube().replace("*SECTION_SHELL\n", "*SECTION_SHEL\n"))
+        run = self.over(2, "run", "model.k", "-o", "out", "--quiet", expect=1)
+        self.assertEqual(run.stderr.count("the deck is refused; nothing was run"), 1)
+        self.write(lap_joint())
+        run = self.over(2, "run", "model.k", "-o", "out", "--quiet", "--drop-weld", "all", expect=2)
+        self.assertIn("these are many runs, each a process of its own", run.stderr)
+
+    def test_the_partition(self):
+        """Of a tube of 24 by 30 shells two ranks cut one ring, and so share 24 nodes or a few more."""
+        self.write(tube())
+        told = self.nugget("check", "model.k", "-n", 2, "-o", "out").stdout
+        rows = [line.split() for line in told.splitlines() if re.match(r"\s+[01]\s+\d+\s+\d+", line)]
+        self.assertEqual(sum(int(row[1]) for row in rows), 720)
+        for row in rows:
+            self.assertAlmostEqual(int(row[1]), 360, delta=12)
+            self.assertTrue(24 <= int(row[3]) <= 40, row)
+        self.assertIn("partition.vtu", self.files("out"))
+        self.assertIn("elements and nodes are shared out", told)
+
+
+if __name__ == "__main__":
+    unittest.main()
