@@ -4,6 +4,7 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -164,10 +165,6 @@ std::vector<Partition::Share> Partition::shares(const System& system) const {
     std::sort(share.neighbours.begin(), share.neighbours.end());
   }
   return all;
-}
-
-double element_cost(const System&, const ElementGroup& group) {
-  return group.kind == model::ElementKind::discrete ? 20.0 : 100.0;
 }
 
 }  // namespace nugget::system

@@ -45,7 +45,8 @@ class Partition {
   std::vector<std::vector<int>> rank_;  ///< by group and unit
 };
 
-/// What a cycle of one element costs [ns, on the machine of bench/element_costs.py]: a table of measured kinds.
+/// What a cycle of one element costs on one machine [ns]: only ratios matter. A table of kinds, formulations, layers
+/// and laws that bench/element_costs.py measured.
 double element_cost(const System& system, const ElementGroup& group);
 
 }  // namespace nugget::system

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "system/share.hpp"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <cstring>
+#include <deque>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <random>
+#include <thread>
+
+#include "base/index.hpp"
+#include "deck/deck.hpp"
+#include "reading/build.hpp"
+
+namespace nugget::system {
+namespace {
+
+constexpr std::size_t side = 24;
+
+/// A bent sheet of side x side shells.
+std::string text_of_sheet() {
+  std::string nodes, shells;
+  char line[160];
+  const int row = static_cast<int>(side) + 1;
+  for (int j = 0; j < row; ++j)
+    for (int i = 0; i < row; ++i) {
+      std::snprintf(line, sizeof line, "%8d%16g%16g%16g\n", row * j + i + 1, 10.0 * i, 10.0 * j, 0.01 * i * i);
+      nodes += line;
+    }
+  for (int j = 0; j < row - 1; ++j)
+    for (int i = 0; i < row - 1; ++i) {
+      const int n = row * j + i + 1;
+      std::snprintf(line, sizeof line, "%8d%8d%8d%8d%8d%8d\n", (row - 1) * j + i + 1, 1, n, n + 1, n + row + 1,
+                    n + row);
+      shells += line;
+    }
+  return "*KEYWORD\n*CONTROL_TERMINATION\n1e-3\n*PART\nsheet\n1,1,1\n*SECTION_SHELL\n1,2\n1.0,1.0,1.0,1.0\n"
+         "*MAT_ELASTIC\n1,7.85e-9,210000.0,0.3\n*NODE\n" +
+         nodes + "*ELEMENT_SHELL\n" + shells + "*END\n";
+}
+
+struct Sheet {
+  Findings findings;
+  model::Model model;
+  weld::Ties ties;
+  System system;
+  State state;
+  Sheet()
+      : model(reading::build(deck::read_text(text_of_sheet(), findings), findings)),
+        ties(weld::tie(model, findings)),
+        system(model, ties, findings),
+        state(system.initial_state()) {}
+  /// Two steps in random motion, the same in each sheet; nodes that this process does not follow get no velocity.
+  void move() {
+    std::mt19937 draw(7);
+    std::uniform_real_distribution<double> speed(-1e3, 1e3);
+    std::vector<Row> v(state.v.size());
+    for (Row& row : v) row = {speed(draw), speed(draw), speed(draw), 0.0};
+    system.for_each_node(64, [&](std::size_t begin, std::size_t end) {
+      std::copy(v.begin() + static_cast<std::ptrdiff_t>(begin), v.begin() + static_cast<std::ptrdiff_t>(end),
+                state.v.begin() + static_cast<std::ptrdiff_t>(begin));
+    });
+    state.dt = 1e-7;
+    for (int step = 0; step < 2; ++step) {
+      system.for_each_node(64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) add(state.x[k], state.dt * vec(state.v[k]));
+      });
+      system.internal_force(state);
+    }
+  }
+};
+
+/// Ranks that are threads of one process.
+struct Exchange {
+  std::mutex mutex;
+  std::condition_variable news;
+  std::map<std::pair<int, int>, std::deque<std::vector<std::byte>>> messages;
+};
+
+class ThreadRanks final : public Ranks {
+ public:
+  ThreadRanks(Exchange& exchange, int count, int rank) : exchange_(exchange), count_(count), rank_(rank) {}
+  int count() const override { return count_; }
+  int rank() const override { return rank_; }
+  void send(int to, std::span<const std::byte> data) override {
+    const std::scoped_lock lock(exchange_.mutex);
+    exchange_.messages[{rank_, to}].emplace_back(data.begin(), data.end());
+    exchange_.news.notify_all();
+  }
+  void receive(int from, std::span<std::byte> data) override { expected_.emplace_back(from, data); }
+  void finish() override {
+    for (auto& [from, data] : expected_) {
+      std::unique_lock lock(exchange_.mutex);
+      auto& queue = exchange_.messages[{from, rank_}];
+      exchange_.news.wait(lock, [&] { return !queue.empty(); });
+      ASSERT_EQ(queue.front().size(), data.size());
+      std::memcpy(data.data(), queue.front().data(), data.size());
+      queue.pop_front();
+    }
+    expected_.clear();
+  }
+  void gather(std::span<const std::byte> own, std::span<std::byte> all) override {
+    for (int r = 0; r < count_; ++r) {
+      const auto place = all.subspan(at(r) * own.size(), own.size());
+      if (r == rank_) {
+        std::memcpy(place.data(), own.data(), own.size());
+        continue;
+      }
+      send(r, own);
+      receive(r, place);
+    }
+    finish();
+  }
+  void broadcast(std::span<std::byte> data) override {
+    for (int r = 1; rank_ == 0 && r < count_; ++r) send(r, data);
+    if (rank_ == 0) return;
+    receive(0, data);
+    finish();
+  }
+  Traffic traffic() const override { return {}; }
+
+ private:
+  Exchange& exchange_;
+  int count_, rank_;
+  std::vector<std::pair<int, std::span<std::byte>>> expected_;
+};
+
+/// Each rank with a sheet of its own, moved; `look` sees them afterwards, one after the other.
+void over_ranks(int count, bool followed_by_all, const std::function<void(int, Sheet&)>& look) {
+  Exchange exchange;
+  std::vector<std::unique_ptr<Sheet>> sheets(at(count));
+  std::vector<std::unique_ptr<ThreadRanks>> ranks;
+  for (int r = 0; r < count; ++r) {
+    sheets[r] = std::make_unique<Sheet>();
+    ranks.push_back(std::make_unique<ThreadRanks>(exchange, count, r));
+  }
+  {
+    std::vector<std::jthread> threads;
+    for (int r = 0; r < count; ++r)
+      threads.emplace_back([&, r] {
+        Sheet& sheet = *sheets[r];
+        const std::vector<char> followed(sheet.system.nodes, followed_by_all);
+        sheet.system.share_out(*ranks[r], Partition(sheet.system, count, {}), followed);
+        sheet.move();
+        sheet.system.collect(Carried::results, {}, [](const System::Computed&, Parcel&) {});
+      });
+  }
+  for (int r = 0; r < count; ++r) look(r, *sheets[r]);
+}
+
+bool same(const Row& a, const Row& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+// Sabotage to be caught: a slot that is not sent, one in the wrong place, slots of others added behind the own ones.
+TEST(Share, ForcesHaveTheBitsOfOneProcess) {
+  Sheet alone;
+  alone.move();
+  for (const bool followed_by_all : {false, true})
+    for (const int count : {2, 3, 5}) {
+      std::vector<int> followers(alone.system.nodes, 0);
+      over_ranks(count, followed_by_all, [&](int, Sheet& sheet) {
+        sheet.system.for_each_node(64, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k) {
+            ++followers[k];
+            EXPECT_TRUE(same(sheet.state.f[k], alone.state.f[k]) && same(sheet.state.m[k], alone.state.m[k])) << k;
+          }
+        });
+      });
+      for (const int n : followers) EXPECT_TRUE(followed_by_all ? n == count : n >= 1 && n <= count);
+      if (!followed_by_all) {
+        EXPECT_LT(std::count_if(followers.begin(), followers.end(), [](int n) { return n > 1; }), 150);
+      }
+    }
+}
+
+TEST(Share, TheFirstRankCollectsWhatOthersComputed) {
+  Sheet alone;
+  alone.move();
+  over_ranks(3, false, [&](int rank, Sheet& sheet) {
+    if (rank != 0) return;
+    for (std::size_t g = 0; g < alone.system.groups.size(); ++g)
+      for (std::size_t e = 0; e < alone.system.groups[g]->size(); ++e) {
+        const ElementGroup &one = *alone.system.groups[g], &shared = *sheet.system.groups[g];
+        EXPECT_EQ(shared.internal_energy(e), one.internal_energy(e));
+        EXPECT_EQ(shared.layer(e, 0, alone.state).stress, one.layer(e, 0, alone.state).stress);
+        const System::ElementLocation place{static_cast<int>(g), static_cast<int>(e)};
+        EXPECT_EQ(sheet.system.nodal_force(place, 2).z, alone.system.nodal_force(place, 2).z);
+      }
+  });
+}
+
+// Of a square of 24 x 24 shells two ranks share a line of 25 nodes at best, whatever the machine.
+TEST(Partition, CutsASquareInHalves) {
+  const Sheet sheet;
+  const Partition halves(sheet.system, 2, {});
+  const std::vector<Partition::Share> shares = halves.shares(sheet.system);
+  for (const Partition::Share& share : shares) {
+    EXPECT_NEAR(static_cast<double>(share.elements), 288.0, 8.0);
+    EXPECT_GE(share.shared_nodes, 25u);
+    EXPECT_LE(share.shared_nodes, 40u);
+    EXPECT_NEAR(share.cost, 1.0, 0.03);
+    EXPECT_EQ(share.neighbours.size(), 1u);
+  }
+  const Partition again(sheet.system, 2, {});
+  for (std::size_t e = 0; e < side * side; ++e) EXPECT_EQ(again.of_element(0, e), halves.of_element(0, e));
+}
+
+TEST(Partition, ElementsThatAreLookedAtAreEveryones) {
+  const Sheet sheet;
+  const std::vector<System::ElementLocation> looked_at{{0, 100}};
+  const Partition partition(sheet.system, 3, looked_at);
+  EXPECT_EQ(partition.of_element(0, 100), Partition::everyone);
+  EXPECT_EQ(partition.elements_of_everyone(sheet.system), Partition::unit_size(*sheet.system.groups[0]));
+}
+
+TEST(Partition, MoreRanksThanUnits) {
+  const Sheet sheet;
+  const Partition partition(sheet.system, 200, {});
+  std::size_t sum = 0;
+  for (const Partition::Share& share : partition.shares(sheet.system)) sum += share.elements;
+  EXPECT_EQ(sum, side * side);
+}
+
+}  // namespace
+}  // namespace nugget::system
