@@ -186,6 +186,10 @@ class Builder {
   std::unordered_map<int, int> curved_systems;  ///< TYPE by id: 1 cylindrical, 2 spherical; others are Cartesian
   std::map<const void*, std::unordered_set<Index>> in_history;  ///< by list of Requests: what is in it
 
+  // What stands in files that *INCLUDE_TRANSFORM mirrors, by index: 1. Shorter than what it is of where none does.
+  std::vector<char> mirrored_materials, mirrored_shells, mirrored_solids;
+  std::set<int> mirrored_systems;  ///< by id
+
   bool skip_unsupported = false;           ///< refused keywords are left out with a warning
   const Coarsening* coarsening = nullptr;  ///< shells that are merged; null: none
 

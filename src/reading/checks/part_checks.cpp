@@ -296,6 +296,53 @@ void check_cross_axes(Builder& b, const Part& part, const deck::Entry& field, co
   }
 }
 
+bool is_mirrored_material(const Builder& b, Index material) {
+  return material != none && at(material) < b.mirrored_materials.size() && b.mirrored_materials[at(material)] != 0;
+}
+
+/// True where the elements of a part stand in mirrored files and its axes or angles do not, or the other way round.
+bool has_other_hand(const Builder& b, const Part& part, bool mirrored) {
+  const Model& m = b.model;
+  const auto index = static_cast<Index>(&part - m.parts.data());
+  const auto differs = [&](const auto& elements, const std::vector<char>& hands) {
+    if (hands.empty() && !mirrored) return false;
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (elements.part[e] == index && (!hands.empty() && hands[e] != 0) != mirrored) return true;
+    return false;
+  };
+  return part.kind == ElementKind::solid ? differs(m.solids, b.mirrored_solids) : differs(m.shells, b.mirrored_shells);
+}
+
+/// A mirrored brick has nodes 1 and 2, 3 and 4 exchanged: the plane through its nodes 1, 2 and 4 is the image of that
+/// before only where these four lie in a plane.
+void check_mirrored_bricks(Builder& b, const Part& part, const deck::Entry& field) {
+  const Model& m = b.model;
+  const auto index = static_cast<Index>(&part - m.parts.data());
+  for (std::size_t e = 0; e < b.mirrored_solids.size(); ++e) {
+    if (b.mirrored_solids[e] == 0 || m.solids.part[e] != index || m.solids.node[e][4] == m.solids.node[e][3]) continue;
+    const auto x = [&](std::size_t i) { return m.nodes.x[m.solids.node[e][i]]; };
+    const Vec3d now = cross(x(1) - x(0), x(3) - x(0)), image = cross(x(0) - x(1), x(2) - x(1));
+    if (norm(cross(now, image)) <= 1e-6 * norm(now) * norm(image)) continue;
+    return refuse(b, field,
+                  fmt::format("solid {}: axes by its nodes (AOPT 0) in a file that *INCLUDE_TRANSFORM mirrors need "
+                              "its nodes 1 to 4 in a plane",
+                              m.solids.id[e]),
+                  "give vectors (AOPT 2)");
+  }
+}
+
+void check_hand_of_axes(Builder& b, const Part& part, const deck::Entry& field, const kernel::MaterialAxes& axes,
+                        bool mirrored) {
+  using By = kernel::MaterialAxes::By;
+  const bool solid = part.kind == ElementKind::solid;
+  if (axes.by == By::nodes && solid) check_mirrored_bricks(b, part, field);
+  if ((axes.by == By::nodes && (solid || axes.angle == 0.0)) || !has_other_hand(b, part, mirrored)) return;
+  refuse(b, field,
+         fmt::format("*INCLUDE_TRANSFORM mirrors {} of part {} and not {}", mirrored ? "the material axes" : "elements",
+                     part.id, mirrored ? "all of its elements" : "its material axes"),
+         "write elements and material in one file, or give the mirrored ones a material of their own");
+}
+
 /// Material axes that the elements of a part cannot have.
 void check_material_axes(Builder& b, const Part& part, const deck::Entry& field, const kernel::MaterialAxes& axes) {
   using By = kernel::MaterialAxes::By;
@@ -327,14 +374,32 @@ void check_material_axes(Builder& b, const Part& part, const deck::Entry& field,
   }
 }
 
+/// The material that *PART names: the one of the part may be made of its layers.
+Index own_material(const Builder& b, const Part& part) {
+  const auto index = static_cast<Index>(&part - b.model.parts.data());
+  for (const auto& [of, row] : b.part_rows)
+    if (of == index) return b.materials.find(row->mid);
+  return none;
+}
+
 /// Axes of the materials of a part's layers.
 void check_layers(Builder& b, const Part& part) {
   if (part.kind != ElementKind::shell || part.material == none || !is<kernel::Laminate>(b.model, part)) return;
   const auto& law = std::get<kernel::Laminate>(b.model.materials[part.material].law);
   const auto& cards = b.layer_stacks.at(part.section).layers;
   for (std::size_t k = 0; k < cards.size(); ++k)
-    if (const auto* axes = axes_of((*law.layers)[k].law.components->flow))
+    if (const auto* axes = axes_of((*law.layers)[k].law.components->flow)) {
       check_material_axes(b, part, cards[k].id, *axes);
+      const Index material = cards[k].names == LayerCard::Names::material ? b.materials.find(cards[k].id.integer())
+                                                                          : own_material(b, part);
+      check_hand_of_axes(b, part, cards[k].id, *axes, is_mirrored_material(b, material));
+      if (cards[k].angle != 0.0 && has_other_hand(b, part, cards[k].mirrored))
+        refuse(b, cards[k].id,
+               fmt::format("*INCLUDE_TRANSFORM mirrors {} of part {} and not {}",
+                           cards[k].mirrored ? "the layers" : "elements", part.id,
+                           cards[k].mirrored ? "all of its elements" : "its layers"),
+               "write elements and part in one file");
+    }
 }
 
 /// Some laws are made for shells or bricks only.
@@ -357,8 +422,10 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
         fmt::format("EPSTHIN of material {} is a limit of layers and has no effect in this part's solids", material.id),
         "limit the plastic strain or the major strain");
   const bool is_of_shells = for_shells(components);
-  if (const auto* axes = axes_of(components.flow); axes && (is_of_shells || part.kind == ElementKind::solid))
+  if (const auto* axes = axes_of(components.flow); axes && (is_of_shells || part.kind == ElementKind::solid)) {
     check_material_axes(b, part, row[&PartCard::mid], *axes);
+    check_hand_of_axes(b, part, row[&PartCard::mid], *axes, is_mirrored_material(b, part.material));
+  }
   if (part.kind == ElementKind::shell && !is_of_shells)
     refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
