@@ -18,6 +18,7 @@ std::vector<Keyword> all_families() {
            text_keywords,
            mesh_keywords,
            move_keywords,
+           node_merge_keywords,
            part_keywords,
            section_keywords,
            material_keywords,

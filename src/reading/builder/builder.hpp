@@ -47,6 +47,8 @@ class Ids {
   /// Takes over the ids of a whole array at once: `ascending[i]` has index i. For nodes and elements, which are many.
   void assign(const std::vector<int>& ascending);
   Index find(int id) const;  ///< none where absent
+  /// Lets an id stand for another index than its own: of a node that is merged with another.
+  void give(int id, Index index) { given_[id] = index; }
 
   /// Remembers an id whose definition was refused; `by` says which keyword that was.
   void mark_ignored(int id, std::string by) { ignored_.try_emplace(id, std::move(by)); }
@@ -59,6 +61,7 @@ class Ids {
   };
   std::unordered_map<int, Entry> entries_;
   std::unordered_map<int, std::string> ignored_;
+  std::unordered_map<int, Index> given_;
   std::vector<int> ascending_;  ///< of `assign`
   std::vector<Index> by_id_;    ///< index of id `ascending_.front() + i`, where the ids are dense enough for a table
 };
@@ -89,6 +92,11 @@ struct DiscreteCard {
   double offset = 0.0;
 };
 
+/// *NODE_MERGE_SET.
+struct NodeMergeCard {
+  int nsid = 0;
+};
+
 /// *ELEMENT_MASS_PART.
 struct PartMassCard {
   int pid = 0;
@@ -115,6 +123,8 @@ class Builder {
   std::vector<Vec3d> vector_list;                              ///< by index of `vectors`; not normalized
   std::vector<Vec3d> vector_tails;                             ///< of the same: points
   std::vector<SetRecipe> set_recipes;
+  std::vector<deck::RowOf<NodeMergeCard>> merge_rows;
+  double merge_tolerance = 0.0;              ///< TOLR of *NODE_MERGE_TOLERANCE; 0: not given
   std::map<int, LayerStack> layer_rules;     ///< *INTEGRATION_SHELL by IRID
   std::map<Index, LayerStack> layer_stacks;  ///< by shell section: layers that cards give; known after Phase::curves
   BodyCards body_cards;
