@@ -35,6 +35,7 @@ std::vector<Keyword> all_families() {
            sheet_material_keywords,
            plain_law_keywords,
            rubber_material_keywords,
+           simplified_rubber_keywords,
            foam_material_keywords,
            honeycomb_material_keywords,
            cohesive_material_keywords,

@@ -143,7 +143,14 @@ LawKernel<ComposedLaw>::LawKernel(const ComposedLaw& law)
             return 1.0;
           },
           parts_->flow)),
-      can_fail_(parts_->failure.active()) {}
+      can_fail_(parts_->failure.active()),
+      layers_stiffen_(std::visit(
+          [](const auto& flow) {
+            return requires {
+              flow.template layer_modulus<double>(nullptr);
+            };
+          },
+          parts_->flow)) {}
 
 template <class R>
 ThicknessStrain<R> LawKernel<ComposedLaw>::layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
@@ -254,6 +261,18 @@ DamageNumbers LawKernel<ComposedLaw>::damage(const std::function<double(int)>& h
 }
 
 template <class R>
+R LawKernel<ComposedLaw>::layer_stiffening(const double* history) const {
+  return std::visit(
+      [&](const auto& flow) {
+        if constexpr (requires { flow.template layer_modulus<R>(history); })
+          return max(flow.template layer_modulus<R>(history) * (1.0 / elastic_.plane), R(1.0));
+        else
+          return R(1.0);
+      },
+      parts_->flow);
+}
+
+template <class R>
 R LawKernel<ComposedLaw>::stiffness_share(const double* history) const {
   if (!parts_->has_stiffness_share) return R(1.0);
   return std::visit(
@@ -312,6 +331,8 @@ template void LawKernel<ComposedLaw>::add_viscous_work(const double&, double*) c
 template void LawKernel<ComposedLaw>::add_viscous_work(const NativeBatch&, double*) const;
 template double LawKernel<ComposedLaw>::wave_modulus(const double*) const;
 template NativeBatch LawKernel<ComposedLaw>::wave_modulus(const double*) const;
+template double LawKernel<ComposedLaw>::layer_stiffening(const double*) const;
+template NativeBatch LawKernel<ComposedLaw>::layer_stiffening(const double*) const;
 template double LawKernel<ComposedLaw>::stiffness_share(const double*) const;
 template NativeBatch LawKernel<ComposedLaw>::stiffness_share(const double*) const;
 

@@ -50,6 +50,10 @@ class LawKernel<ComposedLaw> {
   void rotate(const Frame<R>& q, double* history) const;
   template <class R>
   R wave_modulus(const double* history) const;
+  /// Whether layers may become stiffer than elastic() says, and how much stiffer one is in its plane, at least 1.
+  bool layers_stiffen() const { return layers_stiffen_; }
+  template <class R>
+  R layer_stiffening(const double* history) const;
   /// Stiffness of a point now over that of elastic(), for hourglass control.
   template <class R>
   R stiffness_share(const double* history) const;
@@ -68,7 +72,7 @@ class LawKernel<ComposedLaw> {
   std::shared_ptr<const Parts> parts_;
   int lost_, pressure_, history_;  ///< where in the history stand what a point has lost, and its pressure; its size
   double points_to_delete_, deletion_step_, step_share_;
-  bool can_fail_;
+  bool can_fail_, layers_stiffen_;
 };
 
 }  // namespace nugget::kernel

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/index.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 #include "kernel/law/law_components.hpp"
 #include "kernel/law/own_kernels.hpp"
 #include "model/bond.hpp"
@@ -429,6 +430,14 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
   if (part.kind == ElementKind::shell && !is_of_shells)
     refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
+  const kernel::LawKernel<kernel::ComposedLaw> made(*law);
+  if (part.kind == ElementKind::shell && made.layers_stiffen() && b.model.control.thickness_update == 0)
+    row[&PartCard::mid].report(
+        b.findings, Severity::warning,
+        fmt::format("the shells keep their thickness while *{} stretches: their forces are those "
+                    "of a sheet that does not get thinner",
+                    material.keyword),
+        "write ISTUPD 1 in *CONTROL_SHELL");
   // The check may give the material another law.
   if (const auto own = b.part_checks.find(part.material); own != b.part_checks.end()) own->second(b, part, row);
 }
