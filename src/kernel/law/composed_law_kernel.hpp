@@ -26,6 +26,7 @@ class LawKernel<ComposedLaw> {
   const ElasticConstants& elastic() const { return elastic_; }
   int layer_history() const { return history_; }
   int solid_history() const { return history_; }
+  int fibre_history() const { return history_; }
   double deletion_step() const { return deletion_step_; }
   double step_share() const { return step_share_; }
   bool can_fail() const { return can_fail_; }
@@ -46,6 +47,9 @@ class LawKernel<ComposedLaw> {
   ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const;
   template <class R>
   void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const;
+  /// A fibre: what its criteria ask of the strain across is Poisson's ratio of the elastic part and a half of the rest.
+  template <class R>
+  void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const;
   template <class R>
   void rotate(const Frame<R>& q, double* history) const;
   template <class R>

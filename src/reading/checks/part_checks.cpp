@@ -233,6 +233,7 @@ void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& rep
 
 /// Whether the law has a kernel for the fibres of beams.
 bool has_fibres(const Law& law) {
+  if (const auto* compound = std::get_if<kernel::ComposedLaw>(&law)) return for_beams(*compound->components);
   return std::visit([]<class Own>(const Own&) { return kernel::LawOfFibres<Own>; }, law);
 }
 
@@ -261,9 +262,16 @@ void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
              fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
              "write ELFORM 1 with the dimensions of the section");
     else if (const auto* compound = std::get_if<kernel::ComposedLaw>(&material.law);
-             compound && (compound->components->erosion || compound->components->gissmo))
-      refuse(b, row[&PartCard::mid], "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are not built for beams",
-             "take it away, or write the failure strain of *MAT_003 or 024");
+             compound && compound->components->gissmo)
+      refuse(b, row[&PartCard::mid], "*MAT_ADD_DAMAGE_GISSMO is not built for beams",
+             "take it away, or write *MAT_ADD_EROSION, or the failure strain of *MAT_003 or 024");
+    else if (compound && compound->components->erosion && compound->components->erosion->thinning)
+      refuse(b, row[&PartCard::mid], "EPSTHIN of *MAT_ADD_EROSION is a limit of layers: a beam has none",
+             "limit the plastic or the principal strain");
+    else if (compound && compound->components->erosion && compound->components->points_to_delete < 0.0)
+      refuse(b, row[&PartCard::mid],
+             "NUMFIP of *MAT_ADD_EROSION as a percentage of layers is not built for beams, which have none",
+             "give the number of points of the cross-section");
     else if (!is_moved && !has_fibres(material.law))
       refuse(b, row[&PartCard::mid], fmt::format("*{} is not built for beams", material.keyword),
              "built are *MAT_001, 003, 009, 020 and 024");
