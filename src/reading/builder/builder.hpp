@@ -147,7 +147,9 @@ class Builder {
 
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;
-  Ids pair_strengths, load_rate_strengths, connections, functions;  ///< of Model's arrays of these names
+  Ids sensors, sensor_switches;
+  std::map<Index, std::pair<deck::Entry, std::string>> sensor_faults;  ///< by sensor: what of it is not built
+  Ids pair_strengths, load_rate_strengths, connections, functions;     ///< of Model's arrays of these names
   Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets, branches;
 
   void defer(Phase phase, std::function<void(Builder&)> work) {
