@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
 // *SET_... in all their forms. Here they become recipes; resolve_sets() works out the members.
