@@ -97,7 +97,9 @@ class ElementReader {
         element_offset_(block, IdSpace::element),
         part_offset_(block, IdSpace::part),
         node_offset_(block, IdSpace::node),
-        width_(id_width(block.format)) {
+        width_(id_width(block.format)),
+        mirrored_(block.transform != nullptr && block.transform->mirrors()),
+        rows_before_(out.id.size()) {
     out_.nodes_per_element = nodes;
     const std::size_t rows = estimated_rows(block, lines_per_row);
     make_room(out.id, rows);
@@ -153,6 +155,12 @@ class ElementReader {
     out_.line.push_back(first_line_);
   }
 
+  /// Nodes of an element as its mirror image numbers them: ends of the first side change places, and so do those of
+  /// the sides opposite, so that the axes that begin along node 1 to node 2 stay on the same line.
+  void mirror_nodes(std::initializer_list<std::array<std::size_t, 2>> places) {
+    for (const auto& [one, other] : places) std::swap(row_.node[one], row_.node[other]);
+  }
+
   /// One value of an option for the row appended last; rows of earlier blocks without the option get `absent`.
   template <class T>
   void append(std::vector<T>& column, const T& value, const T& absent) {
@@ -172,6 +180,11 @@ class ElementReader {
     fill(out_.system, 0);
     fill(out_.offset, none);
     fill(out_.to_ten, char{0});
+    if (mirrored_ && n > rows_before_) {
+      out_.mirrored.resize(rows_before_, char{0});
+      out_.mirrored.resize(n, char{1});
+    }
+    fill(out_.mirrored, char{0});
     fill(out_.tied_parts, std::array<int, 2>{});
     fill(out_.orientation, std::array<double, 3>{});
     fill(out_.section, std::array<double, 5>{});
@@ -196,6 +209,8 @@ class ElementReader {
   CarefulLines careful_;
   IdOffset element_offset_, part_offset_, node_offset_;
   std::size_t width_;
+  const bool mirrored_;            ///< the block stands in a file that is mirrored
+  const std::size_t rows_before_;  ///< of the table, before this block
   ElementRow row_;
   int first_line_ = 0;
 
@@ -300,6 +315,7 @@ class ShellReader : ElementReader {
       first_line_ = lines_.number();
       const bool kept = read_element(line, shell_element_card(), 8);
       if (!kept && trimmed(line).empty()) continue;
+      if (kept && mirrored_) mirror_shell();
       if (kept) append();
       if (thick && !read_thickness(kept, mcid)) break;
       if (offset && !read_offset(kept)) break;
@@ -309,6 +325,13 @@ class ShellReader : ElementReader {
   }
 
  private:
+  /// Node 4 of a triangle is 0 or node 3.
+  void mirror_shell() {
+    is_triangle_ = row_.node[3] == 0 || row_.node[3] == row_.node[2];
+    mirror_nodes({{0, 1}});
+    if (!is_triangle_) mirror_nodes({{2, 3}, {5, 7}});
+  }
+
   bool read_thickness(bool kept, bool mcid) {
     std::string_view line;
     if (!next_of_element(line, "thickness card")) return false;
@@ -326,6 +349,11 @@ class ShellReader : ElementReader {
       t = row->thickness;
       system = row->system;
       angle = mcid || row[&ShellOptionRow::angle].blank ? none : row->angle;
+    }
+    if (mirrored_) {
+      std::swap(t[0], t[1]);
+      if (!is_triangle_) std::swap(t[2], t[3]);
+      angle = -angle;  // about the normal, from node 1 to node 2: see mirror_nodes()
     }
     if (kept) {
       append(out_.thickness, t, {});
@@ -356,6 +384,8 @@ class ShellReader : ElementReader {
     careful_.read(scalar_nodes_card, line, lines_.number());
     return true;
   }
+
+  bool is_triangle_ = false;  ///< of the row read last, where it is mirrored
 };
 
 // ---- solids
@@ -414,6 +444,7 @@ class SolidReader : ElementReader {
         if (!next_of_element(line, "line of nodes")) break;
         read_nodes_line(line, solid_nodes_card(), 10);
       }
+      if (kept && mirrored_) mirror_solid();
       if (kept) append();
       if (kept && has("TET4TOTET10")) append(out_.to_ten, char{1}, char{0});
       if (has("ORTHO") && !(skip_card(axes_card) && skip_card(axes_card))) break;
@@ -423,6 +454,21 @@ class SolidReader : ElementReader {
   }
 
  private:
+  /// Of a brick, wedge or pyramid both faces; a tetrahedron has its fourth node apart, one of ten its mid-edge nodes
+  /// in the order 12, 23, 31, 14, 24, 34.
+  void mirror_solid() {
+    const auto& n = row_.node;
+    const auto all_are = [&](int id) {
+      return std::all_of(n.begin() + 4, n.begin() + 8, [=](int m) { return m == id; });
+    };
+    if (n[8] != 0 || n[9] != 0)
+      mirror_nodes({{0, 1}, {5, 6}, {7, 8}});
+    else if (all_are(n[3]) || all_are(0))
+      mirror_nodes({{0, 1}});
+    else
+      mirror_nodes({{0, 1}, {2, 3}, {4, 5}, {6, 7}});
+  }
+
   bool skip_card(const CheckedCard& card) {
     std::string_view line;
     if (!next_of_element(line, "option card")) return false;
@@ -506,6 +552,8 @@ class BeamReader : ElementReader {
       first_line_ = lines_.number();
       if (trimmed(line).empty()) continue;
       kept_ = read_element(line, beam_element_card(), 3, true);
+      // With the ends exchanged all three axes of a section are images of their own: r turns, s = s and t = r x s.
+      if (kept_ && mirrored_) mirror_nodes({{0, 1}});
       if (kept_) append();
       if (has("THICKNESS") && !read_section()) break;
       if (has("PID") && !read_parts()) break;
@@ -532,7 +580,9 @@ class BeamReader : ElementReader {
   bool read_parts() {
     const auto row = option_row(parts_card(), "card of parts");
     if (!row) return false;
-    if (kept_) append(out_.tied_parts, row->part, {});
+    std::array<int, 2> parts = row->part;
+    if (mirrored_) std::swap(parts[0], parts[1]);
+    if (kept_) append(out_.tied_parts, parts, {});
     return true;
   }
 

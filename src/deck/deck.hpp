@@ -25,13 +25,17 @@ struct Transform {
   std::array<long, 9> id_offset{};                                    ///< by IdSpace
   double mass = 1.0, length = 1.0, time = 1.0;                        ///< unit factors
   std::array<double, 12> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  ///< rows of [A | b]: x' = A x + b
-  Frame3d turn{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< columns of the rotation R of A = R S, S symmetric
-  Vec3d point(const Vec3d& x) const;              ///< a position as written: scaled to the new unit, then moved
-  Vec3d moved(const Vec3d& x) const;        ///< a position already in the new unit (read as a length by a Row): moved
-  Vec3d written(const Vec3d& x) const;      ///< the position that `point` brings to `x`
-  Vec3d direction(const Vec3d& d) const;    ///< a direction or a velocity: turned, neither moved nor scaled
-  bool turns() const;                       ///< the matrix changes directions
-  bool scales() const;                      ///< it is more than a turn and a shift
+  /// Columns of R of A = R S, S symmetric and positive: a rotation, of a matrix that mirrors a rotation and a mirror.
+  Frame3d turn{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  bool mirrors_systems = false;           ///< A7 of MIRROR: coordinate systems become left-handed
+  Vec3d point(const Vec3d& x) const;      ///< a position as written: scaled to the new unit, then moved
+  Vec3d moved(const Vec3d& x) const;      ///< a position already in the new unit (read as a length by a Row): moved
+  Vec3d written(const Vec3d& x) const;    ///< the position that `point` brings to `x`
+  Vec3d direction(const Vec3d& d) const;  ///< a direction or a velocity: turned, neither moved nor scaled
+  bool turns() const;                     ///< the matrix changes directions
+  bool mirrors() const;                   ///< it turns right hands into left ones: elements are numbered the other way
+  bool keeps_axes() const;                ///< each global axis stays along its own line, whatever its sense
+  bool scales() const;                    ///< it is more than a turn and a shift
   double factor(const Dimension& d) const;  ///< of a value with this dimension
 };
 
@@ -261,6 +265,7 @@ struct ElementTable {
   std::vector<int> system;                         ///< shells: MCID
   std::vector<double> offset;                      ///< shells: OFFSET, NaN where none is given
   std::vector<char> to_ten;                        ///< solids: of _TET4TOTET10
+  std::vector<char> mirrored;                      ///< 1: of a file that is mirrored; nodes stand renumbered here
   std::vector<std::array<int, 2>> tied_parts;      ///< beams: PID1, PID2 of _PID
   std::vector<std::array<double, 3>> orientation;  ///< beams: _ORIENTATION
   std::vector<std::array<double, 5>> section;      ///< beams: _THICKNESS PARM1..5

@@ -73,8 +73,8 @@ Frame3d columns_of(const Matrix& m) {
   return {{m[0], m[4], m[8]}, {m[1], m[5], m[9]}, {m[2], m[6], m[10]}};
 }
 
-/// The rotation of the polar decomposition of a map that keeps the hand of space, by Newton's iteration
-/// X <- (X + X^-T) / 2 (Higham, SIAM J. Sci. Stat. Comput. 7, 1986). A rotation comes back as it is.
+/// The orthogonal factor of the polar decomposition of a map, by Newton's iteration X <- (X + X^-T) / 2 (Higham, SIAM
+/// J. Sci. Stat. Comput. 7, 1986): a rotation, and with a mirror where the map mirrors. These come back as they are.
 Frame3d rotation_of(const Matrix& m) {
   Frame3d x = columns_of(m);
   for (int i = 0; i < 100; ++i) {
@@ -130,7 +130,7 @@ class TransformationCards {
   TransformationCards(const Deck& deck, Findings& findings) : deck_(deck), findings_(findings) {}
 
   /// x' = T1 T2 ... Tn x: the last line acts first.
-  Matrix read(Cursor& cursor) {
+  Transform read(Cursor& cursor) {
     Matrix total = identity;
     while (cursor.more()) {
       const RowOf<Motion> row = cursor.read(motion_card);
@@ -143,7 +143,10 @@ class TransformationCards {
                                     "give points apart from each other and a vector that is not zero");
       }
     }
-    return total;
+    Transform transform;
+    transform.matrix = total;
+    transform.mirrors_systems = mirrors_systems_;
+    return transform;
   }
 
  private:
@@ -153,7 +156,10 @@ class TransformationCards {
     const Vec3d first{a(1), a(2), a(3)}, second{a(4), a(5), a(6)};
     if (option == "TRANSL") return matrix({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, first);
     if (option == "SCALE") return scaling(row, first);
-    if (option == "MIRROR") return mirror(first, second - first);
+    if (option == "MIRROR") {
+      mirrors_systems_ = mirrors_systems_ || a(7) == 1.0;
+      return mirror(first, second - first);
+    }
     if (option == "POINT") {
       points_[static_cast<long>(a(1))] = {a(2), a(3), a(4)};
       return identity;
@@ -217,7 +223,7 @@ class TransformationCards {
   Findings& findings_;
   std::map<long, Vec3d> points_;
   std::map<long, Vec3d> nodes_;
-  bool nodes_read_ = false;
+  bool nodes_read_ = false, mirrors_systems_ = false;
 };
 
 }  // namespace
@@ -233,6 +239,12 @@ Vec3d Transform::direction(const Vec3d& d) const {
 }
 bool Transform::turns() const {
   return norm(turn.e1 - Vec3d{1, 0, 0}) + norm(turn.e2 - Vec3d{0, 1, 0}) + norm(turn.e3 - Vec3d{0, 0, 1}) > 1e-9;
+}
+bool Transform::mirrors() const {
+  return handedness(*this) < 0;
+}
+bool Transform::keeps_axes() const {
+  return std::abs(turn.e1.x) + std::abs(turn.e2.y) + std::abs(turn.e3.z) > 3.0 - 1e-12;
 }
 bool Transform::scales() const {
   const Frame3d a = columns_of(matrix);
@@ -271,8 +283,7 @@ void Reader::define_transformations() {
     Cursor cursor(deck_, block, findings_);
     if (block.keyword.ends_with("_TITLE")) cursor.skip();
     const RowOf<TransformationId> row = cursor.read(id_card);
-    Transform transform;
-    transform.matrix = TransformationCards(deck_, findings_).read(cursor);
+    const Transform transform = TransformationCards(deck_, findings_).read(cursor);
     const int id = row->tranid;
     if (id != 0 && !deck_.impl->transformations.emplace(id, transform).second) {
       row[&TransformationId::tranid].report(findings_, Severity::error, "this id is defined a second time",
@@ -288,11 +299,13 @@ void Reader::resolve_transforms() {
       if (found == nullptr) {
         findings_.add({Severity::error, p.place, "*INCLUDE_TRANSFORM", "tranid", std::to_string(p.id),
                        "no *DEFINE_TRANSFORMATION has this id", "define it, or leave the field blank"});
-      } else if (handedness(*found) <= 0) {
+      } else if (handedness(*found) == 0) {
         findings_.add({Severity::error, p.place, "*INCLUDE_TRANSFORM", "tranid", std::to_string(p.id),
-                       "a transformation that mirrors or flattens would turn elements inside out and is not supported "
-                       "for includes",
-                       "mirror the file in the pre-processor"});
+                       "the transformation flattens the file", "give scale factors other than 0"});
+      } else if (found->mirrors_systems) {
+        findings_.add({Severity::error, p.place, "*INCLUDE_TRANSFORM", "tranid", std::to_string(p.id),
+                       "A7 = 1 of MIRROR, left-handed coordinate systems, is not built",
+                       "leave A7 empty: local x and y axes are mirrored, and z is x times y"});
       } else {
         p.own.matrix = found->matrix;
       }

@@ -31,6 +31,7 @@
 #include "model/parts.hpp"
 #include "model/requests.hpp"
 #include "model/rigid_weld.hpp"
+#include "model/run_ends.hpp"
 #include "model/user_function.hpp"
 #include "model/weld_law.hpp"
 #include "model/weld_library.hpp"
@@ -235,6 +236,7 @@ struct Model : LoadLists {
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]
   std::vector<Vec3d> initial_spin;      ///< per node; empty: all zero [1/time]
   Damping damping;
+  RunEnds run_ends;
   InitialState initial_state;
   std::vector<RigidWall> walls;
   std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order

@@ -11,6 +11,11 @@ namespace nugget::model {
 /// third node", keeping its sense. False where fewer than three different corners are left, or opposite ones coincide.
 bool bring_triangle_into_form(Segment& face);
 
+/// The same face seen from the other side.
+inline Segment turned_over(const Segment& face) {
+  return {face[1], face[0], face[3], face[2]};
+}
+
 /// Corners in ascending order: the same for a face seen from both sides.
 Segment sorted_corners(Segment face);
 

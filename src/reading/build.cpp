@@ -7,6 +7,7 @@
 
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/builder.hpp"
+#include "reading/builder/mirrored_files.hpp"
 #include "reading/builder/passes.hpp"
 #include "reading/describe.hpp"
 #include "reading/mesh/brick_clusters.hpp"
@@ -86,7 +87,15 @@ void read_block(Builder& b, const deck::Block& block, KeywordSummary& summary) {
     if (is_first) report_refusal(b.findings, block, lookup, b.skip_unsupported);
     b.mark_ignored(block);
   }
-  if (lookup.status != KeywordStatus::refused && lookup.row->read) lookup.row->read(b, block, lookup.options);
+  if (lookup.status == KeywordStatus::refused || lookup.row->read == nullptr) return;
+  const bool mirrored = block.transform != nullptr && block.transform->mirrors();
+  if (mirrored && !can_be_mirrored(block.keyword)) {
+    b.findings.error(block.place, block.starred(), "is not built in a file that *INCLUDE_TRANSFORM mirrors",
+                     "write it in a file that is not mirrored");
+    return b.mark_ignored(block);
+  }
+  lookup.row->read(b, block, lookup.options);
+  if (mirrored || !b.mirrored_materials.empty()) b.mirrored_materials.resize(b.model.materials.size(), mirrored);
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ struct TrussElement {
   double area, density, mass_per_length;
   kernel::LawKernel<Law> law;
 
-  int state_size() const { return Layout::history + kernel::LawKernel<Law>::fibre_history(); }
+  int state_size() const { return Layout::history + law.fibre_history(); }
   int layers() const { return 1; }
   void start(double* state, int lane, model::Index, const Places& place) const {
     for (int i = 0; i < state_size(); ++i) state[i * native_width + lane] = 0.0;

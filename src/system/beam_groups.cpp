@@ -121,15 +121,13 @@ void System::add_beams(std::size_t p, const std::vector<model::Index>& chosen) {
                        kind, p, m, beam_location);
   }
   const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
-    if constexpr (!std::is_same_v<Law, kernel::ComposedLaw>) {  // refused by the model
-      if (section.elform == 3)
-        add_group(TrussElement<Law>{section.area, material.density, section.extra_mass, kernel::LawKernel<Law>(law)},
-                  kind, p, m, beam_location);
-      else if (section.elform == 1)
-        add_group(IntegratedBeamElement<Law>{integrated_beam(section, material.density), kernel::LawKernel<Law>(law),
-                                             law.nu, model.beams, ties.x},
-                  kind, p, m, beam_location);
-    }
+    if (section.elform == 3)
+      add_group(TrussElement<Law>{section.area, material.density, section.extra_mass, kernel::LawKernel<Law>(law)},
+                kind, p, m, beam_location);
+    else if (section.elform == 1)
+      add_group(IntegratedBeamElement<Law>{integrated_beam(section, material.density), kernel::LawKernel<Law>(law),
+                                           law.nu, model.beams, ties.x},
+                kind, p, m, beam_location);
   });
   if (computed) return;
   for (const ElementNodes& node : m.node) {

@@ -197,13 +197,14 @@ def oblique():
     return tuple(tuple((i == j) * k + (1 - k) * n[i] * n[j] + s * cross[i][j] for j in range(3)) for i in range(3))
 
 
-def included(c):
-    """A deck that brings inner.k, written in t, mm and s, to the turn, shift and units of a case."""
+def included(c, mirrored=False):
+    """A deck that brings inner.k, written in t, mm and s, to the turn, shift and units of a case; and mirrors it before."""
+    first = "MIRROR,3,2,1,4,4,4\n" if mirrored else ""
     move = ",".join(c.of(a, 0, 1) for a in c.shift)
     turn = ",".join(f"{a:.16g}" for a in AXIS)
     return (f"*KEYWORD\n*INCLUDE_TRANSFORM\ninner.k\n1000,2000,300,400,500,600,700\n800,\n"
             f"{c.mass:.16g},{c.time:.16g},{c.length:.16g}\n1,\n*DEFINE_TRANSFORMATION\n1,\nTRANSL,{move}\n"
-            f"ROTATE,{turn},0,0,0,{math.degrees(math.atan2(SINE, COSINE)):.16g}\n*END\n")
+            f"ROTATE,{turn},0,0,0,{math.degrees(math.atan2(SINE, COSINE)):.16g}\n{first}*END\n")
 
 
 class Invariance(CommandTest):
@@ -273,7 +274,9 @@ class Invariance(CommandTest):
         reference = self.histories("reference", Case())
         for units in ({}, {"mass": 1e-3, "length": 1e3}, {"mass": 1e-6, "length": 10.0, "time": 1e-6}):
             case = Case(turn=oblique(), shift=(64.0, -32.0, 16.0), **units)
-            self.compare(reference, self.histories("other", case, included(case)))
+            for mirrored in (False, True):
+                with self.subTest(mirrored=mirrored, **units):
+                    self.compare(reference, self.histories("other", case, included(case, mirrored)))
 
     def test_mechanism(self):
         reference = self.histories_of_mechanism("reference", Case())

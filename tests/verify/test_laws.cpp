@@ -331,8 +331,8 @@ TEST(Laws, BlatzKoRubber) {
   const double G = 2.0, nu = 0.463;
   for (const double strain : {0.5, -0.4}) {
     const double l = std::exp(strain);
-    expect_stress("MAT_007 G 2", Pulled(mat("007", {{1, 1.2e-9, G}}), strain, std::copysign(20.0, strain), Of::bricks),
-                  strain, G * std::pow(l, 2 * nu - 1) * (l * l - std::pow(l, -2 * nu)), 0.01, "laws");
+    expect_stress("MAT_007 G 2", Pulled(mat("007", {{1, 1.2e-9, G}}), strain, std::copysign(20.0, strain)), strain,
+                  G * std::pow(l, 2 * nu - 1) * (l * l - std::pow(l, -2 * nu)), 0.01, "laws");
   }
 }
 
@@ -340,17 +340,24 @@ TEST(Laws, BlatzKoRubber) {
 TEST(Laws, RubberAndFoam) {
   for (const double strain : {0.5, -0.4})
     expect_stress("MAT_027 A 0.8 B 0.2 PR 0.49",
-                  Pulled(mat("027", {{1, 1.2e-9, 0.49, 0.8, 0.2}}), strain, std::copysign(20.0, strain), Of::bricks),
-                  strain, mooney_rivlin_stress(0.8, 0.2, 0.49, std::exp(strain)), 0.01, "laws");
+                  Pulled(mat("027", {{1, 1.2e-9, 0.49, 0.8, 0.2}}), strain, std::copysign(20.0, strain)), strain,
+                  mooney_rivlin_stress(0.8, 0.2, 0.49, std::exp(strain)), 0.01, "laws");
   // Ogden's one term with alpha 2 and nearly no change of volume: sigma = mu (l^2 - 1 / l).
   const double l = std::exp(0.5);
-  expect_stress("MAT_077_O MU 1 ALPHA 2 PR 0.495",
-                Pulled(mat("077_O", {{1, 1.2e-9, 0.495}, {1.0}, {2.0}}), 0.5, 20.0, Of::bricks), 0.5, l * l - 1 / l,
-                0.02, "laws");
+  expect_stress("MAT_077_O MU 1 ALPHA 2 PR 0.495", Pulled(mat("077_O", {{1, 1.2e-9, 0.495}, {1.0}, {2.0}}), 0.5, 20.0),
+                0.5, l * l - 1 / l, 0.02, "laws");
   // Mooney's two constants at nearly no change of volume: sigma = 2 (l^2 - 1/l) (C10 + C01 / l).
-  expect_stress("MAT_077_H C10 0.3 C01 0.2 PR 0.495",
-                Pulled(mat("077_H", {{1, 1.2e-9, 0.495}, {0.3, 0.2}}), 0.5, 20.0, Of::bricks), 0.5,
-                2.0 * (l * l - 1 / l) * (0.3 + 0.2 / l), 0.02, "laws");
+  expect_stress("MAT_077_H C10 0.3 C01 0.2 PR 0.495", Pulled(mat("077_H", {{1, 1.2e-9, 0.495}, {0.3, 0.2}}), 0.5, 20.0),
+                0.5, 2.0 * (l * l - 1 / l) * (0.3 + 0.2 / l), 0.02, "laws");
+  // A test of a specimen of 20 x 5 x 2 mm in straight pieces: its true stress comes back, in tension and compression.
+  const std::string test =
+      curve(10, {{-12.0, -80.0}, {-6.0, -12.0}, {0.0, 0.0}, {4.0, 5.0}, {12.0, 8.0}, {30.0, 35.0}});
+  for (const auto& [strain, force] : {std::pair{0.4, 5.0 + 3.0 * (20.0 * std::expm1(0.4) - 4.0) / 8.0},
+                                      std::pair{-0.4, -12.0 - 68.0 * (-20.0 * std::expm1(-0.4) - 6.0) / 6.0}})
+    expect_stress(
+        "MAT_181 by a test of straight pieces",
+        Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10}}) + test, strain, std::copysign(20.0, strain)),
+        strain, std::exp(strain) * force / 10.0, 0.01, "laws");
   const std::string foam_curve = curve(7, {{0.0, 0.0}, {0.05, 0.1}, {0.5, 0.15}, {0.9, 0.95}});
   expect_stress("MAT_057",
                 Pulled(mat("057", {{1, 5e-11, 2.0, 7}, {1.0, 0, 1.0}}) + foam_curve, std::log(0.4), -20.0, Of::bricks),

@@ -22,7 +22,8 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       accelerometers(system),
       contacts(system, x, findings),
       interiors(system, x, findings),
-      walls(system, findings) {}
+      walls(system, findings),
+      ends(system) {}
 
 int Components::failed_welds() const {
   int sum = 0;

@@ -21,6 +21,7 @@
 #include "impact/contact/element_alive.hpp"
 #include "impact/contact/interiors.hpp"
 #include "impact/contact/walls.hpp"
+#include "impact/simulation/ends.hpp"
 #include "impact/simulation/erosion.hpp"
 #include "impact/simulation/strains.hpp"
 
@@ -50,6 +51,7 @@ struct Components {
   Contacts contacts;
   Interiors interiors;
   Walls walls;
+  Ends ends;
 
   /// Faults of the input become findings. `x`: places at the start [length].
   Components(system::System& system, std::span<const Row> x, Findings& findings);
@@ -81,7 +83,7 @@ struct Components {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.connectors, c.tie_forces,
         c.tie_releases, c.joints, c.element_alive, c.erosion, c.strains, c.nodal_forces, c.accelerometers, c.contacts,
-        c.interiors, c.walls);
+        c.interiors, c.walls, c.ends);
   }
 };
 

@@ -253,6 +253,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (!relaxed.stops()) write_checkpoint_if_due(options);
     choose_step(end_time);
     outcome = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
+    if (!outcome.stops()) outcome.message = components_.ends.update(state_);
     last = outcome.stops() || state_.time >= end_time;
     const bool record = last || results_due(recorder);
     const bool balance = record || state_.cycle % 100 == 0;

@@ -210,7 +210,8 @@ NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>
     n.nyy -= viscous;
   }
 
-  const R scale = load_field<R>(state, L::density_scale) * (shell.density / e.plane);
+  const R scale =
+      load_field<R>(state, L::density_scale) * (shell.density / e.plane) / stiffening<R>(law, layout, state);
   const R step = sqrt(length2(nodes.x, end.area, shell.length, e.nu) * scale);
   if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();
   if (law.can_fail() || law.deletion_step() > 0.0) store_field(state, L::alive, select(alive, R(1.0), R(0.0)));

@@ -147,7 +147,8 @@ NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const L
     mean.nyy -= viscous;
   }
 
-  const R scale = load_field<R>(state, L::density_scale) * (shell.density / e.plane);
+  const R scale =
+      load_field<R>(state, L::density_scale) * (shell.density / e.plane) / stiffening<R>(law, layout, state);
   const R altitude2 = length2(nodes.x, end.area, ShellLength::area_over_side, e.nu);
   const R shortest2 = min(length2(nodes.x, end.area, shell.length, e.nu),
                           bending_length2(depth2(shell.profile, now), end.area, altitude2));

@@ -33,9 +33,10 @@ double step_share(const LawKernel<Law>& law) {
 
 /// The stable step; elements whose step is too short for their law are deleted.
 template <class R, class Law, int N>
-R step_and_deletion(const ShellProperties& shell, const LawKernel<Law>& law, const Vec3<R> (&x)[N], const R& area,
-                    MaskOf<R>& alive, double* state) {
-  const R scale = load_field<R>(state, ShellLayout::density_scale) * (shell.density / law.elastic().plane);
+R step_and_deletion(const ShellProperties& shell, const LawKernel<Law>& law, const ShellLayout& layout,
+                    const Vec3<R> (&x)[N], const R& area, MaskOf<R>& alive, double* state) {
+  const R scale = load_field<R>(state, ShellLayout::density_scale) * (shell.density / law.elastic().plane) /
+                  stiffening<R>(law, layout, state);
   const R step = step_share(law) * sqrt(length2(x, area, shell.length, law.elastic().nu) * scale);
   if (law.deletion_step() > 0.0) alive = alive && step >= law.deletion_step();
   if (law.can_fail() || law.deletion_step() > 0.0)
@@ -136,7 +137,7 @@ NodalForces<R, 4> membrane_cycle(const ShellProperties& shell, const LawKernel<L
     n.nxx -= viscous;
     n.nyy -= viscous;
   }
-  const R step = step_and_deletion(shell, law, nodes.x, end.area, alive, state);
+  const R step = step_and_deletion(shell, law, layout, nodes.x, end.area, alive, state);
 
   const R h13 = end.h.x * end.bx13 + end.h.y * end.by13, h24 = end.h.x * end.bx24 + end.h.y * end.by24;
   const R turn_x = end.h.z * q.x, turn_y = end.h.z * q.y;
@@ -234,7 +235,7 @@ NodalForces<R, 4> full_membrane_cycle(const ShellProperties& shell, const LawKer
   const R now = thinned(shell, layout, thinning, t, state);
   R viscous = R(0.0);
   if (compresses_viscously<R>(shell)) viscous = viscous_membrane(shell, law, trace, end.g.area, state);
-  const R step = step_and_deletion(shell, law, nodes.x, end.g.area, alive, state);
+  const R step = step_and_deletion(shell, law, layout, nodes.x, end.g.area, alive, state);
 
   Vec3<R> f13{}, f24{}, pattern{};
   for (int p = 0; p < full_shell_columns; ++p) {
@@ -275,7 +276,7 @@ NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties& shell, const La
     n.nxx -= viscous;
     n.nyy -= viscous;
   }
-  const R step = step_and_deletion(shell, law, nodes.x, end.area, alive, state);
+  const R step = step_and_deletion(shell, law, shell_layout(shell, law), nodes.x, end.area, alive, state);
 
   const R bx = end.area * end.over_x, by3 = end.area * end.over_y, by2 = -by3 * end.x31 * end.over_x;
   NodalForces<R, 3> out;

@@ -167,6 +167,21 @@ R intact_fraction(const LawKernel<Law>& law, const ShellLayout& layout, const Nu
   }
 }
 
+/// How much stiffer in its plane than its elastic constants say the stiffest layer has become, at least 1: the square
+/// of what that leaves of the stable step.
+template <class R, class Law>
+R stiffening(const LawKernel<Law>& law, const ShellLayout& layout, const Number<R>* state) {
+  R most = R(1.0);
+  for (int k = 0; k < layout.layers; ++k) {
+    const auto& own = law_of(law, k);
+    if constexpr (requires { own.layers_stiffen(); })
+      if (own.layers_stiffen())
+        for (int c = 0; c < layout.columns; ++c)
+          most = max(most, own.template layer_stiffening<R>(state + layout.history_of(k, c) * lanes<R>));
+  }
+  return most;
+}
+
 /// Share of the hourglass stiffness in the plane and in bending that is left: 1 while no layer has yielded. Afterwards
 /// the material resists with its tangent, in steel that flows about a hundredth of Young's modulus. Twist is resisted
 /// by transverse shear, which does not yield. LS-DYNA's results of type 4 in crash ask for that (docs/decisions/0006).

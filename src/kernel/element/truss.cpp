@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/element/truss.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 #include "kernel/law/own_kernels.hpp"
 
 #include <limits>
@@ -49,6 +50,11 @@ template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel
 template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<PlasticKinematic>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<PiecewiseLinear>&,
+                                                 const NodalMotion<NativeBatch, 2>&, double, double*);
+
+template NodalForces<double, 2> truss_cycle(double, double, const LawKernel<ComposedLaw>&,
+                                            const NodalMotion<double, 2>&, double, double*);
+template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<ComposedLaw>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
 
 }  // namespace nugget::kernel

@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "kernel/element/gyration.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 #include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
@@ -196,8 +197,8 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
 
   R n[6]{}, strain_rate = 0.0;
   double whole = 0.0;
-  auto intact = R(1.0) < R(0.0);
-  const R none = R(0.0);
+  const R none = R(0.0), one = R(1.0);
+  R failed = none;
   for (int k = 0; k < layout.fibres; ++k) {
     const auto point = at(k);
     const double ps = beam.fibres.s[point], pt = beam.fibres.t[point], area = beam.fibres.area[point];
@@ -211,7 +212,7 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
     whole += area;
     law.fibre(a, select(alive, rate, FibreTensor<R>{}), dt, history);
     store_fibre(stress, a);
-    if (law.can_fail()) intact = intact || !law.template failed<R>(history);
+    if (law.can_fail()) failed += select(law.template failed<R>(history), one, none);
     n[0] += area * a.rr;
     n[1] += area * a.rs;
     n[2] += area * a.rt;
@@ -221,8 +222,9 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
   }
   if (!beam.no_torsion) n[3] += es * n[2] - et * n[1];
   if (law.can_fail()) {
-    alive = alive && intact;
-    store_field(state, L::alive, select(alive, R(1.0), none));
+    const double limit = law.points_to_delete();
+    alive = alive && failed < R(limit > 0.0 && limit < layout.fibres ? limit : layout.fibres);
+    store_field(state, L::alive, select(alive, one, none));
   }
   const R integrity = load_field<R>(state, L::integrity);
   for (int i = 0; i < 6; ++i) {
@@ -291,6 +293,11 @@ template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PlasticKinematic>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PiecewiseLinear>&,
+                                                     const NodalMotion<NativeBatch, 2>&, double, double*);
+
+template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<ComposedLaw>&,
+                                                const NodalMotion<double, 2>&, double, double*);
+template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<ComposedLaw>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
 
 }  // namespace nugget::kernel

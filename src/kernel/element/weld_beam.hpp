@@ -70,8 +70,8 @@ struct WeldBeamLayout {
 };
 
 template <class Law>
-WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const LawKernel<Law>&) {
-  return {beam.fibres.count, LawKernel<Law>::fibre_history(), !beam.joints.empty()};
+WeldBeamLayout weld_beam_layout(const WeldBeamProperties& beam, const LawKernel<Law>& law) {
+  return {beam.fibres.count, law.fibre_history(), !beam.joints.empty()};
 }
 
 /// State of an undeformed, stress-free beam between x1 and x2 in lane `lane` of `width`. s lies in the plane of the

@@ -59,6 +59,13 @@ bool for_bricks(const LawComponents& law) {
   return !law.for_layers_only && std::visit([]<class Law>(const Law&) { return LawOfSolids<Law>; }, law.flow);
 }
 
+bool for_beams(const LawComponents& law) {
+  const bool more = law.bond || law.damage || law.directional_damage || law.gissmo || law.state || law.spall ||
+                    !law.rules.empty() || !law.failure_strain_over_rate.empty() || law.limits.plastic_thinning > 0.0 ||
+                    law.limits.major > 0.0 || (law.erosion && law.erosion->thinning);
+  return !more && std::visit([]<class Law>(const Law&) { return LawOfFibres<Law>; }, law.flow);
+}
+
 bool has_plastic_strain(const Flow& flow) {
   return std::visit([]<class Law>(const Law&) { return LawKernel<Law>::has_plastic_strain; }, flow);
 }
@@ -99,6 +106,7 @@ struct LawKernel<ComposedLaw>::Parts {
           int size = first_own_field;
           if constexpr (requires { law.layer_history(); }) size = std::max(size, law.layer_history());
           if constexpr (requires { law.solid_history(); }) size = std::max(size, law.solid_history());
+          if constexpr (requires { law.fibre_history(); }) size = std::max(size, law.fibre_history());
           return size;
         },
         flow);
@@ -143,7 +151,14 @@ LawKernel<ComposedLaw>::LawKernel(const ComposedLaw& law)
             return 1.0;
           },
           parts_->flow)),
-      can_fail_(parts_->failure.active()) {}
+      can_fail_(parts_->failure.active()),
+      layers_stiffen_(std::visit(
+          [](const auto& flow) {
+            return requires {
+              flow.template layer_modulus<double>(nullptr);
+            };
+          },
+          parts_->flow)) {}
 
 template <class R>
 ThicknessStrain<R> LawKernel<ComposedLaw>::layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
@@ -194,6 +209,33 @@ void LawKernel<ComposedLaw>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate
                                        parts_->flow_failed<R>(history)},
                           failure);
   parts_->failure.weaken(s, failure);
+}
+
+template <class R>
+void LawKernel<ComposedLaw>::fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const {
+  const R start = s.rr;
+  std::visit(
+      [&](const auto& law) {
+        if constexpr (requires { law.fibre(s, rate, dt, history); }) law.fibre(s, rate, dt, history);
+      },
+      parts_->flow);
+  if (!can_fail_) return;
+  double* failure = history + lost_ * lanes<R>;
+  const double over_dt = dt > 0.0 ? 1.0 / dt : 0.0;
+  const R elastic = (over_dt / elastic_.E) * (s.rr - start), across = -0.5 * rate.rr + (0.5 - elastic_.nu) * elastic;
+  const R none = R(0.0), strain = load_field<R>(history, plastic_strain_field);
+  parts_->failure.advance(PointStep<R>{{s.rr, none, none, s.rs, none, s.rt},
+                                       {rate.rr, across, across, rate.rs, none, rate.rt},
+                                       strain,
+                                       none,
+                                       none,
+                                       none,
+                                       dt,
+                                       false,
+                                       none},
+                          failure);
+  const R left = PointFailure::left<R>(failure);
+  s = left * s;
 }
 
 template <class R>
@@ -254,6 +296,18 @@ DamageNumbers LawKernel<ComposedLaw>::damage(const std::function<double(int)>& h
 }
 
 template <class R>
+R LawKernel<ComposedLaw>::layer_stiffening(const double* history) const {
+  return std::visit(
+      [&](const auto& flow) {
+        if constexpr (requires { flow.template layer_modulus<R>(history); })
+          return max(flow.template layer_modulus<R>(history) * (1.0 / elastic_.plane), R(1.0));
+        else
+          return R(1.0);
+      },
+      parts_->flow);
+}
+
+template <class R>
 R LawKernel<ComposedLaw>::stiffness_share(const double* history) const {
   if (!parts_->has_stiffness_share) return R(1.0);
   return std::visit(
@@ -306,12 +360,17 @@ template ThicknessStrain<NativeBatch> LawKernel<ComposedLaw>::layer(LayerTensor<
 template void LawKernel<ComposedLaw>::solid(SolidTensor<double>&, const SolidTensor<double>&, double, double*) const;
 template void LawKernel<ComposedLaw>::solid(SolidTensor<NativeBatch>&, const SolidTensor<NativeBatch>&, double,
                                             double*) const;
+template void LawKernel<ComposedLaw>::fibre(FibreTensor<double>&, const FibreTensor<double>&, double, double*) const;
+template void LawKernel<ComposedLaw>::fibre(FibreTensor<NativeBatch>&, const FibreTensor<NativeBatch>&, double,
+                                            double*) const;
 template void LawKernel<ComposedLaw>::rotate(const Frame<double>&, double*) const;
 template void LawKernel<ComposedLaw>::rotate(const Frame<NativeBatch>&, double*) const;
 template void LawKernel<ComposedLaw>::add_viscous_work(const double&, double*) const;
 template void LawKernel<ComposedLaw>::add_viscous_work(const NativeBatch&, double*) const;
 template double LawKernel<ComposedLaw>::wave_modulus(const double*) const;
 template NativeBatch LawKernel<ComposedLaw>::wave_modulus(const double*) const;
+template double LawKernel<ComposedLaw>::layer_stiffening(const double*) const;
+template NativeBatch LawKernel<ComposedLaw>::layer_stiffening(const double*) const;
 template double LawKernel<ComposedLaw>::stiffness_share(const double*) const;
 template NativeBatch LawKernel<ComposedLaw>::stiffness_share(const double*) const;
 

@@ -26,6 +26,7 @@ class LawKernel<ComposedLaw> {
   const ElasticConstants& elastic() const { return elastic_; }
   int layer_history() const { return history_; }
   int solid_history() const { return history_; }
+  int fibre_history() const { return history_; }
   double deletion_step() const { return deletion_step_; }
   double step_share() const { return step_share_; }
   bool can_fail() const { return can_fail_; }
@@ -46,10 +47,17 @@ class LawKernel<ComposedLaw> {
   ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const;
   template <class R>
   void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const;
+  /// A fibre: what its criteria ask of the strain across is Poisson's ratio of the elastic part and a half of the rest.
+  template <class R>
+  void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const;
   template <class R>
   void rotate(const Frame<R>& q, double* history) const;
   template <class R>
   R wave_modulus(const double* history) const;
+  /// Whether layers may become stiffer than elastic() says, and how much stiffer one is in its plane, at least 1.
+  bool layers_stiffen() const { return layers_stiffen_; }
+  template <class R>
+  R layer_stiffening(const double* history) const;
   /// Stiffness of a point now over that of elastic(), for hourglass control.
   template <class R>
   R stiffness_share(const double* history) const;
@@ -68,7 +76,7 @@ class LawKernel<ComposedLaw> {
   std::shared_ptr<const Parts> parts_;
   int lost_, pressure_, history_;  ///< where in the history stand what a point has lost, and its pressure; its size
   double points_to_delete_, deletion_step_, step_share_;
-  bool can_fail_;
+  bool can_fail_, layers_stiffen_;
 };
 
 }  // namespace nugget::kernel

@@ -47,9 +47,11 @@ inline ComposedLaw composed_law(LawComponents components) {
   return {E, nu, std::make_shared<const LawComponents>(std::move(components))};
 }
 
-/// Whether shells, and bricks, may have the law.
+/// Whether shells, bricks, and beams may have the law.
 bool for_shells(const LawComponents& law);
 bool for_bricks(const LawComponents& law);
+/// Whether beams of ELFORM 1 and 3 may have it: of what is added, a failure strain and erosion.
+bool for_beams(const LawComponents& law);
 bool has_plastic_strain(const Flow& flow);
 
 /// Material axes of a flow at the start; null: it has none.

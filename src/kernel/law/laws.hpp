@@ -34,6 +34,7 @@ using Flow = std::variant<  //
     MooneyRivlin,           //
     Ogden,                  //
     PolynomialRubber,       //
+    TabulatedRubber,        //
     LowDensityFoam,         //
     CrushableFoam,          //
     RateFoam,               //

@@ -19,8 +19,17 @@ bool small(const Tensor& e) {
 /// Linear elastic stress of b - 1.
 PointUpdate linear(double E, double nu, const Tensor& e) {
   const ElasticConstants c(E, nu);
-  return {plus(c.shear * e, 0.5 * c.lambda * trace(e)), c.bulk_wave()};
+  return {plus(c.shear * e, 0.5 * c.lambda * trace(e)), c.bulk_wave(), c.plane};
 }
+
+/// A bound of the greatest principal value that is the same in all axes: mean + sqrt(2) standard deviations.
+double greatest_value(const Tensor& b) {
+  return trace(b) / 3.0 + std::sqrt(2.0 / 3.0 * square(deviator(b)));
+}
+
+// Waves in the plane of a layer without stress through the thickness, at constant volume: d(sigma_i - sigma_3) / d ln
+// l_i, with l_3 going against l_i. Of W1 and W2, the derivatives over the invariants, 4 / J (W1 + W2 l_j^2) (l_i^2 +
+// l_3^2), at rest 4 G.
 
 double bulk_modulus(double E, double nu) {
   return E / (3.0 * (1.0 - 2.0 * nu));
@@ -48,7 +57,9 @@ PointUpdate MooneyRivlinPoint::update(const Tensor&, const Tensor& d, double dt,
   const Tensor stress = (2.0 / J) * plus((a_ + first * b_) * b + (-b_) * times(b, b), volume);
   // d(2 III W3 / J) / d ln J, and at most 2 (A + 2 B I) I / J of the rest.
   const double V = 20.0 * c_ / std::pow(J, 5.0) + 4.0 * d_ * (3.0 * J * J * J - J);
-  return {stress, V + 2.0 / J * (std::abs(a_) + 2.0 * std::abs(b_) * first) * first};
+  const double greatest = greatest_value(b);
+  return {stress, V + 2.0 / J * (std::abs(a_) + 2.0 * std::abs(b_) * first) * first,
+          8.0 / J * (a_ + b_ * greatest) * greatest};
 }
 
 BlatzKoPoint::BlatzKoPoint(const BlatzKo& law)
@@ -61,9 +72,9 @@ PointUpdate BlatzKoPoint::update(const Tensor&, const Tensor& d, double dt, std:
   if (small(e)) return linear(E_, nu_, e);
   const Tensor b = plus(e, 1.0);
   const double J = std::sqrt(determinant(b)), volume = std::pow(J, -power_);
-  // A bound of the greatest principal value of b that is the same in all axes: mean + sqrt(2) standard deviations.
-  const double greatest = trace(b) / 3.0 + std::sqrt(2.0 / 3.0 * square(deviator(b)));
-  return {shear_ / J * plus(b, -volume), shear_ / J * (greatest + (power_ + 1.0) * volume)};
+  const double greatest = greatest_value(b);
+  return {shear_ / J * plus(b, -volume), shear_ / J * (greatest + (power_ + 1.0) * volume),
+          4.0 * shear_ / J * greatest};
 }
 
 template <class Energy>
@@ -74,6 +85,14 @@ PointUpdate RubberPoint<Energy>::update(const Tensor&, const Tensor& d, double d
   PointUpdate now = energy_.at(e);
   now.stress = now.stress + overstress_.advance(d, dt, h.subspan(Tensor::size));
   now.wave_modulus += overstress_.wave_modulus();
+  now.plane_modulus += overstress_.wave_modulus();
+  if (damping_ > 0.0) {
+    now.stress = now.stress + (damped_modulus_ * dt) * deviator(tensorial(d));
+    // The step that is stable with the damping too, as of foams.
+    const double longer = std::sqrt(1.0 + damping_ * damping_) + damping_;
+    now.wave_modulus *= longer * longer;
+    now.plane_modulus *= longer * longer;
+  }
   return now;
 }
 
@@ -99,7 +118,7 @@ PointUpdate OgdenEnergy::at(const Tensor& e) const {
     stiffness += std::abs(term.alpha) * std::abs(std::max(std::abs(power[0]), std::abs(power[2])));
   }
   for (double& s : stress) s += bulk_ * (J - 1.0) / J;
-  return {with_values(axes, stress), bulk_ / J + 2.0 * stiffness};
+  return {with_values(axes, stress), bulk_ / J + 2.0 * stiffness, 2.0 * stiffness};
 }
 
 PolynomialEnergy::PolynomialEnergy(const PolynomialRubber& law) : law_(law), bulk_(bulk_modulus(law.E, law.nu)) {}
@@ -121,7 +140,72 @@ PointUpdate PolynomialEnergy::at(const Tensor& e) const {
   // b:d)^2 and so on.
   const double a = std::sqrt(square(of_first)), c = std::sqrt(square(of_second));
   const double bending = std::abs(w11) * a * a + 2.0 * std::abs(w12) * a * c + std::abs(w22) * c * c;
-  return {stress, bulk_ / J + 2.0 / J * (std::abs(w1) + 2.0 * std::abs(w2) * first) * first + 4.0 / J * bending};
+  const double greatest = greatest_value(b);
+  return {stress, bulk_ / J + 2.0 / J * (std::abs(w1) + 2.0 * std::abs(w2) * first) * first + 4.0 / J * bending,
+          8.0 / J * (std::abs(w1) + std::abs(w2) * greatest) * greatest + 4.0 / J * bending};
 }
+
+namespace {
+
+/// The curve at `at`, its end slopes going on beyond its ends.
+double continued(const Curve& curve, double at) {
+  if (at < curve.x.front()) return curve.y.front() + (at - curve.x.front()) * curve.slope(at);
+  return curve.extrapolated(at);
+}
+
+/// f of a test at ln l, by its series: up to a term whose strain is so small that all that follow are linear in it.
+double f_of_test(const Curve& test, double log_stretch) {
+  double sum = 0.0;
+  while (std::abs(log_stretch) > 1e-7) {
+    const double strain = std::expm1(log_stretch);
+    sum += (1.0 + strain) * continued(test, strain);
+    log_stretch *= -0.5;
+  }
+  return sum + test.slope(0.0) * log_stretch / 1.5;
+}
+
+}  // namespace
+
+TabulatedEnergy::TabulatedEnergy(const TabulatedRubber& law) : E_(law.E), nu_(law.nu), bulk_(law.bulk) {
+  // As far as the test, and as its lateral stretches, in steps of a thousandth.
+  constexpr double step = 1e-3, least = -2.5, most = 2.5;
+  const double low = std::max(std::log1p(std::max(law.test.x.front(), -0.95)), least),
+               high = std::min(std::log1p(law.test.x.back()), most);
+  const double from = std::min(low, -0.5 * high), to = std::max(high, -0.5 * low);
+  const auto below = std::max(1.0, std::ceil(-from / step)), above = std::max(1.0, std::ceil(to / step));
+  first_ = -below * step;
+  spacing_ = step;
+  const auto count = static_cast<int>(below + above) + 1;
+  for (int i = 0; i < count; ++i) f_.push_back(f_of_test(law.test, (i - below) * step));
+}
+
+TabulatedEnergy::Value TabulatedEnergy::value(double log_stretch) const {
+  const double place = (log_stretch - first_) / spacing_;
+  const auto last = static_cast<int>(f_.size()) - 2;
+  const int i = place <= 0.0 ? 0 : std::min(static_cast<int>(std::min(place, 1e6)), last);
+  const double rise = f_[i + 1] - f_[i];
+  return {f_[i] + (place - i) * rise, rise / spacing_};
+}
+
+PointUpdate TabulatedEnergy::at(const Tensor& e) const {
+  if (small(e)) return linear(E_, nu_, e);
+  const Tensor b = plus(e, 1.0);
+  const Principal axes = principal_axes(b);
+  const double J = std::sqrt(determinant(b)), log_volume = std::log(J) / 3.0;
+  std::array<double, 3> stress;
+  double mean = 0.0, steepest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Value now = value(0.5 * std::log(axes.value[i]) - log_volume);
+    stress[i] = now.f / J;
+    mean += stress[i] / 3.0;
+    steepest = std::max(steepest, std::abs(now.slope));
+  }
+  for (double& s : stress) s += bulk_ * (J - 1.0) / J - mean;
+  // Of the shear between two directions: (f_i - f_k) / (l_i^2 - l_k^2) (l_i^2 + l_k^2) is no more than twice the
+  // greatest slope between them, which for a curve that rises ever faster is at its ends.
+  return {with_values(axes, stress), bulk_ / J + 2.0 * steepest / J, 2.0 * steepest / J};
+}
+
+template class RubberPoint<TabulatedEnergy>;
 
 }  // namespace nugget::kernel

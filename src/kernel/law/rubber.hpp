@@ -4,11 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "base/curve.hpp"
 #include "kernel/law/law_cards.hpp"
 #include "kernel/law/relaxation.hpp"
 #include "kernel/law/single_points.hpp"
 
-// Rubbers, laws of solids. I, II, III: invariants of the Cauchy-Green tensor; J relative volume.
+// Rubbers, laws of solids and layers. I, II, III: invariants of the Cauchy-Green tensor; J relative volume.
 namespace nugget::kernel {
 
 class MooneyRivlinPoint;
@@ -17,6 +18,7 @@ template <class Energy>
 class RubberPoint;
 class OgdenEnergy;
 class PolynomialEnergy;
+class TabulatedEnergy;
 
 /// Compressible rubber of Mooney and Rivlin (MAT_027):
 ///   W = A (I - 3) + B (II - 3) + C (III^-2 - 1) + D (III - 1)^2,
@@ -91,10 +93,26 @@ struct PolynomialRubber {
   Overstress overstress;
 };
 
+/// Rubber of a test curve (MAT_181): Ogden's energy with a function f in place of the powers,
+///   sigma_i = [f(l_i) - mean f] / J + K (J - 1) / J,  l_i principal stretches less the change of volume,
+/// so that a bar pulled at constant volume has the true stress f(l) - f(l^(-1/2)). That is l s(l - 1), s the nominal
+/// stress of the test over the nominal strain, with f(l) = sum over x >= 0 of l_x s(l_x - 1), l_x = l^((-1/2)^x)
+/// (S. Kolling, P.A. Du Bois, D.J. Benson, W.W. Feng, Comput. Mech. 40, 2007).
+struct TabulatedRubber {
+  using Point = RubberPoint<TabulatedEnergy>;
+
+  double E = 0.0, nu = 0.0;  ///< of small strains, from K and the slope of the test at 0, 3 G [stress], [1]
+  double bulk = 0.0;         ///< K [stress]
+  Curve test;                ///< nominal stress over nominal strain, with tension and compression
+  double damping = 0.0;      ///< MU: viscous deviatoric stress, as a share of critical damping in each element [1]
+  Overstress overstress;
+};
+
 // Point by point. The history of each begins with b - 1.
 
 class MooneyRivlinPoint {
  public:
+  static constexpr bool in_layers = true;
   explicit MooneyRivlinPoint(const MooneyRivlin& law);
   int history() const { return SolidTensor<double>::size; }
   int tensors() const { return 1; }
@@ -106,6 +124,7 @@ class MooneyRivlinPoint {
 
 class BlatzKoPoint {
  public:
+  static constexpr bool in_layers = true;
   explicit BlatzKoPoint(const BlatzKo& law);
   int history() const { return SolidTensor<double>::size; }
   int tensors() const { return 1; }
@@ -120,8 +139,14 @@ class BlatzKoPoint {
 template <class Energy>
 class RubberPoint {
  public:
+  static constexpr bool in_layers = true;
   template <class Law>
-  explicit RubberPoint(const Law& law) : energy_(law), overstress_(law.overstress) {}
+  explicit RubberPoint(const Law& law) : energy_(law), overstress_(law.overstress) {
+    if constexpr (requires { law.damping; }) {
+      damping_ = law.damping;
+      damped_modulus_ = law.damping * law.E / (1.0 + law.nu);
+    }
+  }
   int history() const { return SolidTensor<double>::size + overstress_.history(); }
   int tensors() const { return 1 + overstress_.tensors(); }
   PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
@@ -129,6 +154,7 @@ class RubberPoint {
  private:
   Energy energy_;
   OverstressBranches overstress_;
+  double damping_ = 0.0, damped_modulus_ = 0.0;  ///< share, and that of 2 G
 };
 
 class OgdenEnergy {
@@ -150,6 +176,23 @@ class PolynomialEnergy {
  private:
   PolynomialRubber law_;
   double bulk_;
+};
+
+/// f of MAT_181 as a table over ln l, linear between its values.
+class TabulatedEnergy {
+ public:
+  explicit TabulatedEnergy(const TabulatedRubber& law);
+  PointUpdate at(const SolidTensor<double>& b_less_one) const;
+  /// f [stress] and df/d ln l [stress]; beyond the table its end slopes go on.
+  struct Value {
+    double f, slope;
+  };
+  Value value(double log_stretch) const;
+
+ private:
+  double E_, nu_, bulk_;
+  double first_ = 0.0, spacing_ = 1.0;  ///< of ln l
+  std::vector<double> f_;
 };
 
 }  // namespace nugget::kernel

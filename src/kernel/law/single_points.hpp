@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "base/batch.hpp"
@@ -32,18 +33,21 @@ void stretch(SolidTensor<double>& b_less_one, const SolidTensor<double>& d, doub
 struct PointUpdate {
   SolidTensor<double> stress;
   double wave_modulus = 0.0;
+  double plane_modulus = 0.0;  ///< at least that of waves in the plane of a layer [stress]; of laws of layers only
 };
 
 /// A law of single points as the element kernels want it. `Point` has
 ///   history()   numbers it needs beside plastic strain and wave modulus, at most `most_history`
 ///   tensors()   how many tensors these begin with: they turn with the material
-///   update()    stress after a step from the one before, its history, and the wave modulus for the stable step.
-/// History: wave modulus, then the point's own.
+///   update()    stress after a step from the one before, its history, and the wave modulus for the stable step
+///   in_layers   (a constant, where it is one) that layers of shells may have it, with a `plane_modulus`
+/// History: wave modulus (of layers that of their plane), then the point's own.
 template <class Point>
 class SolidPointLaw {
  public:
   static constexpr std::size_t most_history = 96;
   static constexpr bool has_plastic_strain = false;
+  static constexpr bool in_layers = requires { Point::in_layers; };
 
   template <class Law>
   explicit SolidPointLaw(const Law& law) : point_(law) {
@@ -78,6 +82,37 @@ class SolidPointLaw {
       set_lane(s.zx, l, now.stress.zx);
     }
   }
+  /// A layer: the strain through its thickness is that which leaves no stress there, found by the secant. In the
+  /// element's frame, which turns as the mean of the diagonals does: how the material turns against it is left out.
+  template <class R>
+  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
+                           double* history) const requires in_layers {
+    std::array<double, most_history> h;
+    ThicknessStrain<R> thickness;
+    for (int l = 0; l < lanes<R>; ++l) {
+      const auto at = [&](int i) -> double& { return history[(own_fields + i) * lanes<R> + l]; };
+      for (int i = 0; i < point_.history(); ++i) h[i] = at(i);
+      const LayerTensor<double> d{lane(rate.xx, l), lane(rate.yy, l), lane(rate.xy, l), lane(rate.xz, l),
+                                  lane(rate.yz, l)};
+      PointUpdate now;
+      set_lane(thickness.total, l, in_plane(d, dt, h, now));
+      for (int i = 0; i < point_.history(); ++i) at(i) = h[i];
+      history[wave_modulus_field * lanes<R> + l] = now.plane_modulus;
+      set_lane(s.xx, l, now.stress.xx);
+      set_lane(s.yy, l, now.stress.yy);
+      set_lane(s.xy, l, now.stress.xy);
+      set_lane(s.xz, l, now.stress.zx);
+      set_lane(s.yz, l, now.stress.yz);
+    }
+    return thickness;
+  }
+  int layer_history() const requires in_layers { return own_fields + point_.history(); }
+  /// Modulus of the fastest wave in the plane of a layer as it is [stress].
+  template <class R>
+  R layer_modulus(const double* history) const requires in_layers {
+    return load_field<R>(history, wave_modulus_field);
+  }
+
   template <class R>
   void rotate(const Frame<R>& q, double* history) const {
     for (int t = 0; t < point_.tensors(); ++t) {
@@ -88,6 +123,35 @@ class SolidPointLaw {
 
  private:
   static constexpr int wave_modulus_field = first_own_field, own_fields = wave_modulus_field + 1;
+
+  /// Advances the history `h` of a layer by a step; returns the strain increment through the thickness.
+  double in_plane(const LayerTensor<double>& d, double dt, std::array<double, most_history>& h,
+                  PointUpdate& now) const {
+    const std::array<double, most_history> start = h;
+    const auto stress_at = [&](double zz) {
+      h = start;
+      const double rate = dt > 0.0 ? zz / dt : 0.0;
+      now = point_.update({}, {d.xx, d.yy, rate, d.xy, d.yz, d.xz}, dt, h);
+      return now.stress.zz;
+    };
+    if (!(dt > 0.0)) {
+      stress_at(0.0);
+      return 0.0;
+    }
+    double before = -0.5 * (d.xx + d.yy) * dt, of_before = stress_at(before);
+    double zz = before - of_before / now.wave_modulus;
+    for (int i = 0; i < 40; ++i) {
+      const double left = stress_at(zz);
+      // The digits that a stress has beside the modulus of the volume.
+      if (std::abs(left) <= 1e-14 * now.wave_modulus || zz == before || left == of_before) break;
+      const double next = zz - left * (zz - before) / (left - of_before);
+      before = zz;
+      of_before = left;
+      zz = next;
+    }
+    return zz;
+  }
+
   Point point_;
   double initial_wave_modulus_ = 0.0;
 };

@@ -54,6 +54,8 @@ void Ids::assign(const std::vector<int>& ascending) {
 }
 
 Index Ids::find(int id) const {
+  if (!given_.empty())
+    if (const auto other = given_.find(id); other != given_.end()) return other->second;
   if (!by_id_.empty()) {
     const long at = static_cast<long>(id) - ascending_.front();
     return at < 0 || at >= static_cast<long>(by_id_.size()) ? none : by_id_[at];

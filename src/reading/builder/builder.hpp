@@ -47,6 +47,8 @@ class Ids {
   /// Takes over the ids of a whole array at once: `ascending[i]` has index i. For nodes and elements, which are many.
   void assign(const std::vector<int>& ascending);
   Index find(int id) const;  ///< none where absent
+  /// Lets an id stand for another index than its own: of a node that is merged with another.
+  void give(int id, Index index) { given_[id] = index; }
 
   /// Remembers an id whose definition was refused; `by` says which keyword that was.
   void mark_ignored(int id, std::string by) { ignored_.try_emplace(id, std::move(by)); }
@@ -59,6 +61,7 @@ class Ids {
   };
   std::unordered_map<int, Entry> entries_;
   std::unordered_map<int, std::string> ignored_;
+  std::unordered_map<int, Index> given_;
   std::vector<int> ascending_;  ///< of `assign`
   std::vector<Index> by_id_;    ///< index of id `ascending_.front() + i`, where the ids are dense enough for a table
 };
@@ -89,6 +92,11 @@ struct DiscreteCard {
   double offset = 0.0;
 };
 
+/// *NODE_MERGE_SET.
+struct NodeMergeCard {
+  int nsid = 0;
+};
+
 /// *ELEMENT_MASS_PART.
 struct PartMassCard {
   int pid = 0;
@@ -115,6 +123,8 @@ class Builder {
   std::vector<Vec3d> vector_list;                              ///< by index of `vectors`; not normalized
   std::vector<Vec3d> vector_tails;                             ///< of the same: points
   std::vector<SetRecipe> set_recipes;
+  std::vector<deck::RowOf<NodeMergeCard>> merge_rows;
+  double merge_tolerance = 0.0;              ///< TOLR of *NODE_MERGE_TOLERANCE; 0: not given
   std::map<int, LayerStack> layer_rules;     ///< *INTEGRATION_SHELL by IRID
   std::map<Index, LayerStack> layer_stacks;  ///< by shell section: layers that cards give; known after Phase::curves
   BodyCards body_cards;
@@ -137,7 +147,9 @@ class Builder {
 
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;
-  Ids pair_strengths, load_rate_strengths, connections, functions;  ///< of Model's arrays of these names
+  Ids sensors, sensor_switches;
+  std::map<Index, std::pair<deck::Entry, std::string>> sensor_faults;  ///< by sensor: what of it is not built
+  Ids pair_strengths, load_rate_strengths, connections, functions;     ///< of Model's arrays of these names
   Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets, branches;
 
   void defer(Phase phase, std::function<void(Builder&)> work) {
@@ -185,6 +197,10 @@ class Builder {
 
   std::unordered_map<int, int> curved_systems;  ///< TYPE by id: 1 cylindrical, 2 spherical; others are Cartesian
   std::map<const void*, std::unordered_set<Index>> in_history;  ///< by list of Requests: what is in it
+
+  // What stands in files that *INCLUDE_TRANSFORM mirrors, by index: 1. Shorter than what it is of where none does.
+  std::vector<char> mirrored_materials, mirrored_shells, mirrored_solids;
+  std::set<int> mirrored_systems;  ///< by id
 
   bool skip_unsupported = false;           ///< refused keywords are left out with a warning
   const Coarsening* coarsening = nullptr;  ///< shells that are merged; null: none

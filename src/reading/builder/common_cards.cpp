@@ -25,6 +25,16 @@ Vec3d position(const deck::Block& block, const Vec3d& written) {
   return block.transform ? block.transform->moved(written) : written;
 }
 
+bool is_mirrored(const deck::Block& block) {
+  return block.transform && block.transform->mirrors();
+}
+double hand(const deck::Block& block) {
+  return is_mirrored(block) ? -1.0 : 1.0;
+}
+void refuse_in_mirror(Builder& builder, const deck::Block& block, const deck::Entry& field, std::string_view text) {
+  if (is_mirrored(block) && field.value != 0.0) refuse(builder, field, text, mirror_remedy);
+}
+
 Frame3d axes_of_include(const deck::Block& block) {
   const auto axis = [&](const Vec3d& e) { return block.transform ? block.transform->direction(e) : e; };
   return {axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1})};
@@ -36,7 +46,7 @@ bool depends_on_axes(unsigned fixed) {
 }
 
 void warn_of_turned_codes(Builder& builder, const deck::Block& block, const deck::Entry& field, unsigned fixed) {
-  if (block.transform && block.transform->turns() && depends_on_axes(fixed))
+  if (block.transform && !block.transform->keeps_axes() && depends_on_axes(fixed))
     field.report(builder.findings, Severity::warning, global_codes_text, global_codes_remedy);
 }
 

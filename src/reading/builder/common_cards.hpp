@@ -26,6 +26,17 @@ Heading read_heading(deck::Cursor& cursor, bool present);
 Vec3d position(const deck::Block& block, const Vec3d& written);
 Vec3d direction(const deck::Block& block, const Vec3d& written);
 
+/// Of a file that *INCLUDE_TRANSFORM mirrors the model is the mirror image: what has a sense of turning, and what
+/// depends on which hand axes have, is either turned by its reader or refused by this.
+bool is_mirrored(const deck::Block& block);
+/// +1, or -1 in a file that is mirrored: of what a cross product gives.
+double hand(const deck::Block& block);
+/// Refuses a field that is not 0 in a file that is mirrored.
+void refuse_in_mirror(Builder& builder, const deck::Block& block, const deck::Entry& field, std::string_view text);
+inline constexpr std::string_view turning_in_mirror =
+    "a sense of turning is not known in a file that *INCLUDE_TRANSFORM mirrors";
+inline constexpr std::string_view mirror_remedy = "write it in a file that is not mirrored";
+
 /// The global axes of the file that the block stands in, as *INCLUDE_TRANSFORM turns them.
 Frame3d axes_of_include(const deck::Block& block);
 

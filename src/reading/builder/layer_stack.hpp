@@ -16,6 +16,7 @@ struct LayerCard {
   Names names = Names::nothing;     ///< what the id is one of; nothing: the layer has the material of the shells' part
   double angle = 0.0;               ///< B [rad]
   double shear_scale = 1.0;         ///< SHRFAC
+  bool mirrored = false;            ///< of a file that is mirrored: `angle` has the other sign than B
 };
 
 struct LayerStack {

@@ -27,6 +27,7 @@ struct SetStep {
   Action action = Action::add;
   Source source = Source::members;
   SetKind kind = SetKind::node;
+  bool turned_over = false;  ///< segments of nodes, in a file that is mirrored: they go round the other way
   bool of_shells = true, of_solids = true;  ///< segments: which elements give faces
   std::vector<int> ids;
   Place place;

@@ -355,6 +355,8 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
     if (!take_degree_of_freedom(builder, row, motion)) return;
     if (!motion.circular && !takes_vector(row->dof) && row->vid >= 0 && target != Target::rigid_body_local)
       warn_of_global_axis(builder, block, row[&PrescribedMotionCard::dof]);
+    if (is_mirrored(block) && (std::abs(row->dof) == 8 || (motion.rotation && row->vid < 0)))
+      refuse(builder, row[&PrescribedMotionCard::dof], turning_in_mirror, mirror_remedy);
     if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row->dof, motion);
     builder.defer(Phase::conditions, [row, motion](Builder& b) mutable {
       motion.curve = b.curve(row[&PrescribedMotionCard::lcid]);

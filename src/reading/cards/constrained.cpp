@@ -253,6 +253,10 @@ void read_nodal_inertia(Builder& builder, const Block& block, Cursor& cursor, Bo
   const auto row2 = cursor.read(inertia_card2);
   body.inertia.inertia = {row2->ixx, row2->ixy, row2->ixz, row2->iyy, row2->iyz, row2->izz};
   const auto row3 = cursor.read(inertia_card3);
+  refuse_in_mirror(builder, block, row1[&InertiaCard1::ircs],
+                   "a tensor in local axes is not built in a file that *INCLUDE_TRANSFORM mirrors");
+  for (const auto spin : {&InertiaCard3::vrx, &InertiaCard3::vry, &InertiaCard3::vrz})
+    refuse_in_mirror(builder, block, row3[spin], turning_in_mirror);
   body.inertia.velocity = direction(block, {row3->vtx, row3->vty, row3->vtz});
   body.inertia.spin = direction(block, {row3->vrx, row3->vry, row3->vrz});
   if (row1->ircs == 1)

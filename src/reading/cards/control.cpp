@@ -671,6 +671,9 @@ void read_control_solid(Builder& b, const Block& block, const Options&) {
 void read_relaxation(Builder& b, const Block& block, const Options&) {
   RelaxationCard r{b.model.control.relaxation};
   const auto row = read_one(b, block, control_relaxation_card, r);
+  if (block.keyword == "CONTROL_DAMPING")
+    b.findings.warning(block.place, block.starred(), "an old name: read as *CONTROL_DYNAMIC_RELAXATION",
+                       "write that name if this is what is meant");
   const int flag = r.idrflg;
   if (flag != 0 && flag != 1 && flag != -999)
     refuse(b, row[&RelaxationCard::idrflg],
@@ -733,7 +736,10 @@ std::vector<Keyword> control_keywords() {
       {.name = "CONTROL_ACCURACY", .layout = {{"", &accuracy_card}}, .read = read_accuracy},
       {.name = "CONTROL_SOLID", .layout = {{"", &solid_card_1}}, .read = read_control_solid},
       {.name = "CONTROL_SOLUTION", .layout = {{"", &control_solution_card}}, .read = read_control_solution},
-      {.name = "CONTROL_DYNAMIC_RELAXATION", .layout = {{"", &control_relaxation_card}}, .read = read_relaxation},
+      {.name = "CONTROL_DYNAMIC_RELAXATION",
+       .aliases = {"CONTROL_DAMPING"},
+       .layout = {{"", &control_relaxation_card}},
+       .read = read_relaxation},
       {.name = "CONTROL_OUTPUT", .layout = {{"", &output_card_1}, {"optional", &output_card_2}}, .read = read_output},
       {.name = "CONTROL_UNITS",
        .status = KeywordStatus::ignored,

@@ -213,7 +213,7 @@ bool plane_of(Builder& builder, const Block& block, const RowOf<PlaneCard1>& row
     return false;
   }
   plane.edge_l = unit(in_plane);
-  plane.edge_m = cross(plane.normal, plane.edge_l);
+  plane.edge_m = hand(block) * cross(plane.normal, plane.edge_l);
   return true;
 }
 

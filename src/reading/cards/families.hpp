@@ -12,11 +12,14 @@ namespace nugget::reading {
 std::vector<Keyword> text_keywords();                    ///< what the reader of the text takes: includes, parameters
 std::vector<Keyword> mesh_keywords();                    ///< nodes, elements, point masses
 std::vector<Keyword> move_keywords();                    ///< nodes moved before anything is computed
+std::vector<Keyword> node_merge_keywords();              ///< nodes at one place that become one
+std::vector<Keyword> sensor_keywords();                  ///< *SENSOR_..., *TERMINATION_...
 std::vector<Keyword> part_keywords();                    ///< *PART
 std::vector<Keyword> section_keywords();                 ///< *SECTION_..., *HOURGLASS
 std::vector<Keyword> material_keywords();                ///< *MAT_...
 std::vector<Keyword> orthotropic_material_keywords();    ///< *MAT_ORTHOTROPIC_ELASTIC
 std::vector<Keyword> fabric_material_keywords();         ///< *MAT_FABRIC
+std::vector<Keyword> simplified_rubber_keywords();       ///< *MAT_SIMPLIFIED_RUBBER/FOAM
 std::vector<Keyword> sheet_material_keywords();          ///< *MAT_... of rolled sheets: 036, 037, 122
 std::vector<Keyword> plain_law_keywords();               ///< *MAT_... whose cards stand with their laws
 std::vector<Keyword> rubber_material_keywords();         ///< *MAT_... of rubber

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "model/axes.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
@@ -122,11 +124,21 @@ void add_system(Builder& b, const Row& row, int id, const Vec3d& origin, const V
   add_system(b, row, s);
 }
 
+/// The axes of a mirrored file: x and y are mirror images, and z = x x y is not.
+void note_mirrored(Builder& b, const Block& block, const deck::Entry& id) {
+  if (!is_mirrored(block)) return;
+  b.mirrored_systems.insert(id.integer());
+  id.report(b.findings, Severity::note,
+            "of a file that is mirrored: local x and y are mirrored with it, and z, normal to them, then points to "
+            "the other side than its image");
+}
+
 void read_frame_points(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
     const auto row = cursor.read(points_card);
     const auto plane = cursor.read(plane_point_card);
+    note_mirrored(b, block, row[&PointsCard::cid]);
     refuse_nonzero(b, row[&PointsCard::cidl], "points in another coordinate system are not supported",
                    "give them in global axes");
     const Vec3d origin = position(block, {row->xo, row->yo, row->zo});
@@ -139,6 +151,7 @@ void read_vectors(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
     const auto row = cursor.read(frame_vectors_card);
+    note_mirrored(b, block, row[&VectorsCard::cid]);
     refuse_nonzero(b, row[&VectorsCard::nid], "axes that turn with a node are not supported",
                    "leave it 0 for fixed axes");
     add_system(b, row, row->cid, {}, direction(block, {row->xx, row->yx, row->zx}),
@@ -171,6 +184,7 @@ void read_nodes(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
     const auto row = cursor.read(nodes_card);
+    note_mirrored(b, block, row[&NodesCard::cid]);
     b.defer(Phase::systems, [row](Builder& later) { add_system_of_nodes(later, row); });
   }
 }
@@ -202,7 +216,7 @@ void read_box(Builder& b, const Block& block, const Options& options) {
     read_title(cursor, options);
     const auto row = cursor.read(box_card);
     const auto* t = block.transform;
-    if (t && (t->turns() || t->scales()))
+    if (t && (!t->keeps_axes() || t->scales()))
       refuse(b, row[&BoxCard::boxid], "a box cannot be turned or scaled with its include",
              "define it in the main deck");
     const std::pair<double BoxCard::*, double BoxCard::*> extents[] = {
@@ -210,8 +224,11 @@ void read_box(Builder& b, const Block& block, const Options& options) {
     for (const auto& [low, high] : extents)
       if ((*row).*low > (*row).*high) refuse(b, row[low], "the smallest value is larger than the largest", "swap them");
     b.boxes.add(row->boxid, static_cast<Index>(b.box_list.size()), row.place(), block.starred(), "box", b.findings);
-    b.box_list.push_back(
-        {position(block, {row->xmn, row->ymn, row->zmn}), position(block, {row->xmx, row->ymx, row->zmx})});
+    // Mirrored, the largest value of an axis is the smallest.
+    const Vec3d one = position(block, {row->xmn, row->ymn, row->zmn}),
+                other = position(block, {row->xmx, row->ymx, row->zmx});
+    b.box_list.push_back({{std::min(one.x, other.x), std::min(one.y, other.y), std::min(one.z, other.z)},
+                          {std::max(one.x, other.x), std::max(one.y, other.y), std::max(one.z, other.z)}});
   }
 }
 

@@ -193,6 +193,12 @@ Vec3d velocity_of(const Block& block, bool local, const Vec3d& written) {
   return local ? written : direction(block, written);
 }
 
+/// Angular velocities that are not 0 in a file that is mirrored.
+template <class Row, class... Fields>
+void refuse_spin_in_mirror(Builder& builder, const Block& block, const Row& row, Fields... fields) {
+  (refuse_in_mirror(builder, block, row[fields], turning_in_mirror), ...);
+}
+
 std::vector<Index> all_nodes(const Model& model) {
   std::vector<Index> nodes(model.nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = static_cast<Index>(i);
@@ -249,11 +255,13 @@ void read_velocity(Builder& builder, const Block& block, const Options&) {
     const auto row = cursor.read(velocity_card1);
     const auto values = cursor.read(velocity_card2);
     const bool local = row->icid != 0;
+    refuse_spin_in_mirror(builder, block, values, &VelocityCard::vxr, &VelocityCard::vyr, &VelocityCard::vzr);
     Motion motion, exempt;
     motion.velocity = velocity_of(block, local, Vec3d{values->vx, values->vy, values->vz});
     motion.spin = velocity_of(block, local, Vec3d{values->vxr, values->vyr, values->vzr});
     if (row->nsidex != 0) {
       const auto others = cursor.read(velocity_card3);
+      refuse_spin_in_mirror(builder, block, others, &VelocityCard3::vxre, &VelocityCard3::vyre, &VelocityCard3::vzre);
       exempt.velocity = velocity_of(block, local, Vec3d{others->vxe, others->vye, others->vze});
       exempt.spin = velocity_of(block, local, Vec3d{others->vxre, others->vyre, others->vzre});
     }
@@ -267,8 +275,9 @@ void read_velocity(Builder& builder, const Block& block, const Options&) {
 
 // ---- *INITIAL_VELOCITY_NODE and _RIGID_BODY
 
-Motion motion_of(const Block& block, const RowOf<VelocityCard>& row) {
+Motion motion_of(Builder& builder, const Block& block, const RowOf<VelocityCard>& row) {
   const bool local = row->icid != 0;
+  refuse_spin_in_mirror(builder, block, row, &VelocityCard::vxr, &VelocityCard::vyr, &VelocityCard::vzr);
   return {velocity_of(block, local, Vec3d{row->vx, row->vy, row->vz}),
           velocity_of(block, local, Vec3d{row->vxr, row->vyr, row->vzr}),
           {},
@@ -288,7 +297,7 @@ void read_node_velocity(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const auto row = cursor.read(node_card);
     // Left behind once more, so that it comes after all sets of nodes.
-    builder.defer(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
+    builder.defer(Phase::conditions, [row, motion = motion_of(builder, block, row)](Builder& b) {
       b.defer(Phase::conditions, [row, motion](Builder& last) { start_node(last, row, motion); });
     });
   }
@@ -309,7 +318,7 @@ void read_body_velocity(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const auto row = cursor.read(body_card);
     // Left behind twice more, so that it comes after those of nodes too.
-    builder.defer(Phase::conditions, [row, motion = motion_of(block, row)](Builder& b) {
+    builder.defer(Phase::conditions, [row, motion = motion_of(builder, block, row)](Builder& b) {
       b.defer(Phase::conditions, [row, motion](Builder& nodes) {
         nodes.defer(Phase::conditions, [row, motion](Builder& last) { start_body(last, row, motion); });
       });
@@ -404,6 +413,7 @@ void read_generation(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const auto row1 = cursor.read(cursor.peek_number(1) == 2.0 ? generation_of_part : generation_of_set);
     const auto row2 = cursor.read(cursor.peek_number(3) == -999.0 ? generation_by_nodes : generation_card2);
+    refuse_in_mirror(builder, block, row1[&GenerationCard::omega], turning_in_mirror);
     builder.defer(Phase::conditions, [&block, row1, row2](Builder& b) { generate(b, block, row1, row2); });
     if (row2->phase == 0)
       builder.defer(Phase::checks, [row2](Builder& b) {

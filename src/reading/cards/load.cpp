@@ -132,6 +132,8 @@ void read_force(Builder& builder, const Block& block, const Options&) {
   while (!at_end(cursor)) {
     const auto row = cursor.read(on == On::node ? force_node_card : on == On::set ? force_set_card : force_body_card);
     if (row->dof % 4 != 0 && row->cid == 0) warn_of_global_axis(builder, block, row[&ForceCard::dof]);
+    if (row->dof % 4 == 0 || (row->dof > 4 && row->cid != 0))
+      refuse_in_mirror(builder, block, row[&ForceCard::dof], turning_in_mirror);
     builder.defer(Phase::conditions, [row, turns](Builder& b) {
       NodalLoad load;
       const int dof = row->dof;
@@ -382,12 +384,15 @@ void leave_pressure(Builder& builder, const RowOf<PressureCard>& row, Segments s
   });
 }
 
+/// In a file that is mirrored the nodes go round the other way, so that the pressure acts on the same side.
+template <bool mirrored>
 std::vector<Segment> one_segment(Builder& builder, const RowOf<PressureCard>& row) {
   Segment segment{builder.node(row[&PressureCard::n1]), builder.node(row[&PressureCard::n2]),
                   builder.node(row[&PressureCard::n3]), builder.node(row[&PressureCard::n4])};
   if (row->n4 == 0) segment[3] = segment[2];
   for (const Index node : segment)
     if (node == none) return {};
+  if constexpr (mirrored) segment = model::turned_over(segment);
   return {segment};
 }
 
@@ -399,7 +404,7 @@ void read_segment(Builder& builder, const Block& block, const Options& options) 
     if (row->n5 != 0)
       return refuse(builder, row[&PressureCard::n5], "segments of quadratic elements are not built",
                     "give three or four corners");
-    leave_pressure(builder, row, one_segment);
+    leave_pressure(builder, row, is_mirrored(block) ? one_segment<true> : one_segment<false>);
   }
 }
 

@@ -50,6 +50,8 @@ void take_axes_of_system(Builder& b, const deck::Entry& option, Index material) 
       axes->by = By::vectors;
       axes->a = system.axes.e1;
       axes->d = system.axes.e2;
+      if (std::vector<char>& mirrored = later.mirrored_materials; !mirrored.empty())
+        mirrored[material] = later.mirrored_systems.contains(id);
     }
     *compound = kernel::composed_law(std::move(made));
   });

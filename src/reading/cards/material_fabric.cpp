@@ -143,7 +143,7 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
     const auto second = cursor.read(fabric_angle_card, cards);
     expect_end(b, cursor);
     law.axes = material_axes(b, block, cards, form[&AxesCards::aopt], first[&AxesCards::a1], second[&AxesCards::v1]);
-    law.axes.angle = cards.beta * (std::numbers::pi / 180.0);
+    law.axes.angle = hand(block) * cards.beta * (std::numbers::pi / 180.0);
   }
   law.nu = std::clamp(law.poisson_ba, 0.0, 0.45);
   law.E = law.wave_modulus() * (1.0 - law.nu * law.nu);

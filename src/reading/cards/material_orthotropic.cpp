@@ -79,7 +79,7 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   Orthotropic law = cards;
   if (!(law.young_c > 0.0)) law.young_c = law.young_b;
   law.axes = material_axes(b, block, cards, shears[&AxesCards::aopt], first[&AxesCards::a1], second[&AxesCards::v1]);
-  law.axes.angle = cards.beta * (std::numbers::pi / 180.0);
+  law.axes.angle = hand(block) * cards.beta * (std::numbers::pi / 180.0);
   if (!(law.definiteness() > 0.0))
     refuse(b, moduli[&Orthotropic::poisson_ba], "with these moduli and Poisson's ratios the material would give energy",
            "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");

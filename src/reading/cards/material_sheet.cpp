@@ -265,7 +265,7 @@ kernel::MaterialAxes read_sheet_axes(Builder& b, const Block& block, Cursor& cur
   const auto row = cursor.read(sheet_axes_card, cards);
   const auto vectors = cursor.read(sheet_vectors_card, cards);
   kernel::MaterialAxes axes = material_axes(b, block, cards, option, row[&AxesCards::a1], vectors[&AxesCards::v1]);
-  axes.angle = cards.beta * (std::numbers::pi / 180.0);
+  axes.angle = hand(block) * cards.beta * (std::numbers::pi / 180.0);
   return axes;
 }
 

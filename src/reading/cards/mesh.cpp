@@ -104,7 +104,7 @@ const CardOf<AccelerometerCardOf> accelerometer_by_curve = accelerometer_card_of
 void read_node(Builder& b, const Block& block, const Options&) {
   const std::size_t before = b.node_table.id.size();
   deck::read_nodes(b.deck, block, b.node_table, b.findings);
-  if (!block.transform || !block.transform->turns()) return;
+  if (!block.transform || block.transform->keeps_axes()) return;
   for (std::size_t n = before; n < b.node_table.id.size(); ++n) {
     const unsigned held = bits_of_code(b.node_table.tc[n]) | bits_of_code(b.node_table.rc[n]) << 3;
     if (!depends_on_axes(held)) continue;
@@ -210,6 +210,8 @@ void read_element_inertia(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const auto head = cursor.read(inertia_head_card);
     const auto row = cursor.read(inertia_card);
+    refuse_in_mirror(b, block, head[&InertiaHeadCard::csid],
+                     "products of inertia in local axes are not built in a file that *INCLUDE_TRANSFORM mirrors");
     b.defer(Phase::sets,
             [head, row, axes = axes_of_include(block)](Builder& later) { add_inertia(later, head, row, axes); });
   }

@@ -30,7 +30,8 @@ Rows without_effect() {
       ignored("CONTROL_NONLOCAL", "storage for nonlocal laws, which are not built"),
       ignored("ELEMENT_PLOTEL", "lines for pictures only"),
       ignored("SET_DISCRETE*", "no card that is obeyed takes a set of springs and dampers; deforc has each of them"),
-      ignored("SENSOR_DEFINE_*", "measures something that only *SENSOR_SWITCH and *SENSOR_CONTROL act upon"),
+      ignored("SENSOR_DEFINE_*",
+              "measures something that nothing here asks for; of nodes, of the time and calculations is built"),
       ignored("INTERFACE_SPRINGBACK_*", "asks for a file of the final state (dynain); d3plot holds it"),
   };
 }
@@ -55,7 +56,7 @@ Rows other_solutions() {
       refused("CHANGE_*", "changes at a restart are not built"),
       refused("DELETE_*", "deletions at a restart are not built"),
       refused("TERMINATION_*",
-              "ends by motion, contact or curve are not built; give an end time in *CONTROL_TERMINATION"),
+              "ends by contact, curve or deleted elements are not built; *TERMINATION_NODE, _BODY and _SENSOR are"),
       refused("DEFORMABLE_TO_RIGID_*",
               "parts are rigid from the start (*DEFORMABLE_TO_RIGID) or never: switching during a run is not built"),
       refused("RIGID_DEFORMABLE*",
@@ -64,7 +65,7 @@ Rows other_solutions() {
       refused("PERTURBATION*", "random imperfections are not built; move the nodes in the deck"),
       refused("USER_*", "user subroutines are not built"),
       refused("MODULE_*", "user subroutines are not built"),
-      refused("SENSOR_SWITCH*", "nothing is switched on or off during a run; give birth and death times instead"),
+      refused("SENSOR_SWITCH*", "this form of a switch is not built; *SENSOR_SWITCH and _SWITCH_CALC-LOGIC are"),
       refused("SENSOR_CONTROL", "nothing is switched on or off during a run; give birth and death times instead"),
       refused("SENSOR_*", "switching by sensors is not built"),
   };

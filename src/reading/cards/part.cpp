@@ -174,11 +174,15 @@ void read_part_inertia(Builder& b, Cursor& cursor, Index part) {
   InertiaCards cards;
   const auto centre = cursor.read(centre_card, cards);
   cursor.read(tensor_card, cards);
-  cursor.read(velocity_card, cards);
+  const auto velocity = cursor.read(velocity_card, cards);
   const bool is_local = cards.ircs == 1;
   const auto axes = is_local ? cursor.read(axes_card, cards) : centre;
   const Block& block = cursor.block();
   const Frame3d own = axes_of_include(block);
+  refuse_in_mirror(b, block, centre[&InertiaCards::ircs],
+                   "a tensor in local axes is not built in a file that *INCLUDE_TRANSFORM mirrors");
+  for (const auto axis : {&Vec3d::x, &Vec3d::y, &Vec3d::z})
+    refuse_in_mirror(b, block, velocity[within(&InertiaCards::spin, axis)], turning_in_mirror);
   const Vec3d x = direction(block, cards.along_x), in_plane = direction(block, cards.in_plane);
   RigidBody::Inertia inertia = cards;
   inertia.center = position(block, cards.center);
@@ -230,7 +234,8 @@ std::vector<LayerCard> read_layers(Builder& b, Cursor& cursor, bool one_a_line) 
       refuse(b, mid, "a layer above a blank one", "write the layers one after the other");
     reported = reported || blank || !has_material || !has_thickness;
     LayerCard layer{0.0, row->thick[k], mid, LayerCard::Names::material};
-    layer.angle = row->b[k] * (std::numbers::pi / 180.0);
+    layer.mirrored = is_mirrored(block);
+    layer.angle = hand(block) * row->b[k] * (std::numbers::pi / 180.0);
     if (one_a_line) layer.shear_scale = row->shrfac;
     layers.push_back(std::move(layer));
   };

@@ -178,7 +178,7 @@ bool take_normal(Builder& builder, const Block& block, const RowOf<NormalCard>& 
   return false;
 }
 
-/// The edges of a bounded plane: l from the tail to the given head, laid into the plane; m = n x l.
+/// The edges of a bounded plane: l from the tail to the given head, laid into the plane; m = n x l, or its image.
 bool take_edges(Builder& builder, const Block& block, const RowOf<WallEdgeCard>& row, RigidWall& wall) {
   const Vec3d edge = position(block, {row->xhev, row->yhev, row->zhev}) - wall.origin;
   const Vec3d in_plane = edge - dot(edge, wall.normal) * wall.normal;
@@ -189,7 +189,7 @@ bool take_edges(Builder& builder, const Block& block, const RowOf<WallEdgeCard>&
   }
   wall.finite = true;
   wall.edge_l = unit(in_plane);
-  wall.edge_m = cross(wall.normal, wall.edge_l);
+  wall.edge_m = hand(block) * cross(wall.normal, wall.edge_l);
   wall.length_l = row->lenl;
   wall.length_m = row->lenm;
   return true;

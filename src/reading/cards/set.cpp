@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
 // *SET_... in all their forms. Here they become recipes; resolve_sets() works out the members.
@@ -336,6 +337,8 @@ void read_set(Builder& b, const Block& block, const Options& options, const Kind
         for (std::size_t i = 0; i < 4; ++i)
           if (double& of_set = recipe.attributes[i]; of_set == 0.0) of_set = step.attributes[i];
   }
+  if (cards.kind == SetKind::segment)
+    for (SetStep& step : steps) step.turned_over = is_mirrored(block);
   b.set_recipes.push_back(std::move(recipe));
 }
 

@@ -186,13 +186,15 @@ void add_element(Builder& b, const RowOf<DiscreteCard>& row) {
 }
 
 /// A line to act along: that of the nodes, unless there is none.
-void link_orientation(Builder& b, const RowOf<DiscreteCard>& row, double length) {
+void link_orientation(Builder& b, const RowOf<DiscreteCard>& row, double length, bool mirrored) {
   const Index e = b.discretes.find(row->eid);
   if (e == none || at(e) >= b.model.discretes.size()) return;
   Discrete& d = b.model.discretes[e];
   const Part& part = b.model.parts[d.part];
-  if (part.section != none && b.model.discrete_sections[part.section].torsional)
+  if (part.section != none && b.model.discrete_sections[part.section].torsional) {
     d.offset /= length;  // an angle, which the table has for a length
+    if (mirrored) refuse(b, row[&DiscreteCard::pid], turning_in_mirror, mirror_remedy);
+  }
   d.orientation = b.find(b.spring_orientations, "orientation", row[&DiscreteCard::vid]);
   if (row->vid != 0) return;
   const auto at = [&](Index n) { return b.model.nodes.x[n]; };
@@ -207,9 +209,9 @@ void read_elements(Builder& b, const Block& block, const Options&) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     const auto row = cursor.read(element_card);
     b.discrete_rows.push_back(row);
-    b.defer(Phase::systems, [row, length = block.transform ? block.transform->length : 1.0](Builder& later) {
-      link_orientation(later, row, length);
-    });
+    b.defer(Phase::systems,
+            [row, length = block.transform ? block.transform->length : 1.0,
+             mirrored = is_mirrored(block)](Builder& later) { link_orientation(later, row, length, mirrored); });
   }
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/index.hpp"
+#include "kernel/law/composed_law_kernel.hpp"
 #include "kernel/law/law_components.hpp"
 #include "kernel/law/own_kernels.hpp"
 #include "model/bond.hpp"
@@ -232,6 +233,7 @@ void check_beam_formulation(Builder& b, const Part& part, std::vector<char>& rep
 
 /// Whether the law has a kernel for the fibres of beams.
 bool has_fibres(const Law& law) {
+  if (const auto* compound = std::get_if<kernel::ComposedLaw>(&law)) return for_beams(*compound->components);
   return std::visit([]<class Own>(const Own&) { return kernel::LawOfFibres<Own>; }, law);
 }
 
@@ -260,9 +262,16 @@ void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
              fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
              "write ELFORM 1 with the dimensions of the section");
     else if (const auto* compound = std::get_if<kernel::ComposedLaw>(&material.law);
-             compound && (compound->components->erosion || compound->components->gissmo))
-      refuse(b, row[&PartCard::mid], "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are not built for beams",
-             "take it away, or write the failure strain of *MAT_003 or 024");
+             compound && compound->components->gissmo)
+      refuse(b, row[&PartCard::mid], "*MAT_ADD_DAMAGE_GISSMO is not built for beams",
+             "take it away, or write *MAT_ADD_EROSION, or the failure strain of *MAT_003 or 024");
+    else if (compound && compound->components->erosion && compound->components->erosion->thinning)
+      refuse(b, row[&PartCard::mid], "EPSTHIN of *MAT_ADD_EROSION is a limit of layers: a beam has none",
+             "limit the plastic or the principal strain");
+    else if (compound && compound->components->erosion && compound->components->points_to_delete < 0.0)
+      refuse(b, row[&PartCard::mid],
+             "NUMFIP of *MAT_ADD_EROSION as a percentage of layers is not built for beams, which have none",
+             "give the number of points of the cross-section");
     else if (!is_moved && !has_fibres(material.law))
       refuse(b, row[&PartCard::mid], fmt::format("*{} is not built for beams", material.keyword),
              "built are *MAT_001, 003, 009, 020 and 024");
@@ -296,6 +305,53 @@ void check_cross_axes(Builder& b, const Part& part, const deck::Entry& field, co
   }
 }
 
+bool is_mirrored_material(const Builder& b, Index material) {
+  return material != none && at(material) < b.mirrored_materials.size() && b.mirrored_materials[at(material)] != 0;
+}
+
+/// True where the elements of a part stand in mirrored files and its axes or angles do not, or the other way round.
+bool has_other_hand(const Builder& b, const Part& part, bool mirrored) {
+  const Model& m = b.model;
+  const auto index = static_cast<Index>(&part - m.parts.data());
+  const auto differs = [&](const auto& elements, const std::vector<char>& hands) {
+    if (hands.empty() && !mirrored) return false;
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (elements.part[e] == index && (!hands.empty() && hands[e] != 0) != mirrored) return true;
+    return false;
+  };
+  return part.kind == ElementKind::solid ? differs(m.solids, b.mirrored_solids) : differs(m.shells, b.mirrored_shells);
+}
+
+/// A mirrored brick has nodes 1 and 2, 3 and 4 exchanged: the plane through its nodes 1, 2 and 4 is the image of that
+/// before only where these four lie in a plane.
+void check_mirrored_bricks(Builder& b, const Part& part, const deck::Entry& field) {
+  const Model& m = b.model;
+  const auto index = static_cast<Index>(&part - m.parts.data());
+  for (std::size_t e = 0; e < b.mirrored_solids.size(); ++e) {
+    if (b.mirrored_solids[e] == 0 || m.solids.part[e] != index || m.solids.node[e][4] == m.solids.node[e][3]) continue;
+    const auto x = [&](std::size_t i) { return m.nodes.x[m.solids.node[e][i]]; };
+    const Vec3d now = cross(x(1) - x(0), x(3) - x(0)), image = cross(x(0) - x(1), x(2) - x(1));
+    if (norm(cross(now, image)) <= 1e-6 * norm(now) * norm(image)) continue;
+    return refuse(b, field,
+                  fmt::format("solid {}: axes by its nodes (AOPT 0) in a file that *INCLUDE_TRANSFORM mirrors need "
+                              "its nodes 1 to 4 in a plane",
+                              m.solids.id[e]),
+                  "give vectors (AOPT 2)");
+  }
+}
+
+void check_hand_of_axes(Builder& b, const Part& part, const deck::Entry& field, const kernel::MaterialAxes& axes,
+                        bool mirrored) {
+  using By = kernel::MaterialAxes::By;
+  const bool solid = part.kind == ElementKind::solid;
+  if (axes.by == By::nodes && solid) check_mirrored_bricks(b, part, field);
+  if ((axes.by == By::nodes && (solid || axes.angle == 0.0)) || !has_other_hand(b, part, mirrored)) return;
+  refuse(b, field,
+         fmt::format("*INCLUDE_TRANSFORM mirrors {} of part {} and not {}", mirrored ? "the material axes" : "elements",
+                     part.id, mirrored ? "all of its elements" : "its material axes"),
+         "write elements and material in one file, or give the mirrored ones a material of their own");
+}
+
 /// Material axes that the elements of a part cannot have.
 void check_material_axes(Builder& b, const Part& part, const deck::Entry& field, const kernel::MaterialAxes& axes) {
   using By = kernel::MaterialAxes::By;
@@ -327,14 +383,32 @@ void check_material_axes(Builder& b, const Part& part, const deck::Entry& field,
   }
 }
 
+/// The material that *PART names: the one of the part may be made of its layers.
+Index own_material(const Builder& b, const Part& part) {
+  const auto index = static_cast<Index>(&part - b.model.parts.data());
+  for (const auto& [of, row] : b.part_rows)
+    if (of == index) return b.materials.find(row->mid);
+  return none;
+}
+
 /// Axes of the materials of a part's layers.
 void check_layers(Builder& b, const Part& part) {
   if (part.kind != ElementKind::shell || part.material == none || !is<kernel::Laminate>(b.model, part)) return;
   const auto& law = std::get<kernel::Laminate>(b.model.materials[part.material].law);
   const auto& cards = b.layer_stacks.at(part.section).layers;
   for (std::size_t k = 0; k < cards.size(); ++k)
-    if (const auto* axes = axes_of((*law.layers)[k].law.components->flow))
+    if (const auto* axes = axes_of((*law.layers)[k].law.components->flow)) {
       check_material_axes(b, part, cards[k].id, *axes);
+      const Index material = cards[k].names == LayerCard::Names::material ? b.materials.find(cards[k].id.integer())
+                                                                          : own_material(b, part);
+      check_hand_of_axes(b, part, cards[k].id, *axes, is_mirrored_material(b, material));
+      if (cards[k].angle != 0.0 && has_other_hand(b, part, cards[k].mirrored))
+        refuse(b, cards[k].id,
+               fmt::format("*INCLUDE_TRANSFORM mirrors {} of part {} and not {}",
+                           cards[k].mirrored ? "the layers" : "elements", part.id,
+                           cards[k].mirrored ? "all of its elements" : "its layers"),
+               "write elements and part in one file");
+    }
 }
 
 /// Some laws are made for shells or bricks only.
@@ -357,11 +431,21 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
         fmt::format("EPSTHIN of material {} is a limit of layers and has no effect in this part's solids", material.id),
         "limit the plastic strain or the major strain");
   const bool is_of_shells = for_shells(components);
-  if (const auto* axes = axes_of(components.flow); axes && (is_of_shells || part.kind == ElementKind::solid))
+  if (const auto* axes = axes_of(components.flow); axes && (is_of_shells || part.kind == ElementKind::solid)) {
     check_material_axes(b, part, row[&PartCard::mid], *axes);
+    check_hand_of_axes(b, part, row[&PartCard::mid], *axes, is_mirrored_material(b, part.material));
+  }
   if (part.kind == ElementKind::shell && !is_of_shells)
     refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
+  const kernel::LawKernel<kernel::ComposedLaw> made(*law);
+  if (part.kind == ElementKind::shell && made.layers_stiffen() && b.model.control.thickness_update == 0)
+    row[&PartCard::mid].report(
+        b.findings, Severity::warning,
+        fmt::format("the shells keep their thickness while *{} stretches: their forces are those "
+                    "of a sheet that does not get thinner",
+                    material.keyword),
+        "write ISTUPD 1 in *CONTROL_SHELL");
   // The check may give the material another law.
   if (const auto own = b.part_checks.find(part.material); own != b.part_checks.end()) own->second(b, part, row);
 }

@@ -64,6 +64,10 @@ void make_nodes(Builder& b) {
   b.nodes.assign(nodes.id);
 }
 
+bool is_mirrored(const deck::ElementTable& table, std::size_t row) {
+  return !table.mirrored.empty() && table.mirrored[row] != 0;
+}
+
 /// What the three kinds of elements have in common while they are made: looking up parts and nodes, and saying so where
 /// that fails.
 class Elements {
@@ -234,6 +238,7 @@ std::vector<std::size_t> make_shells(Builder& b) {
     shells.part.push_back(part);
     shells.node.push_back(n);
     shells.place.push_back(table.file[r], table.line[r]);
+    if (!table.mirrored.empty()) b.mirrored_shells.push_back(table.mirrored[r]);
     made.push_back(r);
   }
   b.shells.assign(shells.id);
@@ -326,6 +331,7 @@ void make_solids(Builder& b) {
     solids.part.push_back(part);
     solids.node.push_back(n);
     solids.place.push_back(table.file[r], table.line[r]);
+    if (!table.mirrored.empty()) b.mirrored_solids.push_back(table.mirrored[r]);
     if (!quadratic) {
       if (!table.to_ten.empty() && table.to_ten[r] != 0) to_ten.push_back(r);
       continue;
@@ -365,6 +371,12 @@ std::vector<std::size_t> make_beams(Builder& b) {
     if (!elements.nodes(r, n) || part == none) continue;
     if (n[0] == none || n[1] == none || n[0] == n[1]) {
       elements.refuse(r, "needs two different nodes", "remove it or correct its nodes");
+      continue;
+    }
+    const Index section = b.model.parts[part].section;
+    if (is_mirrored(table, r) && section != none && b.model.beam_sections[section].elform == 6) {
+      elements.refuse(r, "a discrete beam (ELFORM 6) in a file that *INCLUDE_TRANSFORM mirrors is not built",
+                      "write it in a file that is not mirrored");
       continue;
     }
     beams.id.push_back(table.id[r]);

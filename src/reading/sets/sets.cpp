@@ -396,7 +396,8 @@ class Resolver {
     if (nodes.size() != step.ids.size()) return;
     Segment face{none, none, none, none};
     std::copy_n(nodes.begin(), std::min<std::size_t>(nodes.size(), 4), face.begin());
-    if (nodes.size() >= 3 && bring_triangle_into_form(face)) return out.push_back(face);
+    if (nodes.size() >= 3 && bring_triangle_into_form(face))
+      return out.push_back(step.turned_over ? turned_over(face) : face);
     unknown.add(step.place, [] { return std::string("a segment needs three or four different nodes"); });
   }
 

@@ -251,8 +251,8 @@ TEST(IncludeTransform, WhatIsRefused) {
   const auto findings = [&](const std::string& text) { return listed(Reading("*KEYWORD\n" + text, f.path).findings); };
   const std::string include = "*INCLUDE_TRANSFORM\na.k\n\n\n\n";
   EXPECT_THAT(findings(include + "7\n"), testing::HasSubstr("tranid = 7: no *DEFINE_TRANSFORMATION has this id"));
-  EXPECT_THAT(findings(include + "7\n*DEFINE_TRANSFORMATION\n7\nMIRROR,0,0,0,1\n"),
-              testing::HasSubstr("mirrors or flattens"));
+  EXPECT_THAT(findings(include + "7\n*DEFINE_TRANSFORMATION\n7\nMIRROR,0,0,0,1,0,0,1\n"),
+              testing::HasSubstr("A7 = 1 of MIRROR, left-handed coordinate systems, is not built"));
   EXPECT_THAT(findings("*DEFINE_TRANSFORMATION\n7\nMATRIX\n"), testing::HasSubstr("option = MATRIX: this option"));
   EXPECT_THAT(findings("*DEFINE_TRANSFORMATION\n7\nROTATE,0,0,0,1,1,1,90\n"),
               testing::HasSubstr("span no axis or plane"));

@@ -348,5 +348,136 @@ TEST(SinglePoints, PrincipalAxes) {
   }
 }
 
+// ---- layers of shells
+
+using Layer = LayerPoint<ComposedLaw>;
+
+/// Stretches of the plane, from 1, in `steps` steps of mid-step rates; returns the thickness.
+double pull(Layer& p, const std::array<double, 2>& to, int steps) {
+  std::array<double, 2> l{1, 1}, d{(to[0] - 1) / steps, (to[1] - 1) / steps};
+  double thickness = 1.0;
+  for (int n = 0; n < steps; ++n) {
+    p.strain({mid(l[0], d[0]), mid(l[1], d[1]), 0, 0, 0});
+    const double e = p.thickness.total;
+    thickness *= (1 + 0.5 * e) / (1 - 0.5 * e);  // as the stretch of a step is taken
+    for (std::size_t i = 0; i < 2; ++i) l[i] += d[i];
+  }
+  return thickness;
+}
+
+/// The stretch through the thickness at which an energy leaves no stress there, by halving an interval.
+double free_thickness(const std::function<double(double, double, double)>& W, double x, double y) {
+  double low = 0.05, high = 5.0;
+  for (int i = 0; i < 200; ++i) {
+    const double z = 0.5 * (low + high);
+    (by_energy(W, {x, y, z})[2] < 0.0 ? low : high) = z;
+  }
+  return low;
+}
+
+constexpr std::array<std::array<double, 2>, 6> plane_stretches{
+    {{1.8, 0.75}, {1.5, 1.5}, {2.0, 1.0}, {0.7, 1.2}, {0.8, 0.8}, {1.0, 1.0}}};
+
+// Sabotage: the thickness kept; the strain through the thickness of the last step.
+TEST(SinglePoints, LayersOfRubberHaveNoStressThroughTheThickness) {
+  const double a = 0.8, b = 0.2, nu = 0.49, c = 0.5 * a + b,
+               d = (a * (5 * nu - 2) + b * (11 * nu - 5)) / (2 * (1 - 2 * nu));
+  const auto W = [=](double x, double y, double z) {
+    const double first = x * x + y * y + z * z, third = x * x * y * y * z * z;
+    const double second = x * x * y * y + y * y * z * z + z * z * x * x;
+    return a * (first - 3) + b * (second - 3) + c * (1 / (third * third) - 1) + d * (third - 1) * (third - 1);
+  };
+  for (const auto& [x, y] : plane_stretches) {
+    Layer p(composed_law({mooney(a, b, nu)}));
+    const double thickness = pull(p, {x, y}, 200), z = free_thickness(W, x, y);
+    const std::array<double, 3> s = by_energy(W, {x, y, z});
+    EXPECT_NEAR(p.s.xx, s[0], 1e-6) << x << ' ' << y;
+    EXPECT_NEAR(p.s.yy, s[1], 1e-6) << x << ' ' << y;
+    EXPECT_NEAR(thickness, z, 1e-8) << x << ' ' << y;
+  }
+}
+
+// Textbook: at constant volume (nu 0.4999) sigma_i = 2 (l_i^2 - l_3^2) (A + B l_j^2) in the plane.
+TEST(SinglePoints, LayersOfMooneysRubberPulledInOneAndTwoDirections) {
+  const double a = 0.8, b = 0.2;
+  for (const auto& [x, y] : plane_stretches) {
+    Layer p(composed_law({mooney(a, b, 0.4999)}));
+    pull(p, {x, y}, 200);
+    const double z2 = 1.0 / (x * x * y * y);
+    EXPECT_NEAR(p.s.xx, 2 * (x * x - z2) * (a + b * y * y), 4e-3) << x << ' ' << y;
+    EXPECT_NEAR(p.s.yy, 2 * (y * y - z2) * (a + b * x * x), 4e-3) << x << ' ' << y;
+  }
+}
+
+TEST(SinglePoints, LayersOfRubberKnowTheStiffnessReachedInTheirPlane) {
+  for (const LawComponents& law : {LawComponents{mooney(0.8, 0.2, 0.49)}, LawComponents{polynomial(0.49)},
+                                   LawComponents{blatz_ko(1.0)}, LawComponents{Ogden{3.0, 0.49, {{0.3, 5.0}}, {}}}})
+    for (const auto& [x, y] : plane_stretches) {
+      Layer p(composed_law(law));
+      pull(p, {x, y}, 50);
+      const double wave = p.law.elastic().plane * p.law.layer_stiffening<double>(p.history.data());
+      Layer along = p, across = p, sheared = p;
+      along.strain({1e-6, 0, 0, 0, 0});
+      across.strain({0, 1e-6, 0, 0, 0});
+      sheared.strain({0, 0, 1e-6, 0, 0});
+      EXPECT_GE(wave, (along.s.xx - p.s.xx) / 1e-6 * 0.999) << x << ' ' << y;
+      EXPECT_GE(wave, (across.s.yy - p.s.yy) / 1e-6 * 0.999) << x << ' ' << y;
+      EXPECT_GE(wave, (sheared.s.xy - p.s.xy) / 1e-6 * 0.999) << x << ' ' << y;
+    }
+}
+
+// ---- rubber by a test curve
+
+/// The nominal stress of a bar over its nominal strain, of its true stress.
+Curve test_of(const std::function<double(double)>& true_stress, double from, double to) {
+  Curve curve;
+  const double step = 0.002;
+  for (int i = static_cast<int>(std::lround(from / step)); i <= std::lround(to / step); ++i) {
+    curve.x.push_back(step * i);
+    curve.y.push_back(true_stress(1.0 + step * i) / (1.0 + step * i));
+  }
+  return curve;
+}
+
+TabulatedRubber tabulated(const Curve& test) {
+  const double G = test.slope(0.0) / 3.0, K = 4000.0 * G, nu = (3 * K - 2 * G) / (2 * (3 * K + G));
+  return {2.0 * G * (1.0 + nu), nu, K, test, 0.0, {}};
+}
+
+// Ogden's law of one term, which the series finds from its uniaxial test alone: sigma_i = mu (l_i^alpha - l_3^alpha).
+// Sabotage: the series without its second term; f not less its mean.
+TEST(SinglePoints, ATestCurveOfOgdensRubberGivesOgdensRubber) {
+  for (const auto& [mu, alpha] : {std::pair{1.0, 2.0}, std::pair{0.4, 4.0}, std::pair{-1.5, -1.5}}) {
+    const auto f = [&, m = mu, a = alpha](double l) { return m * std::pow(l, a); };
+    const TabulatedRubber law = tabulated(test_of([&](double l) { return f(l) - f(1.0 / std::sqrt(l)); }, -0.7, 1.5));
+    for (const auto& [x, y] : plane_stretches) {
+      Layer p(composed_law({law}));
+      pull(p, {x, y}, 200);
+      const double z = 1.0 / (x * y), size = std::abs(f(x) - f(z)) + std::abs(f(y) - f(z)) + 0.01;
+      EXPECT_NEAR(p.s.xx, f(x) - f(z), 2e-3 * size) << mu << ' ' << alpha << ' ' << x << ' ' << y;
+      EXPECT_NEAR(p.s.yy, f(y) - f(z), 2e-3 * size) << mu << ' ' << alpha << ' ' << x << ' ' << y;
+    }
+  }
+}
+
+// A test of straight pieces, which no power gives: pulled so, layers and solids give the curve itself.
+TEST(SinglePoints, ATestCurveComesBackInItsOwnTest) {
+  Curve test;
+  test.x = {-0.6, -0.3, 0.0, 0.2, 0.6, 1.5};
+  test.y = {-8.0, -1.2, 0.0, 0.5, 0.8, 3.5};
+  const TabulatedRubber law = tabulated(test);
+  for (const double strain : {-0.5, -0.2, 0.1, 0.4, 1.2}) {
+    const double l = 1.0 + strain, side = 1.0 / std::sqrt(l), expected = l * test.extrapolated(strain);
+    Layer layer(composed_law({law}));
+    pull(layer, {l, side}, 400);
+    EXPECT_NEAR(layer.s.xx - layer.s.yy, expected, 1e-3 * std::abs(expected)) << strain;
+    EXPECT_NEAR(layer.s.yy, 0.0, 1e-3 * std::abs(expected)) << strain;
+    Point solid(composed_law({law}));
+    std::array<double, 3> stretch{1, 1, 1};
+    pull(solid, stretch, {l, side, side}, 400);
+    EXPECT_NEAR(solid.s.xx - solid.s.yy, expected, 1e-3 * std::abs(expected)) << strain;
+  }
+}
+
 }  // namespace
 }  // namespace nugget::kernel

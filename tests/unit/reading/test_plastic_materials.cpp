@@ -303,12 +303,12 @@ TEST(SoftMaterials, Rubbers) {
   EXPECT_EQ(blatz_ko.findings.errors(), 0) << blatz_ko.all_findings();
   EXPECT_DOUBLE_EQ(flow<kernel::BlatzKo>(blatz_ko).shear, 2.0);
   EXPECT_DOUBLE_EQ(blatz_ko.model.materials.at(0).young(), 2.0 * 2.0 * 1.463);
-  EXPECT_FALSE(for_shells(composition(blatz_ko)));
+  EXPECT_TRUE(for_shells(composition(blatz_ko)));
   const auto mooney = built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n");
   EXPECT_EQ(mooney.findings.errors(), 0) << mooney.all_findings();
   EXPECT_DOUBLE_EQ(flow<kernel::MooneyRivlin>(mooney).a, 0.8);
   EXPECT_DOUBLE_EQ(mooney.model.materials.at(0).young(), 4.0 * 1.0 * 1.49);
-  EXPECT_FALSE(for_shells(composition(mooney)));
+  EXPECT_TRUE(for_shells(composition(mooney)));
   EXPECT_TRUE(built("*MAT_027\n4,1.2e-9,0.5,0.8,0.2\n").error("expected 0 to", "pr"));
   EXPECT_TRUE(built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n,,,5\n").error("only 0 is supported", "lcid"));
   const auto ogden = built("*MAT_077_O\n4,1.2e-9,0.49\n0.63,0.0012,-0.01\n1.3,5.0,-2.0\n");
@@ -333,7 +333,41 @@ TEST(SoftMaterials, Rubbers) {
   const std::string shell =
       "*SECTION_SHELL\n1,2\n1.0\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n"
       "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
-  EXPECT_TRUE(built("*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n" + shell).error("is a law of solids", "mid"));
+  const std::string mooney_card = "*MAT_027\n4,1.2e-9,0.49,0.8,0.2\n";
+  EXPECT_TRUE(built(mooney_card + shell).warning("the shells keep their thickness while *MAT_MOONEY", "mid"));
+  EXPECT_FALSE(built(mooney_card + shell + "*CONTROL_SHELL\n,,,1\n").warning("the shells keep their thickness"));
+  EXPECT_TRUE(built("*MAT_006\n4,1.2e-9,20.0,1.0,0.5,10.0\n" + shell).error("is a law of solids", "mid"));
+}
+
+TEST(SoftMaterials, RubberByATest) {
+  const std::string test = "*DEFINE_CURVE\n5\n-10.0,-30.0\n0.0,0.0\n10.0,12.0\n30.0,20.0\n";
+  const auto rubber = built("*MAT_SIMPLIFIED_RUBBER/FOAM\n4,1.2e-9,200.0,0.2,3.0,0.1\n20.0,5.0,2.0,5\n" + test);
+  EXPECT_EQ(rubber.findings.errors(), 0) << rubber.all_findings();
+  const auto& law = flow<kernel::TabulatedRubber>(rubber);
+  // 12 / 10 of force over length: nominal stress 1.2 at the nominal strain 0.5, so 3 G = 2.4
+  EXPECT_DOUBLE_EQ(law.test.x[2], 0.5);
+  EXPECT_DOUBLE_EQ(law.test.y[2], 1.2);
+  EXPECT_NEAR(law.E / (1.0 + law.nu), 1.6, 1e-12);
+  EXPECT_NEAR(law.E / (3.0 * (1.0 - 2.0 * law.nu)), 200.0, 1e-9);
+  EXPECT_DOUBLE_EQ(law.damping, 0.2);
+  EXPECT_DOUBLE_EQ(law.overstress.friction_limit, 0.1);
+  const auto of = [&](const std::string& cards, const std::string& curve) {
+    return built("*MAT_181\n4,1.2e-9,200.0\n" + cards + curve);
+  };
+  const std::string card = "1.0,1.0,1.0,5\n";
+  EXPECT_DOUBLE_EQ(flow<kernel::TabulatedRubber>(of("20,5,2,5\n", test)).damping, 0.1);
+  EXPECT_TRUE(of("20,5,2,5,,,,0.3\n", test).error("only 0 is supported", "pr/beta"));
+  EXPECT_TRUE(of("20,5,2,5\n6,0.5\n", test).error("only 1 is supported", "hu"));
+  EXPECT_TRUE(of("20,5,2,5\n6,1.0\n", test).error("unloading by a curve of its own", "lcunld"));
+  EXPECT_TRUE(of("20,5,2,5\n0,1.0,0,0,1\n", test).error("only 0 is supported", "visco"));
+  EXPECT_TRUE(of("20,5,2,-5\n", test).error("a table of damage is not built", "lc/tbid"));
+  EXPECT_TRUE(of("20,5,2,9\n", test + "*DEFINE_TABLE\n9\n1.0\n*DEFINE_CURVE\n10\n0,0\n1,1\n")
+                  .error("a table of curves over the strain rate", "lc/tbid"));
+  EXPECT_TRUE(of(card, "*DEFINE_CURVE\n5\n0,0\n1,2\n").warning("has no compression", "lc/tbid"));
+  EXPECT_TRUE(of(card, "*DEFINE_CURVE\n5\n-0.5,-1\n0,0\n1,2\n2,1\n").error("the true stress falls after", "lc/tbid"));
+  EXPECT_TRUE(of(card, "*DEFINE_CURVE\n5\n-0.5,-1\n0,0.5\n1,2\n").error("does not go through 0, 0", "lc/tbid"));
+  EXPECT_TRUE(of(card, "*DEFINE_CURVE\n5\n-1.5,-1\n0,0\n1,2\n").error("leaves no length", "lc/tbid"));
+  EXPECT_TRUE(of(card, "*DEFINE_CURVE\n5\n-0.5,-300\n0,0\n1,1000\n").error("below two thirds", "km"));
 }
 
 TEST(SoftMaterials, Foams) {
