@@ -10,6 +10,7 @@ import sys
 import time
 import unittest
 
+from few_elements import card
 from lap_joint import deck as lap_joint
 from nugget_command import NUGGET, SOURCE
 from repeated_runs import FOREVER, RepeatedRuns, with_lanes
@@ -65,6 +66,21 @@ class ExplicitRanks(RepeatedRuns):
         self.compare_ranks(tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4))
         self.assertRegex(self.log("one"), r"part 1: \d\d of 720 elements deleted")
         self.assertGreater(self.json("one/summary.json")["mass"]["added"], 0.0)
+
+    def test_a_node_whose_way_ends_the_run(self):
+        """Node 556, in the middle, comes down; all ranks end in the same cycle."""
+        sensor = "*SENSOR_DEFINE_NODE\n" + card(1, 556, 0, 0, 0, "COORD") + "*SENSOR_SWITCH\n" + card(2, "SENSOR", 1, "LT", 125.0, 0, 0.0)
+        for end, message in (("*TERMINATION_NODE\n" + card(556, 3, 200.0, 114.0), "node 556 has the z coordinate"),
+                             (sensor + "*TERMINATION_SENSOR\n" + card(2), "sensor switch 2 is on")):
+            with self.subTest(message):
+                summary = self.compare_ranks(tube().replace("*END\n", end + "*END\n"), ranks=((2, 1), (7, 1)))
+                self.assertLess(summary["time"], 3.9e-4)
+                self.assertIn(message, summary["message"])
+
+    def test_subcycling_is_refused(self):
+        said = self.over(2, "run", self.write(tube()), "-o", "refused", "--subcycle", expect=1).stderr
+        self.assertIn("--subcycle: this run has several ranks", said)
+        self.assertEqual(said.count("--subcycle"), 1, "one rank speaks")
 
     def test_fully_integrated_shells_that_fail(self):
         self.compare_ranks(tube(elform=16, fail=0.02))
