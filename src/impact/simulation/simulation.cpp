@@ -257,7 +257,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (balance) store_velocities();
     update_velocities();
     if (balance) {
-      collect(record ? system::Carried::results : system::Carried::energies);
+      collect(last || elements_due() ? system::Carried::results : system::Carried::energies);
       update_energy_balance();
     }
     // Numbers that are none would only spoil files that are good up to here.
@@ -719,7 +719,7 @@ void Simulation::archive(Archive& a) {
     stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_mark_,
+          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
           rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
 }
 
