@@ -49,7 +49,7 @@ std::vector<std::string> Simulation::computed_by_all() const {
   const auto add = [&](bool there, const char* name) {
     if (there) whole.emplace_back(name);
   };
-  add(!c.contacts.all().empty(), "contact");
+  add(!c.contacts.all().empty(), "contact (but for its pairs of nodes and segments)");
   add(!c.interiors.all().empty(), "interior contact");
   add(!c.walls.all().empty(), "rigid walls");
   add(!system_.bodies.empty(), "rigid bodies");
