@@ -108,7 +108,16 @@ class ExplicitRanks(RepeatedRuns):
         """What is not shared out every rank computes whole."""
         subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
         self.compare_ranks(self.folder / "double_hat.k", "--until", "2.0e-4")
-        self.assertIn("computes whole: contact, rigid walls, rigid bodies, ties", self.log("r2_1"))
+        self.assertIn("computes whole: contact (but for its pairs of nodes and segments), rigid walls, rigid bodies, ties", self.log("r2_1"))
+
+    def test_shells_that_fail_in_contact(self):
+        """Every rank must know which shells are deleted: they leave the surface. Sabotage: deletions that are not passed on."""
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        text = (self.folder / "double_hat.k").read_text(encoding="ascii")
+        steel = "         1  7.85e-09  210000.0       0.3\n"
+        self.assertIn(steel, text)
+        self.compare_ranks(text.replace(steel, steel[:-1] + "       0.0       0.0      0.05\n"), "--until", "6.0e-4", ranks=((2, 1),))
+        self.assertRegex(self.log("one"), r"part 1: \d+ of 4760 elements deleted")
 
     def test_every_kind_of_damping(self):
         subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)

@@ -2,6 +2,7 @@
 #include "impact/recording/result_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -40,6 +41,13 @@ double next_on_curve(const model::Request& request, const Curve& curve, double l
     return std::max(high, from);
   }
   return std::max(last + curve.clamped(low), from);
+}
+
+/// Histories that take energies, forces on nodes and motions, and nothing from elements.
+bool of_sums_and_nodes(std::string_view name) {
+  constexpr std::array<std::string_view, 8> names{"glstat", "matsum", "nodout", "spcforc",
+                                                  "rwforc", "rcforc", "bndout", "rbdout"};
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// The first mark: the start, but with IOOPT 3 the curve's first abscissa that is not before it.
@@ -97,7 +105,8 @@ void ResultFiles::add(const HistoryFile& history, const system::System& system) 
   // In binout a branch that has no headings of its own shows those of the whole file.
   if (to.binout && !to.legend.empty()) to.binout->set_legend(std::string(history.name.text()), to.legend);
   const OpenHistory file = history.open(history.name, system, to);
-  channels_.push_back({request, file.write, file.archive, first_mark(request, model_.curves)});
+  channels_.push_back({request, file.write, file.archive, first_mark(request, model_.curves), false,
+                       !of_sums_and_nodes(history.name.text())});
 }
 
 std::shared_ptr<output::Binout> ResultFiles::binout() {
@@ -116,16 +125,19 @@ bool ResultFiles::due(const system::State& state) {
   return false;
 }
 
-double ResultFiles::next_mark() const {
-  double earliest = std::numeric_limits<double>::infinity();
-  for (const Channel& c : channels_) earliest = std::min(earliest, c.next);
-  return earliest;
+Recorder::Marks ResultFiles::next_marks() const {
+  Marks marks;
+  for (const Channel& c : channels_) {
+    marks.any = std::min(marks.any, c.next);
+    if (c.of_elements) marks.of_elements = std::min(marks.of_elements, c.next);
+  }
+  return marks;
 }
 
 void ResultFiles::Channel::archive(Archive& a) {
   archive_file(a);
   a(next);
-  a.built(request, write, of_states);
+  a.built(request, write, of_states, of_elements);
 }
 
 void ResultFiles::archive(Archive& a) {

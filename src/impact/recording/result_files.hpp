@@ -23,7 +23,7 @@ class ResultFiles : public Recorder {
   bool due(const system::State& state) override;
   void write(const Snapshot& now, bool last) override;
   void finish() override;
-  double next_mark() const override;
+  Marks next_marks() const override;
   void ask_for_state() override { state_asked_ = true; }
   /// Sizes of the files and when they are next due. Reading, what was written later is cut off.
   void archive(Archive& a) override;
@@ -35,7 +35,8 @@ class ResultFiles : public Recorder {
     std::function<void(const Snapshot&)> write;
     std::function<void(Archive&)> archive_file;
     double next = 0.0;
-    bool of_states = false;  ///< d3plot
+    bool of_states = false;   ///< d3plot
+    bool of_elements = true;  ///< see Recorder::Marks
     void archive(Archive& a);
   };
   /// d3plot, to which a thread of its own writes the states.

@@ -35,7 +35,8 @@ bool controls(const Wishes& a, const Wishes& b) {
 struct Balance {
   Energy energy;
   bool diverged = false, unstable = false;
-  double largest_input = 0.0, physical_mass = 0.0, added_mass = 0.0, next_mark = 0.0;
+  double largest_input = 0.0, physical_mass = 0.0, added_mass = 0.0;
+  Recorder::Marks next_marks;
 };
 
 }  // namespace
@@ -48,7 +49,7 @@ std::vector<std::string> Simulation::computed_by_all() const {
   const auto add = [&](bool there, const char* name) {
     if (there) whole.emplace_back(name);
   };
-  add(!c.contacts.all().empty(), "contact");
+  add(!c.contacts.all().empty(), "contact (but for its pairs of nodes and segments)");
   add(!c.interiors.all().empty(), "interior contact");
   add(!c.walls.all().empty(), "rigid walls");
   add(!system_.bodies.empty(), "rigid bodies");
@@ -180,7 +181,7 @@ void Simulation::agree(const Options& options) {
       all.not_finite = std::min(all.not_finite, w.not_finite);
     }
     if (all.stop && !own.stop) interrupt("a signal to another rank");
-    if (all.state) next_mark_ = -std::numeric_limits<double>::infinity();
+    if (all.state) next_marks_.any = next_marks_.of_elements = -std::numeric_limits<double>::infinity();
     own = all;
     controlling_ = {own.step, own.group, own.element};
   }
@@ -207,12 +208,17 @@ int Simulation::first_not_finite() const {
 
 bool Simulation::results_due(Recorder& recorder) const {
   if (on_first_rank()) return recorder.due(state_);
-  return state_.time + state_.dt > next_mark_ + 1e-9 * state_.dt;
+  return state_.time + state_.dt > next_marks_.any + 1e-9 * state_.dt;
+}
+
+bool Simulation::elements_due() const {
+  return state_.time + state_.dt > next_marks_.of_elements + 1e-9 * state_.dt;
 }
 
 void Simulation::pass_on_balance(const Recorder& recorder) {
   if (ranks_ == nullptr) return;
-  Balance balance{energy_, diverged_, unstable_, largest_input_, masses_.physical, masses_.added, recorder.next_mark()};
+  Balance balance{
+      energy_, diverged_, unstable_, largest_input_, masses_.physical, masses_.added, recorder.next_marks()};
   broadcast(*ranks_, balance);
   energy_ = balance.energy;
   diverged_ = balance.diverged;
@@ -220,7 +226,7 @@ void Simulation::pass_on_balance(const Recorder& recorder) {
   largest_input_ = balance.largest_input;
   masses_.physical = balance.physical_mass;
   masses_.added = balance.added_mass;
-  next_mark_ = balance.next_mark;
+  next_marks_ = balance.next_marks;
 }
 
 }  // namespace nugget::impact

@@ -260,7 +260,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (balance) store_velocities();
     update_velocities();
     if (balance) {
-      collect(record ? system::Carried::results : system::Carried::energies);
+      collect(last || elements_due() ? system::Carried::results : system::Carried::energies);
       update_energy_balance();
     }
     // Numbers that are none would only spoil files that are good up to here.
@@ -760,7 +760,7 @@ void Simulation::archive(Archive& a) {
   a(v_period_, w_period_);
   a.built(contact_forces_, run_end_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_mark_,
+          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
           rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
 }
 

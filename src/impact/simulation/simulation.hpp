@@ -93,6 +93,8 @@ class Simulation {
   void collect(system::Carried what);
   /// Whether results are due at the state that is about to be complete.
   bool results_due(Recorder& recorder) const;
+  /// Whether what is due looks at elements; in one process they are there anyway.
+  bool elements_due() const;
   /// After a balance of energies, which the first rank makes: what others must know of it.
   void pass_on_balance(const Recorder& recorder);
   /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
@@ -169,7 +171,7 @@ class Simulation {
   Ranks* ranks_ = nullptr;      ///< null: one process
   int not_finite_ = -1;         ///< a node whose velocity is not a number, every 50 cycles
   double shared_out_at_ = 0.0;  ///< seconds: when ranks began
-  double next_mark_ = 0.0;      ///< over several ranks: Recorder::next_mark of the first one
+  Recorder::Marks next_marks_;  ///< over several ranks: those of the first one's files
   CheckpointSchedule checkpoints_;
   bool diverged_ = false;
   bool unstable_ = false;  ///< energy_is_made at the last cycle that is a multiple of 100

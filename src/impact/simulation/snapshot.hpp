@@ -56,8 +56,12 @@ class Recorder {
   virtual bool due(const system::State& state) = 0;
   /// `last`: the run ends here, whatever is due.
   virtual void write(const Snapshot& now, bool last) = 0;
-  /// The earliest mark of time of what is to be written: a state is due where the next step would pass it.
-  virtual double next_mark() const { return std::numeric_limits<double>::infinity(); }
+  /// The earliest marks of time of what is to be written, which is due where the next step would pass them.
+  struct Marks {
+    double any = std::numeric_limits<double>::infinity();
+    double of_elements = any;  ///< of what looks at states or forces of elements, not only at sums and nodes
+  };
+  virtual Marks next_marks() const { return {}; }
   /// A state of d3plot is wanted that is not due.
   virtual void ask_for_state() {}
   /// Waits until all that was written stands in its files; the run has ended.
