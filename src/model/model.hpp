@@ -14,6 +14,7 @@
 #include "base/finding.hpp"
 #include "base/index.hpp"
 #include "base/vec3.hpp"
+#include "model/body_stopper.hpp"
 #include "model/coarsening.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
@@ -237,6 +238,7 @@ struct Model : LoadLists {
   std::vector<Vec3d> initial_spin;      ///< per node; empty: all zero [1/time]
   Damping damping;
   RunEnds run_ends;
+  std::vector<BodyStopper> body_stoppers;
   InitialState initial_state;
   std::vector<RigidWall> walls;
   std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order

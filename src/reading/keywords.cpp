@@ -20,6 +20,7 @@ std::vector<Keyword> all_families() {
            move_keywords,
            node_merge_keywords,
            sensor_keywords,
+           stopper_keywords,
            part_keywords,
            section_keywords,
            material_keywords,

@@ -228,7 +228,6 @@ TEST(JointStiffness, FaultsAreNamed) {
   expect(name + fields({1, 1, 2, 1}) + fields({}) + fields({100, -5}) + fields({}), "fmph");
   expect("*CONSTRAINED_JOINT_STIFFNESS_CYLINDRICAL\n" + fields({1, 1, 2, 1}),
          "GENERALIZED and TRANSLATIONAL are built");
-  expect("*CONSTRAINED_RIGID_BODY_STOPPERS\n" + fields({1}), "stops of rigid bodies are not built");
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       contacts(system, x, findings),
       interiors(system, x, findings),
       walls(system, findings),
+      stoppers(system),
       ends(system) {}
 
 int Components::failed_welds() const {

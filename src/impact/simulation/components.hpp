@@ -9,6 +9,7 @@
 #include "impact/conditions/loads.hpp"
 #include "impact/conditions/nodal_force_groups.hpp"
 #include "impact/conditions/preloads.hpp"
+#include "impact/conditions/stoppers.hpp"
 #include "impact/conditions/supports.hpp"
 #include "impact/connections/connectors.hpp"
 #include "impact/connections/joints.hpp"
@@ -51,6 +52,7 @@ struct Components {
   Contacts contacts;
   Interiors interiors;
   Walls walls;
+  Stoppers stoppers;
   Ends ends;
 
   /// Faults of the input become findings. `x`: places at the start [length].
@@ -83,7 +85,7 @@ struct Components {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.connectors, c.tie_forces,
         c.tie_releases, c.joints, c.element_alive, c.erosion, c.strains, c.nodal_forces, c.accelerometers, c.contacts,
-        c.interiors, c.walls, c.ends);
+        c.interiors, c.walls, c.stoppers, c.ends);
   }
 };
 

@@ -344,6 +344,8 @@ void Simulation::update_velocities() {
   power_on_change_ += components_.supports.power_on_change();
   for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
   components_.walls.constrain(system_, state_, dependent_, power_on_change_);
+  components_.stoppers.apply(state_, 0.5 * (state_.dt + state_.dt_previous));
+  power_on_change_ += components_.stoppers.power_on_change();
   add_time(motion);
 }
 
@@ -366,6 +368,7 @@ void Simulation::step() {
   // kinetic energy changes by F . (v before + v after) (dt before + dt after) / 4 (docs/decisions/0021).
   step_change_ += 0.25 * (state_.dt - state_.dt_previous) * power_on_change_;
   components_.supports.book_opening_work(state_.dt);
+  components_.stoppers.book_opening_work(state_.dt);
   system_.map.apply_to_velocities(state_.dt, state_.v, state_.w);
   components_.accelerometers.add_step(state_);
   add_time(constraints);

@@ -37,6 +37,8 @@ struct Snapshot {
   Vec3d rotary_acceleration(std::size_t node) const {
     return (1.0 / acceleration_time()) * (vec(state.w[node]) - vec(w_period[node]));
   }
+  /// Time between t(n-1/2) and t(n+1/2); half a step at the start.
+  double velocity_interval() const { return 0.5 * (state.dt + state.dt_previous); }
 
  private:
   /// Time between t(n-1/2) and t(n+1/2), half a step at the start; in sub-cycling a period and half of one.

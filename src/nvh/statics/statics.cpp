@@ -140,6 +140,9 @@ void check_statics(const model::Model& model, Findings& findings) {
   model::for_each_load(model, [&](const auto& load) { refuse_unknown(load, findings); });
   const auto sliding =
       std::count_if(model.contacts.begin(), model.contacts.end(), [](const model::Contact& c) { return c.slides(); });
+  if (!model.body_stoppers.empty())
+    findings.warning(model.body_stoppers.front().place, "*CONSTRAINED_RIGID_BODY_STOPPERS",
+                     "stops of rigid bodies take no part in linear statics", "hold the body by *BOUNDARY_SPC");
   if (sliding > 0 || !model.walls.empty())
     findings.warning(deck, keyword,
                      fmt::format("{} contacts and {} rigid walls take no part in linear statics; ties do", sliding,

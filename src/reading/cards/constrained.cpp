@@ -546,7 +546,6 @@ std::vector<Keyword> constrained_keywords() {
               "fibres of solid nodes tied to a shell's edge are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
       refused("CONSTRAINED_BEAM_IN_SOLID", "beams inside solids are not built"),
       refused("CONSTRAINED_LAGRANGE_IN_SOLID", "coupling to fluids is not built"),
-      refused("CONSTRAINED_RIGID_BODY_STOPPERS", "stops of rigid bodies are not built"),
       refused("CONSTRAINED_SPR*",
               "this rivet is not built; use *CONSTRAINED_SPR2, or *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3)"),
       refused("CONSTRAINED_*",

@@ -65,7 +65,7 @@ Rows other_solutions() {
       refused("PERTURBATION*", "random imperfections are not built; move the nodes in the deck"),
       refused("USER_*", "user subroutines are not built"),
       refused("MODULE_*", "user subroutines are not built"),
-      refused("SENSOR_SWITCH*", "this form of a switch is not built; *SENSOR_SWITCH and _SWITCH_CALC-LOGIC are"),
+      refused("SENSOR_SWITCH_*", "this form of a switch is not built; *SENSOR_SWITCH and _SWITCH_CALC-LOGIC are"),
       refused("SENSOR_CONTROL", "nothing is switched on or off during a run; give birth and death times instead"),
       refused("SENSOR_*", "switching by sensors is not built"),
   };

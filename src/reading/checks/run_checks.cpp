@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/law/composed_law_kernel.hpp"
 #include "kernel/law/law_components.hpp"
 #include "model/units.hpp"
 #include "reading/builder/passes.hpp"
@@ -24,7 +25,8 @@ bool is_elastic_plastic(const Material& m) {
   const bool is_fluid_or_moved = m.keyword == "MAT_NULL" || std::holds_alternative<kernel::Rigid>(m.law) ||
                                  std::holds_alternative<kernel::Laminate>(m.law);  // its layers' materials are judged
   const auto* law = std::get_if<kernel::ComposedLaw>(&m.law);
-  const bool is_soft = law != nullptr && !for_shells(*law->components);
+  const bool is_rubber = law != nullptr && kernel::LawKernel<kernel::ComposedLaw>(*law).layers_stiffen();
+  const bool is_soft = law != nullptr && (is_rubber || !for_shells(*law->components));
   return !is_fluid_or_moved && !is_soft && m.density > 0.0 && m.young() > 0.0;
 }
 

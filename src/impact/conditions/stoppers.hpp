@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "base/archive.hpp"
+#include "impact/energy/energy.hpp"
+#include "system/system.hpp"
+
+namespace nugget::impact {
+
+/// *CONSTRAINED_RIGID_BODY_STOPPERS: a body whose centre would pass a bound at the end of the step ends on it, without
+/// rebound; one that would be too fast is held to the speed allowed. The work is booked as that of supports.
+class Stoppers {
+ public:
+  explicit Stoppers(const system::System& system);
+
+  /// Behind all else that changes velocities. `velocity_interval`: the time by which these were advanced.
+  void apply(system::State& state, double velocity_interval);
+  /// Books the opening half, with the velocities that `apply` left.
+  void book_opening_work(double dt);
+  /// Sum of the other forces times what the last `apply` changed in the velocities [power].
+  double power_on_change() const { return power_on_change_; }
+  void reset_work() { work_ = 0.0; }
+  void add_energy(Energy& energy) const { energy.external += work_; }
+
+  void archive(Archive& a);
+
+ private:
+  struct Stop {
+    const model::BodyStopper* card = nullptr;
+    int body = 0;
+    double force = 0.0, velocity = 0.0;  ///< of the last `apply`
+    void archive(Archive& a);
+  };
+  /// The velocity along its direction that a stop allows, of `free`.
+  double allowed(const Stop& stop, const system::State& state, double free) const;
+
+  const system::System& system_;
+  std::vector<Stop> stops_;
+  double work_ = 0.0, power_on_change_ = 0.0;
+};
+
+}  // namespace nugget::impact

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""*CONSTRAINED_RIGID_BODY_STOPPERS: a body that flies or is pulled goes no farther and no faster than its bounds; what it loses is the work
+of the stop."""
+import unittest
+
+import lsda
+from repeated_runs import RepeatedRuns
+
+SIDE, DENSITY, END = 10.0, 7.85e-9, 1e-2
+MASS = DENSITY * SIDE**3
+CENTRE = (5.0, 5.0, 15.0)
+
+
+def deck(cards, speed=(0, 0, 0)):
+    corners = [(x, y, z) for z in (10, 20) for x, y in ((0, 0), (10, 0), (10, 10), (0, 10))]
+    return "\n".join([
+        "*KEYWORD", f"*CONTROL_TERMINATION\n{END}", "*CONTROL_ENERGY\n2,2,2,2", "*DATABASE_RBDOUT\n1e-4,2", "*DATABASE_GLSTAT\n1e-4",
+        f"*MAT_RIGID\n1,{DENSITY},210000,0.3\n\n", "*SECTION_SOLID\n1,1\n*PART\nbrick\n7,1,1", "*ELEMENT_SOLID\n1,7,11,12,13,14,15,16,17,18",
+        f"*INITIAL_VELOCITY_RIGID_BODY\n7,{speed[0]},{speed[1]},{speed[2]}", cards,
+        "*NODE", *(f"{11 + i},{x},{y},{z}" for i, (x, y, z) in enumerate(corners)), "*END", ""])
+
+
+def level(number, *points):
+    return "\n".join([f"*DEFINE_CURVE\n{number}", *(f"{t},{y}" for t, y in points)]) + "\n"
+
+
+def stopper(most=0, least=0, fastest=0, direction=1, vector=0, birth=0, death=0):
+    return f"*CONSTRAINED_RIGID_BODY_STOPPERS\n7,{most},{least},0,0,{fastest},{direction},{vector}\n{birth},{death}\n"
+
+
+class Stoppers(RepeatedRuns):
+    def places(self, cards, speed=(0, 0, 0)):
+        """[(time, place, velocity)] of the body's centre, and the last state of glstat."""
+        self.nugget("run", self.write(deck(cards, speed)).name, "-o", "run", "--quiet")
+        states = lsda.states(lsda.read(self.folder / "run" / "binout0000"), "rbdout")
+        energies = self.glstat("run/glstat")
+        start, most = energies[0]["total energy"], max(state["kinetic energy"] for state in energies)
+        for state in energies:
+            self.assertAlmostEqual(state["total energy"], start + state["external work"], delta=1e-5 * most)
+        return [(s["time"][0], [s[f"global_{a}"][0] for a in "xyz"], [s[f"global_v{a}"][0] for a in "xyz"]) for s in states], energies[-1]
+
+    def test_a_wall(self):
+        """Thrown against it: there at once, and there it stays; along the wall nothing changes."""
+        for most, bound in ((1, 6.0), (-1, 1.0)):  # a coordinate, a displacement
+            states, last = self.places(level(1, (0, bound), (1, bound)) + stopper(most=most), (400.0, 300.0, 0.0))
+            for time, place, velocity in states:
+                self.assertAlmostEqual(place[0], min(CENTRE[0] + 400.0 * time, 6.0), delta=1e-9)
+                self.assertAlmostEqual(place[1], CENTRE[1] + 300.0 * time, delta=1e-9)
+                if abs(time - 1.0 / 400.0) > 2e-5:  # two steps, between which it is the mean
+                    self.assertAlmostEqual(velocity[0], 400.0 if time < 1.0 / 400.0 else 0.0, delta=1e-6)
+            self.assertAlmostEqual(last["external work"], -0.5 * MASS * 400.0**2, delta=1e-3 * 0.5 * MASS * 400.0**2)
+
+    def test_from_below_along_a_vector(self):
+        cards = "*DEFINE_VECTOR\n3,0,0,0,0,3,4\n" + level(2, (0, -2.0), (1, -2.0)) + stopper(least=-2, direction=4, vector=3)
+        states, _ = self.places(cards, (0.0, -300.0, -400.0))
+        for time, place, _velocity in states:
+            along = 0.6 * (place[1] - CENTRE[1]) + 0.8 * (place[2] - CENTRE[2])
+            self.assertAlmostEqual(along, max(-500.0 * time, -2.0), delta=1e-9)
+
+    def test_a_wall_that_moves_and_ends(self):
+        """It comes in at 200 mm/s from 2 mm away and pushes; after 6 ms it is gone, and the body flies on with its speed."""
+        cards = level(1, (0, 7.0), (1e-2, 5.0)) + stopper(most=1, death=6e-3)
+        states, last = self.places(cards, (100.0, 0.0, 0.0))
+        met = 2.0 / 300.0  # 5 + 100 t = 7 - 200 t
+        self.assertGreater(met, 6e-3)
+        self.assertAlmostEqual(states[-1][1][0], 6.0, delta=1e-9)  # never met
+        cards = level(1, (0, 6.0), (1e-2, 4.0)) + stopper(most=1, death=6e-3)
+        states, last = self.places(cards, (100.0, 0.0, 0.0))
+        met = 1.0 / 300.0
+        for time, place, velocity in states:
+            if time < met - 1e-5:
+                self.assertAlmostEqual(velocity[0], 100.0, delta=1e-6)
+            elif time > met + 3e-5:
+                self.assertAlmostEqual(velocity[0], -200.0, delta=1e-6)
+                self.assertAlmostEqual(place[0], 6.0 - 200.0 * time, delta=1e-9)  # also behind 6 ms
+        self.assertAlmostEqual(last["external work"], 0.5 * MASS * (200.0**2 - 100.0**2), delta=1e-3 * MASS * 200.0**2)
+
+    def test_the_greatest_speed(self):
+        """Pulled by a constant force: F t / m up to 100 mm/s, then even motion; the force's work goes into the stop."""
+        force = MASS * 20000.0
+        cards = (level(1, (0, 100.0), (1, 100.0)) + level(2, (0, 1.0), (1, 1.0)) + stopper(fastest=1, birth=1e-3)
+                 + f"*LOAD_RIGID_BODY\n7,1,2,{force}\n")
+        states, last = self.places(cards)
+        for time, place, velocity in states:
+            self.assertAlmostEqual(velocity[0], min(20000.0 * time, 100.0), delta=0.21)  # a step of 1e-5 s
+        self.assertAlmostEqual(states[-1][1][0], CENTRE[0] + 0.25 + 100.0 * (END - 5e-3), delta=2e-3)
+        self.assertAlmostEqual(last["external work"], 0.5 * MASS * 100.0**2, delta=1e-2 * MASS * 100.0**2)
+
+    def test_restart(self):
+        self.resumed(deck(level(1, (0, 6.0), (1e-2, 4.0)) + stopper(most=1, death=6e-3), (100.0, 0, 0)), shares=(0.2, 0.5, 0.8))
+
+    def test_what_is_refused(self):
+        curve = level(1, (0, 6.0), (1, 6.0))
+        for cards, text in ((curve + stopper(most=1, direction=5), "dir = 5: stops of rotations are not built"),
+                            (curve + "*CONSTRAINED_RIGID_BODY_STOPPERS\n7,1,0,3,0,0,1\n\n", "psidmx = 3: bodies that stop with another one"),
+                            (curve + stopper(most=1, direction=4), "DIR 4 needs a vector"), (stopper(most=-9), "lcmax = -9: curve 9 is not defined")):
+            self.assertIn(text, self.nugget("check", self.write(deck(cards)).name, expect=1).stderr)
+        self.assertIn("no bound is given: it stops nothing", self.nugget("check", self.write(deck(stopper())).name).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
