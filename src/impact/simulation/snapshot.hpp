@@ -41,7 +41,7 @@ struct Snapshot {
   double velocity_interval() const { return 0.5 * (state.dt + state.dt_previous); }
 
  private:
-  /// Time between t(n-1/2) and t(n+1/2), half a step at the start; in sub-cycling a period and half of one.
+  /// Of the velocities that an acceleration compares: that, but in sub-cycling a period, at the start half of one.
   double acceleration_time() const {
     return 0.5 * (state.cycle == 0 ? state.interval() : state.period * (state.dt + state.dt_previous));
   }
