@@ -124,6 +124,10 @@ Partition::Partition(const System& system, int ranks, std::span<const System::El
     rank_[graph.unit[v].first][graph.unit[v].second] = static_cast<int>(rank[v]);
 }
 
+void Partition::take_from_first(Ranks& ranks) {
+  for (std::vector<int>& of_units : rank_) ranks.broadcast(std::as_writable_bytes(std::span(of_units)));
+}
+
 std::size_t Partition::elements_of_everyone(const System& system) const {
   std::size_t count = 0;
   for (std::size_t g = 0; g < system.groups.size(); ++g)

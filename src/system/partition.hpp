@@ -20,6 +20,9 @@ class Partition {
   /// are all springs.
   Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone);
 
+  /// All ranks take that of the first one: METIS of another machine may cut in another way.
+  void take_from_first(Ranks& ranks);
+
   int ranks() const { return ranks_; }
   static std::size_t unit_size(const ElementGroup& group) { return group.widest(); }
   int of_element(int group, std::size_t e) const { return rank_[group][e / unit_[group]]; }

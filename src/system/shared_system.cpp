@@ -23,6 +23,7 @@ struct ElementNews {
 }  // namespace
 
 void System::share_out(Ranks& ranks, Partition partition, std::span<const char> followed) {
+  partition.take_from_first(ranks);
   share_ = std::make_unique<Share>(*this, ranks, std::move(partition), followed);
   blocks_ = share_->blocks();
   leave_steps_to_others();

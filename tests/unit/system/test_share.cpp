@@ -134,9 +134,11 @@ void over_ranks(int count, bool followed_by_all, const std::function<void(int, S
   Exchange exchange;
   std::vector<std::unique_ptr<Sheet>> sheets(at(count));
   std::vector<std::unique_ptr<ThreadRanks>> ranks;
+  std::vector<Partition> partitions;  // not in the threads: METIS draws its random numbers for the whole process
   for (int r = 0; r < count; ++r) {
     sheets[r] = std::make_unique<Sheet>();
     ranks.push_back(std::make_unique<ThreadRanks>(exchange, count, r));
+    partitions.emplace_back(sheets[r]->system, count, std::span<const System::ElementLocation>());
   }
   {
     std::vector<std::jthread> threads;
@@ -144,7 +146,7 @@ void over_ranks(int count, bool followed_by_all, const std::function<void(int, S
       threads.emplace_back([&, r] {
         Sheet& sheet = *sheets[r];
         const std::vector<char> followed(sheet.system.nodes, followed_by_all);
-        sheet.system.share_out(*ranks[r], Partition(sheet.system, count, {}), followed);
+        sheet.system.share_out(*ranks[r], partitions[r], followed);
         sheet.move();
         sheet.system.collect(Carried::results, {}, [](const System::Computed&, Parcel&) {});
       });
