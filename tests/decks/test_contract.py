@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""docs/reference/contract.md against the program: commands, options, keys of summary.json, names that are fixed in advance."""
+"""docs/reference/contract.md against the program: commands, options, keys of summary.json."""
 import json
 import re
 import unittest
@@ -49,19 +49,6 @@ class Contract(CommandTest):
         for name in helps:
             if name:
                 self.assertRegex(helps[""], rf"(?m)^  {name} ")
-
-    def test_names_fixed_in_advance_are_refused(self):
-        known = {name for name, _ in commands("The command")}
-        seen = list(commands("Names fixed in advance"))
-        self.assertTrue(seen)
-        self.write(deck())
-        for name, options in seen:
-            with self.subTest(command=name, options=options):
-                if name in known:
-                    option = next(o for o in options if o != "-o")
-                    self.nugget(name, "model.k", option, *([] if option == "--subcycle" else ["1"]), expect=2)
-                else:
-                    self.nugget(name, expect=2)
 
     def test_keys_of_summary_json(self):
         example = json.loads(re.search(r"```json\n(.*?)```", PAGE, re.S)[1])
