@@ -53,6 +53,7 @@ std::vector<Keyword> all_families() {
            frame_keywords,
            set_keywords,
            control_keywords,
+           subcycle_keywords,
            implicit_keywords,
            frequency_keywords,
            steady_state_keywords,

@@ -45,6 +45,7 @@ std::vector<Keyword> curve_keywords();                   ///< curves and tables
 std::vector<Keyword> frame_keywords();                   ///< coordinate systems, vectors, boxes
 std::vector<Keyword> set_keywords();                     ///< *SET_...
 std::vector<Keyword> control_keywords();                 ///< *CONTROL_..., *TITLE
+std::vector<Keyword> subcycle_keywords();                ///< *CONTROL_SUBCYCLE
 std::vector<Keyword> implicit_keywords();                ///< *CONTROL_IMPLICIT_...
 std::vector<Keyword> frequency_keywords();               ///< *FREQUENCY_DOMAIN_FRF, *DAMPING_STRUCTURAL
 std::vector<Keyword> steady_state_keywords();            ///< *FREQUENCY_DOMAIN_SSD
