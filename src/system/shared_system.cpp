@@ -70,10 +70,10 @@ void System::exchange_news() {
       news.push_back({ElementNews::inverted, g, at(group.inverted)});
     }
     const std::size_t width = group.block_width();
-    for (std::size_t b = 0; told_below > 0.0 && b < group.blocks(); ++b)
-      if (group.step_share * group.block_step[b] < told_below)
+    for (std::size_t b = 0; reported_below > 0.0 && b < group.blocks(); ++b)
+      if (group.step_share * group.block_step[b] < reported_below)
         each(b * width, (b + 1) * width, [&](std::size_t e) {
-          if (group.alive(e) && group.step_share * group.stable_step(e) < told_below)
+          if (group.alive(e) && group.step_share * group.stable_step(e) < reported_below)
             news.push_back({ElementNews::step, g, e, group.stable_step(e)});
         });
   }

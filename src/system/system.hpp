@@ -186,7 +186,7 @@ class System {
   /// on each of them. `followed`: by node, whether all ranks follow its motion.
   void share_out(Ranks& ranks, Partition partition, std::span<const char> followed);
   /// Share of the stable step below which all ranks are to know an element's; 0: none.
-  double told_below = 0.0;
+  double reported_below = 0.0;
   /// What this rank does; null in a run by one process.
   Share* share() const { return share_.get(); }
   /// Elements of all ranks, of which each has computed its own, come to the first rank; `whole` to all of them.

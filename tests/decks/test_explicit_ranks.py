@@ -212,14 +212,14 @@ class ExplicitRanks(RepeatedRuns):
     def test_the_partition(self):
         """Of a tube of 24 by 30 shells two ranks cut one ring, and so share 24 nodes or a few more."""
         self.write(tube())
-        told = self.nugget("check", "model.k", "-n", 2, "-o", "out").stdout
-        rows = [line.split() for line in told.splitlines() if re.match(r"\s+[01]\s+\d+\s+\d+", line)]
+        said = self.nugget("check", "model.k", "-n", 2, "-o", "out").stdout
+        rows = [line.split() for line in said.splitlines() if re.match(r"\s+[01]\s+\d+\s+\d+", line)]
         self.assertEqual(sum(int(row[1]) for row in rows), 720)
         for row in rows:
             self.assertAlmostEqual(int(row[1]), 360, delta=12)
             self.assertTrue(24 <= int(row[3]) <= 40, row)
         self.assertIn("partition.vtu", self.files("out"))
-        self.assertIn("elements and nodes are shared out", told)
+        self.assertIn("elements and nodes are shared out", said)
 
 
 if __name__ == "__main__":

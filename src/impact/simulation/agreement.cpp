@@ -111,7 +111,7 @@ void Simulation::share_out(Ranks& ranks) {
   traffic_before_ = ranks.traffic();
   cycle_before_ = state_.cycle;
   shared_out_at_ = elapsed();
-  system_.told_below = components_.erosion.smallest_step(first_step_);
+  system_.reported_below = components_.erosion.smallest_step(first_step_);
   system_.share_out(ranks, partition(ranks.count()), followed_by_all());
 }
 
