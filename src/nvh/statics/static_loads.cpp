@@ -37,7 +37,7 @@ void StaticLoads::add(const model::BodyLoad& load) {
 Nodal static_loads(const Matrices& matrices, double time) {
   StaticLoads loads(matrices, time);
   model::for_each_load(matrices.system.model, [&]<class Load>(const Load& load) {
-    if constexpr (StaticLoads::knows<Load>) loads.add(load);
+    if constexpr (KnownInStatics<Load>) loads.add(load);
   });
   return loads.nodal();
 }

@@ -19,11 +19,6 @@ class StaticLoads {
   void add(const model::BodyLoad& load);
   const Nodal& nodal() const { return load_; }
 
-  template <class Load>
-  static constexpr bool knows = requires(StaticLoads& loads, const Load& load) {
-    loads.add(load);
-  };
-
  private:
   double level(model::Index curve, double time) const;
   int node(model::Index n) const { return m_.system.node_of[n]; }
@@ -34,10 +29,15 @@ class StaticLoads {
   Nodal load_;
 };
 
+template <class Load>
+concept KnownInStatics = requires(StaticLoads& loads, const Load& load) {
+  loads.add(load);
+};
+
 /// An error for a load of a kind that StaticLoads does not know, by its `keyword` (without star) and `place`.
 template <class Load>
 void refuse_unknown(const Load& load, Findings& findings) {
-  if constexpr (!StaticLoads::knows<Load>)
+  if constexpr (!KnownInStatics<Load>)
     findings.error(load.place, '*' + load.keyword, "this load is not built in linear statics",
                    "take it out, or solve the deck by explicit dynamics (*CONTROL_IMPLICIT_GENERAL IMFLAG 0)");
 }

@@ -33,7 +33,7 @@ TEST(StaticLoads, EveryLoadOfAModelIsVisited) {
   Findings findings;
   model::for_each_load(model, [&]<class Load>(const Load& load) {
     ++loads;
-    known += StaticLoads::knows<Load>;
+    known += KnownInStatics<Load>;
     refuse_unknown(load, findings);
   });
   EXPECT_EQ(loads, 10);
