@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Explicit runs over several ranks of mpirun: the same bytes as one process, whatever acts; restart files; ranks that end; the partition."""
 import os
-import pathlib
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -12,19 +10,16 @@ import unittest
 
 from few_elements import card
 from lap_joint import deck as lap_joint
-from nugget_command import NUGGET, SOURCE
+from nugget_command import SOURCE
 from repeated_runs import FOREVER, RepeatedRuns, with_lanes
 from shared_out import block, tube
-
-MPIRUN = shutil.which("mpirun")
-# mpirun wants to be asked twice before it runs as root, which is what containers do.
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
 
 
 @unittest.skipUnless(MPIRUN, "mpirun is not installed")
 class ExplicitRanks(RepeatedRuns):
     def command(self, ranks, *arguments):
-        return [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", str(ranks), NUGGET, *map(str, arguments)]
+        return mpirun(ranks, *arguments)
 
     def over(self, ranks, *arguments, expect=0):
         run = subprocess.run(self.command(ranks, *arguments), capture_output=True, text=True, timeout=200, cwd=self.folder, env=ENVIRONMENT)
@@ -153,17 +148,6 @@ class ExplicitRanks(RepeatedRuns):
         self.assertEqual(run.stdout.count("N o r m a l"), 2)
         self.assertEqual([self.json(f"out/case{c}/summary.json")["ranks"] for c in (1, 2)], [2, 2])
 
-    def running(self):
-        """Processes that stand in the test's folder, but for mpirun."""
-        found = []
-        for process in pathlib.Path("/proc").glob("[0-9]*"):
-            try:
-                if (process / "cwd").resolve() == self.folder.resolve() and (process / "exe").resolve().name == "nugget-mpi":
-                    found.append(int(process.name))
-            except OSError:
-                continue  # of somebody else, or gone
-        return sorted(found)
-
     def test_signals_and_the_death_of_a_rank(self):
         """A signal, to mpirun or to any rank, leaves a restart file from which one process goes on; a rank that is killed ends all."""
         self.write(tube(48, 60, end=1.0))
@@ -177,14 +161,14 @@ class ExplicitRanks(RepeatedRuns):
                         self.assertLess(time.monotonic(), deadline)
                         self.assertIsNone(mpirun.poll())
                         time.sleep(0.1)
-                    ranks = self.running()
+                    ranks = ranks_in(self.folder)
                     self.assertEqual(len(ranks), 2)
                     if strike.endswith("mpirun"):
                         mpirun.send_signal(number)
                     else:
                         os.kill(ranks[-1], number)
                     code = mpirun.wait(30)
-                self.assertEqual(self.running(), [])
+                self.assertEqual(ranks_in(self.folder), [])
                 if strike == "term to a rank":
                     self.assertEqual(code, 130)
                 else:
@@ -199,7 +183,7 @@ class ExplicitRanks(RepeatedRuns):
         (self.folder / "out" / "spcforc").mkdir(parents=True)
         run = self.over(2, "run", "model.k", "-o", "out", "-j", 1, "--quiet", expect=4)
         self.assertIn("nugget: cannot write out/spcforc: Is a directory\n", run.stderr)
-        self.assertEqual(self.running(), [])
+        self.assertEqual(ranks_in(self.folder), [])
 
     def test_refusals(self):
         self.write(tube().replace("*SECTION_SHELL\n", "*SECTION_SHEL\n"))

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Two ranks of mpirun: frequencies, responses and displacements of one process; refusals, exit codes, ranks that die."""
 import os
-import pathlib
 import shutil
 import signal
 import subprocess
@@ -12,17 +11,15 @@ from nugget_command import NUGGET, CommandTest
 from test_mode_studies import strips
 from test_responses import fields, frf, strip
 from test_statics import statics
+from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
 
 MODES = "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(5)  # asked for, though a direct solution does without
-MPIRUN = shutil.which("mpirun")
-# mpirun wants to be asked twice before it runs as root, which is what containers do.
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
 @unittest.skipUnless(MPIRUN, "mpirun is not installed")
 class Ranks(CommandTest):
     def command(self, *arguments):
-        return [MPIRUN, "--oversubscribe", "--bind-to", "none", "-n", "2", NUGGET, *map(str, arguments)]
+        return mpirun(2, *arguments)
 
     def two(self, *arguments, expect=0):
         run = subprocess.run(self.command(*arguments), capture_output=True, text=True, timeout=120, cwd=self.folder, env=ENVIRONMENT)
@@ -75,17 +72,6 @@ class Ranks(CommandTest):
         self.assertEqual(self.two("run", "model.k", "-o", "out", "--quiet", expect=3).stderr.count("held"), 1)
         self.assertEqual(self.two("--version").stdout.count("nugget"), 1)
 
-    def running(self):
-        """Processes that stand in the test's folder, but for mpirun."""
-        found = []
-        for process in pathlib.Path("/proc").glob("[0-9]*"):
-            try:
-                if (process / "cwd").resolve() == self.folder.resolve() and (process / "exe").resolve().name == "nugget-mpi":
-                    found.append(int(process.name))
-            except OSError:
-                continue  # of somebody else, or gone
-        return sorted(found)
-
     def test_no_rank_stays_behind(self):
         """Ctrl-C at mpirun, and the death of a rank that only answers."""
         self.write(strip(lambda tip: MODES + frf((tip, 0, 3, 3), (0, 0, 0, 20.0, 2e-5), (tip, 0, 3, 1), (1.0, 400.0, 100000)), 40, 4))
@@ -98,14 +84,14 @@ class Ranks(CommandTest):
                     self.assertLess(time.monotonic(), deadline)
                     self.assertIsNone(mpirun.poll())
                     time.sleep(0.1)
-                ranks = self.running()
+                ranks = ranks_in(self.folder)
                 self.assertEqual(len(ranks), 2)
                 if strike == "interrupt":
                     mpirun.send_signal(signal.SIGINT)
                 else:
                     os.kill(ranks[-1], signal.SIGKILL)
                 self.assertNotEqual(mpirun.wait(60), 0)
-            self.assertEqual(self.running(), [])
+            self.assertEqual(ranks_in(self.folder), [])
             self.assertNotIn("summary.json", self.files(folder))
 
     def test_the_program_with_mpi_is_missing(self):
