@@ -30,7 +30,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-DECKS = ("tube3", "tube3_16", "tube5", "tube5_cp", "tube5_table", "tube5c", "hex_ihq2", "hex_ihq6", "weld", "car6")
+DECKS = ("tube3", "tube3_16", "tube5", "tube5_cp", "tube5_table", "tube5_123", "tube5_erosion", "tube5_gissmo", "tube5c", "hex_ihq2", "hex_ihq6", "weld", "car6")
 
 
 def with_full_integration(deck):
@@ -43,14 +43,15 @@ def with_full_integration(deck):
     deck.with_name("tube3_16.k").write_text(text, encoding="utf-8")
 
 
-def with_rates(deck):
-    """tube5 with what most body sheets have: C and P of mild steel, and a table of curves over the logarithm of the rate."""
+def with_other_cards(deck):
+    """tube5 with what most body sheets have: C and P of mild steel, a table of curves over the logarithm of the rate; and with
+    what lets them fail, by limits that nothing reaches."""
     text = deck.read_text(encoding="utf-8")
     begin = text.index("*MAT_PIECEWISE_LINEAR_PLASTICITY")
     end = text.index("*", begin + 1)
 
-    def put(name, rates, more=""):
-        card = f"*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.85e-9,2.1e5,0.3,300.0,1000.0\n{rates}\n\n\n{more}"
+    def put(name, rates, more="", law="PIECEWISE_LINEAR_PLASTICITY"):
+        card = f"*MAT_{law}\n1,7.85e-9,2.1e5,0.3,300.0,1000.0\n{rates}\n\n\n{more}"
         deck.with_name(name).write_text(text[:begin] + card + text[end:], encoding="utf-8")
 
     put("tube5_cp.k", "40.4,5.0")
@@ -60,6 +61,10 @@ def with_rates(deck):
     for i, curve in enumerate(logarithms):
         table += f"*DEFINE_CURVE\n{curve}\n" + "".join(f"{x},{y * (1.0 + 0.05 * i)}\n" for x, y in points)
     put("tube5_table.k", "0,0,100", table)
+    put("tube5_123.k", "0,0,0,0,0,0.8,3.0", law="MODIFIED_PIECEWISE_LINEAR_PLASTICITY")
+    put("tube5_erosion.k", "0,0", "*MAT_ADD_EROSION\n1\n0,0,0,3.0\n")
+    fracture = "".join(f"{triaxiality},{strain}\n" for triaxiality, strain in ((-0.67, 9.0), (0.0, 4.0), (0.33, 3.0), (0.67, 2.0)))
+    put("tube5_gissmo.k", "0,0", f"*MAT_ADD_DAMAGE_GISSMO\n1,0,1\n200,0,2.0,0,2.0\n0\n*DEFINE_CURVE\n200\n{fracture}")
 
 
 def run(nugget, deck, results, threads, environment=None, options=()):
@@ -198,7 +203,7 @@ def main():
         parser.error(f"no deck named {', '.join(sorted(unknown))}")
     arguments.work.mkdir(parents=True, exist_ok=True)
     subprocess.run([sys.executable, str(generator), str(arguments.work)], check=True)
-    with_rates(arguments.work / "tube5.k")
+    with_other_cards(arguments.work / "tube5.k")
     with_full_integration(arguments.work / "tube3.k")
     if arguments.against:
         return against(arguments, [name for name in arguments.decks or DECKS if name != "car6"])

@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #include "base/real.hpp"
 
@@ -224,6 +225,14 @@ double lane(Batch<W, Number> a, int l) {
 template <int W, class Number>
 void set_lane(Batch<W, Number>& a, int l, double value) {
   a.v[l] = static_cast<Number>(value);
+}
+
+template <class R, class Function>
+requires(lanes<R> > 1) [[gnu::always_inline]] inline R each_lane(Function&& f) {
+  return [&]<int... l>(std::integer_sequence<int, l...>) {
+    return R(typename R::Lanes{static_cast<Number<R>>(f(l))...});
+  }
+  (std::make_integer_sequence<int, lanes<R>>{});
 }
 
 template <int W, class Number, class Function>

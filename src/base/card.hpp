@@ -99,17 +99,21 @@ using RealField = FieldOfKind<Kind::real>;
 using IntegerField = FieldOfKind<Kind::integer>;
 using TextField = FieldOfKind<Kind::text>;
 
-// Makers, so that a table reads like the manual.
-constexpr RealField real(std::string_view name, Dimension d, double fallback, Range range, std::string_view meaning) {
+// Makers, so that a table reads like the manual. Called, not inlined: a folder's tables are made by one function before
+// main, which took the compiler long and is run once.
+[[gnu::noinline]] constexpr RealField real(std::string_view name, Dimension d, double fallback, Range range,
+                                           std::string_view meaning) {
   return {{name, Kind::real, d, fallback, range, meaning, IdSpace::none, 10, true}};
 }
-constexpr IntegerField integer(std::string_view name, double fallback, Range range, std::string_view meaning) {
+[[gnu::noinline]] constexpr IntegerField integer(std::string_view name, double fallback, Range range,
+                                                 std::string_view meaning) {
   return {{name, Kind::integer, {}, fallback, range, meaning, IdSpace::none, 10, true}};
 }
-constexpr IntegerField id(std::string_view name, IdSpace space, double fallback, std::string_view meaning) {
+[[gnu::noinline]] constexpr IntegerField id(std::string_view name, IdSpace space, double fallback,
+                                            std::string_view meaning) {
   return {{name, Kind::integer, {}, fallback, any_value, meaning, space, 10, true}};
 }
-constexpr TextField text(std::string_view name, int width, std::string_view meaning) {
+[[gnu::noinline]] constexpr TextField text(std::string_view name, int width, std::string_view meaning) {
   return {{name, Kind::text, {}, 0.0, any_value, meaning, IdSpace::none, width, true}};
 }
 constexpr Field unused(int width = 10) {

@@ -4,22 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.hpp"
+
 namespace nugget::kernel {
 namespace {
 
 /// What the strain at fracture depends on.
+template <class R>
 struct StressState {
-  double triaxiality;  ///< mean over von Mises stress, tension positive
-  double lode;         ///< 27/2 J3 / von Mises stress^3, -1 to 1
+  R triaxiality;  ///< mean over von Mises stress, tension positive
+  R lode;         ///< 27/2 J3 / von Mises stress^3, -1 to 1
 };
 
-StressState state_of(const SolidTensor<double>& s) {
-  const double mean = (s.xx + s.yy + s.zz) / 3.0, x = s.xx - mean, y = s.yy - mean, z = s.zz - mean;
-  const double j2 = 0.5 * (x * x + y * y + z * z) + s.xy * s.xy + s.yz * s.yz + s.zx * s.zx;
-  if (!(j2 > 0.0)) return {0.0, 0.0};
-  const double j3 = x * (y * z - s.yz * s.yz) - s.xy * (s.xy * z - s.yz * s.zx) + s.zx * (s.xy * s.yz - y * s.zx);
-  const double effective = std::sqrt(3.0 * j2);
-  return {mean / effective, std::clamp(13.5 * j3 / (effective * effective * effective), -1.0, 1.0)};
+template <class R>
+StressState<R> state_of(const SolidTensor<R>& s) {
+  const R mean = (s.xx + s.yy + s.zz) / 3.0, x = s.xx - mean, y = s.yy - mean, z = s.zz - mean;
+  const R j2 = 0.5 * (x * x + y * y + z * z) + s.xy * s.xy + s.yz * s.yz + s.zx * s.zx;
+  const R j3 = x * (y * z - s.yz * s.yz) - s.xy * (s.xy * z - s.yz * s.zx) + s.zx * (s.xy * s.yz - y * s.zx);
+  const R effective = sqrt(3.0 * j2), none = R(0.0);
+  const auto stressed = j2 > 0.0;
+  return {select(stressed, mean / effective, none),
+          select(stressed, max(min(13.5 * j3 / (effective * effective * effective), R(1.0)), R(-1.0)), none)};
 }
 
 }  // namespace
@@ -41,26 +46,58 @@ double Gissmo::rate_factor(double plastic_rate) const {
 }
 
 double Gissmo::grown(double root) const {
-  return std::pow(std::min(root, 1.0), growth);
+  return power(std::min(root, 1.0), growth);
 }
 
-double Gissmo::advance(const SolidTensor<double>& stress, double increment, double dt, double* h, int stride) const {
-  const double size = h[size_field * stride];
-  double &damage = h[damage_field * stride], &unstable = h[instability_field * stride],
-         &onset = h[onset_field * stride];
-  const StressState state = state_of(stress);
-  if (increment > 0.0) {
-    const double of_rate = rate_factor(increment / dt);
-    damage += increment / (fracture.at(state.lode, state.triaxiality) * mesh_factor(state.triaxiality, size) * of_rate);
-    if (instability.given() && unstable < 1.0) {
-      unstable += increment / (instability.at(state.lode, state.triaxiality) * (rate_of_instability ? of_rate : 1.0));
-      if (unstable >= 1.0) onset = std::pow(damage, growth);
+Gissmo::Ends Gissmo::ends(double triaxiality, double lode, double size, double plastic_rate) const {
+  const double of_rate = rate_factor(plastic_rate);
+  return {fracture.at(lode, triaxiality) * mesh_factor(triaxiality, size) * of_rate,
+          instability.given() ? instability.at(lode, triaxiality) * (rate_of_instability ? of_rate : 1.0) : 1.0};
+}
+
+template <class R>
+R Gissmo::advance(const SolidTensor<R>& stress, const R& increment, MaskOf<R> carries, double dt, double* h) const {
+  const R size = load_field<R>(h, size_field);
+  R damage = load_field<R>(h, damage_field), unstable = load_field<R>(h, instability_field),
+    onset = load_field<R>(h, onset_field);
+  const StressState<R> state = state_of(stress);
+  const auto flows = carries && increment > 0.0;
+  if (any(flows)) {
+    R to_fracture = R(1.0), to_instability = R(1.0);
+    for (int l = 0; l < lanes<R>; ++l) {
+      if (!(lane(increment, l) > 0.0)) continue;
+      const Ends of = ends(lane(state.triaxiality, l), lane(state.lode, l), lane(size, l), lane(increment, l) / dt);
+      set_lane(to_fracture, l, of.fracture);
+      set_lane(to_instability, l, of.instability);
+    }
+    damage = select(flows, damage + increment / to_fracture, damage);
+    store_field(h, damage_field, damage);
+    if (instability.given()) {
+      const auto grows = flows && unstable < 1.0;
+      unstable = select(grows, unstable + increment / to_instability, unstable);
+      onset = select(grows && unstable >= 1.0, power(damage, growth), onset);
+      store_field(h, instability_field, unstable);
+      store_field(h, onset_field, onset);
     }
   }
-  if (!weakens || (instability.given() && unstable < 1.0 && damage < 1.0)) return 0.0;
-  if (damage >= 1.0) return 1.0;
-  const double from = instability.given() ? onset : threshold, beyond = std::pow(damage, growth) - from;
-  return beyond > 0.0 ? std::pow(beyond / (1.0 - from), fading.at(state.triaxiality, size)) : 0.0;
+  const R none = R(0.0);
+  if (!weakens) return none;
+  const R from = instability.given() ? onset : R(threshold), beyond = power(damage, growth) - from;
+  auto softens = beyond > 0.0;
+  if (instability.given()) softens = softens && unstable >= 1.0;
+  R lost = none;
+  if (any(softens)) {
+    const R share = beyond / (1.0 - from);
+    for (int l = 0; l < lanes<R>; ++l)
+      if (lane(beyond, l) > 0.0)
+        set_lane(lost, l, power(lane(share, l), fading.at(lane(state.triaxiality, l), lane(size, l))));
+    lost = select(softens, lost, none);
+  }
+  return select(damage >= 1.0, R(1.0), lost);
 }
+
+template double Gissmo::advance(const SolidTensor<double>&, const double&, bool, double, double*) const;
+template NativeBatch Gissmo::advance(const SolidTensor<NativeBatch>&, const NativeBatch&, NativeBatch::Mask, double,
+                                     double*) const;
 
 }  // namespace nugget::kernel

@@ -37,13 +37,19 @@ struct Gissmo {
   /// D and F of a point whose history holds these roots, at most 1.
   double grown(double root) const;
 
-  /// Adds a step's plastic strain; the share of its stress that the point has lost, 1 once it has failed. `stress`:
-  /// that of the undamaged point; `h`: its history, a number every `stride`.
-  double advance(const SolidTensor<double>& stress, double increment, double dt, double* h, int stride) const;
+  /// Adds a step's plastic strain to the points that carry; the share of its stress that each has lost, 1 once it has
+  /// failed. `stress`: that of the undamaged points; `h`: their histories.
+  template <class R>
+  R advance(const SolidTensor<R>& stress, const R& increment, MaskOf<R> carries, double dt, double* h) const;
 
  private:
+  /// ef and ec of a point.
+  struct Ends {
+    double fracture, instability;
+  };
+  Ends ends(double triaxiality, double lode, double size, double plastic_rate) const;
   double mesh_factor(double triaxiality, double size) const;
-  double rate_factor(double rate) const;
+  double rate_factor(double plastic_rate) const;
 };
 
 }  // namespace nugget::kernel

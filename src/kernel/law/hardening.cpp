@@ -67,7 +67,7 @@ CurveHardening::CurveHardening(const PiecewiseLinear& law, const Rates& rates)
     curves.emplace_back(curve);
     lowest_ = std::min(lowest_, curves.back().lowest());
   }
-  table_ = {std::move(curves), rates.values, law.log_rates};
+  table_ = {curves, rates.values, law.log_rates};
 }
 
 }  // namespace nugget::kernel

@@ -95,13 +95,12 @@ class CurveHardening {
 
    private:
     void fetch(const R& strain) {
-      for (int l = 0; l < lanes<R>; ++l) {
-        const YieldCurve::Piece piece = hardening_.curve_.at(lane(strain, l));
-        set_lane(x_, l, piece.x);
-        set_lane(end_, l, piece.end);
-        set_lane(y_, l, piece.y);
-        set_lane(slope_, l, piece.slope);
-      }
+      const YieldCurve::Piece* piece[lanes<R>];
+      for (int l = 0; l < lanes<R>; ++l) piece[l] = &hardening_.curve_.at(lane(strain, l));
+      x_ = each_lane<R>([&](int l) { return piece[l]->x; });
+      end_ = each_lane<R>([&](int l) { return piece[l]->end; });
+      y_ = each_lane<R>([&](int l) { return piece[l]->y; });
+      slope_ = each_lane<R>([&](int l) { return piece[l]->slope; });
     }
 
     const CurveHardening& hardening_;

@@ -32,11 +32,21 @@ template <class R>
 struct PrincipalRange {
   R low, high;
   explicit PrincipalRange(const SolidTensor<R>& a) {
-    const R mean = (1.0 / 3.0) * (a.xx + a.yy + a.zz), radius = (1.0 + 1e-12) * sqrt((2.0 / 3.0) * deviator2(a));
+    const R mean = mean_of(a), radius = sqrt(radius2(a));
     low = mean - radius;
     high = mean + radius;
   }
+  static R mean_of(const SolidTensor<R>& a) { return (1.0 / 3.0) * (a.xx + a.yy + a.zz); }
+  /// The square of how far from the mean they can lie, and a little more.
+  static R radius2(const SolidTensor<R>& a) { return (1.0 + 2e-12) * (2.0 / 3.0) * deviator2(a); }
 };
+
+/// Whether mean + sqrt(radius2) reaches a limit.
+template <class R>
+MaskOf<R> reaches(const R& mean, const R& radius2, double limit) {
+  const R left = limit - mean;
+  return left <= 0.0 || radius2 >= left * left;
+}
 
 /// Larger principal value in the plane.
 double major_in_plane(const SolidTensor<double>& a) {
@@ -137,6 +147,8 @@ PointFailure::PointFailure(const LawComponents& law, bool flow_can_fail)
                               !damage_ && size_ == 1),
       bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && rules_.empty() && !gissmo_ &&
                !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))),
+      gissmo_only_(gissmo_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() && !damage_ && !cracks_ &&
+                   rules_.empty() && !erosion_ && !(limits_.plastic_thinning > 0.0) && !(limits_.major > 0.0)),
       needs_plastic_flow_(!flow_can_fail_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() &&
                           !damage_ && !(limits_.major > 0.0) && !erosion_ && need_plastic_flow(rules_)) {}
 
@@ -202,25 +214,26 @@ DamageNumbers PointFailure::damage(const std::function<double(int)>& history) co
 
 template <class R>
 MaskOf<R> PointFailure::may_fail(const PointStep<R>& step, const double* history) const {
-  constexpr double more = 1.0 + 1e-12;
+  const auto squared = [](double limit) { return limit > 0.0 ? limit * limit : 0.0; };
+  const auto limited = [](double limit) { return limit < std::numeric_limits<double>::infinity(); };
   auto may = R(0.0) > R(1.0);
   if (failure_strain_ > 0.0) may = may || step.plastic_strain >= R(failure_strain_);
   if (thinned_ > 0) may = may || load_field<R>(history, thinned_) >= R(limits_.plastic_thinning);
   if (age_ > 0) may = may || load_field<R>(history, age_) >= R(bounds_.age);
   if (bounds_.of_stress) {
-    const R mean = (1.0 / 3.0) * (step.stress.xx + step.stress.yy + step.stress.zz);
+    const R mean = PrincipalRange<R>::mean_of(step.stress), radius2 = PrincipalRange<R>::radius2(step.stress);
     may = may || -mean >= R(bounds_.pressure) || mean >= R(bounds_.tension) ||
-          PrincipalRange<R>(step.stress).high >= R(bounds_.principal_stress) ||
-          more * sqrt(1.5 * deviator2(step.stress)) >= R(bounds_.effective_stress);
+          (9.0 / 4.0) * radius2 >= R(squared(bounds_.effective_stress));
+    if (limited(bounds_.principal_stress)) may = may || reaches(mean, radius2, bounds_.principal_stress);
   }
   if (bounds_.of_strain) {
     const SolidTensor<R> strain = load_solid<R>(history + strain_ * lanes<R>);
-    const PrincipalRange<R> range(strain);
+    const R mean = PrincipalRange<R>::mean_of(strain), radius2 = PrincipalRange<R>::radius2(strain);
     const R volume = strain.xx + strain.yy + strain.zz;
-    may = may || range.high >= R(bounds_.high) || -range.low >= R(bounds_.low) ||
-          more * sqrt((2.0 / 3.0) * deviator2(strain)) >= R(bounds_.effective_strain) || volume >= R(bounds_.growth) ||
-          -volume >= R(bounds_.shrinkage) || 0.5 * (range.high - range.low) >= R(bounds_.shear) ||
-          -strain.zz >= R(bounds_.thinning);
+    if (limited(bounds_.high)) may = may || reaches(mean, radius2, bounds_.high);
+    if (limited(bounds_.low)) may = may || reaches(R(-mean), radius2, bounds_.low);
+    may = may || radius2 >= R(squared(std::min(bounds_.effective_strain, bounds_.shear))) ||
+          volume >= R(bounds_.growth) || -volume >= R(bounds_.shrinkage) || -strain.zz >= R(bounds_.thinning);
   }
   return may;
 }
@@ -247,6 +260,13 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
   if (bounded_ && !any(carries && may_fail(step, history))) return;
   if (needs_plastic_flow_ && !any(carries && step.plastic_increment > 0.0)) return;
 
+  if (gissmo_) {
+    const R lost = load_field<R>(history, lost_field);
+    double* damage = history + damaged_ * lanes<R>;
+    const R by_damage = gissmo_->advance(step.stress, step.plastic_increment, carries, step.dt, damage);
+    store_field(history, lost_field, select(carries, max(lost, by_damage), lost));
+    if (gissmo_only_) return;
+  }
   const auto at = [&](int field, int l) -> double& { return history[field * lanes<R> + l]; };
   for (int l = 0; l < lanes<R>; ++l) {
     double& lost = at(lost_field, l);
@@ -255,10 +275,6 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
     if (damage_) lost = std::max(lost, damage_->at(strain));
     const SolidTensor<double> rate = lane_of(step.rate, l);
     const SolidTensor<double> undamaged = lane_of(step.stress, l);
-    if (gissmo_) {
-      lost = std::max(lost, gissmo_->advance(undamaged, increment, step.dt, &at(damaged_, l), lanes<R>));
-      if (lost >= 1.0) continue;
-    }
     PointNow now{(1.0 - lost) * undamaged,
                  {},
                  effective_rate(rate),
@@ -296,7 +312,7 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
 
 template <class R>
 void PointFailure::restore_undamaged(LayerTensor<R>& s, const double* history) const {
-  s = (1.0 / max(left<R>(history), R(1e-30))) * s;
+  if (has_lost<R>(history)) s = (1.0 / max(left<R>(history), R(1e-30))) * s;
   if (!cracks_) return;
   for (int l = 0; l < lanes<R>; ++l)
     set_layer_lane(s, l, Cracks::undamaged(layer_lane(s, l), history + cracked_ * lanes<R> + l, lanes<R>));
@@ -304,7 +320,7 @@ void PointFailure::restore_undamaged(LayerTensor<R>& s, const double* history) c
 
 template <class R>
 void PointFailure::weaken(LayerTensor<R>& s, const double* history) const {
-  s = left<R>(history) * s;
+  if (has_lost<R>(history)) s = left<R>(history) * s;
   if (!cracks_) return;
   for (int l = 0; l < lanes<R>; ++l)
     set_layer_lane(s, l, Cracks::weakened(layer_lane(s, l), history + cracked_ * lanes<R> + l, lanes<R>));

@@ -59,13 +59,13 @@ class PointFailure {
   void restore_undamaged(LayerTensor<R>& s, const double* history) const;
   template <class R>
   void restore_undamaged(SolidTensor<R>& s, const double* history) const {
-    s = (1.0 / max(left<R>(history), R(1e-30))) * s;
+    if (has_lost<R>(history)) s = (1.0 / max(left<R>(history), R(1e-30))) * s;
   }
   template <class R>
   void weaken(LayerTensor<R>& s, const double* history) const;
   template <class R>
   void weaken(SolidTensor<R>& s, const double* history) const {
-    s = left<R>(history) * s;
+    if (has_lost<R>(history)) s = left<R>(history) * s;
   }
 
   /// Turns what stands in a solid's axes with the material.
@@ -78,6 +78,12 @@ class PointFailure {
 
  private:
   static constexpr int lost_field = 0;
+
+  /// Most points of most runs have lost nothing.
+  template <class R>
+  static bool has_lost(const double* history) {
+    return any(load_field<R>(history, lost_field) > 0.0);
+  }
 
   /// Limits of what is known of a stress or strain without its principal values; infinite where there is none.
   struct Bounds {
@@ -108,6 +114,7 @@ class PointFailure {
   int size_ = lost_field + 1;
   int cracked_, ruled_, damaged_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
   bool flow_can_fail_, active_, by_plastic_strain_only_;
+  bool gissmo_only_;         ///< there is no other criterion
   bool bounded_;             ///< may_fail() can be asked
   bool needs_plastic_flow_;  ///< a point that has not failed only can in a step with plastic strain
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/real.hpp"
+#include "base/elementary.hpp"
 #include "kernel/law/plastic_return.hpp"
 
 // Rate effects that scale a yield stress, as functions of x, the share by which they raise it (or what that share goes
@@ -30,9 +30,7 @@ class CowperSymonds {
  public:
   CowperSymonds() = default;
   /// `raised`: the yield stress that rises, whatever the hardening adds to it [stress]; 0: all of it.
-  CowperSymonds(double c, double p, double raised = 0.0) : c_(c), p_(p), raised_(raised) {
-    if (p == std::floor(p) && p >= 1.0 && p <= 32.0) whole_ = static_cast<int>(p);
-  }
+  CowperSymonds(double c, double p, double raised = 0.0) : c_(c), p_(p), raised_(raised) {}
 
   bool active() const { return c_ > 0.0; }
   double raised() const { return raised_; }
@@ -42,30 +40,18 @@ class CowperSymonds {
   Range<R> range(const R& raise, const R& most_rate) const {
     const R most = (1.0 / c_) * most_rate;
     if (p_ >= 1.0) return {R(0.0), max(most, R(1.0)), raise};
-    return {R(0.0), map([&](double r) { return std::pow(r, 1.0 / p_); }, most), raise};
+    return {R(0.0), power(most, 1.0 / p_), raise};
   }
   template <class R>
   [[gnu::always_inline]] inline RateAt<R> operator()(const R& x) const {
-    const R rate = c_ * power(x), over = 1.0 / x, slope = p_ * rate * over;
+    const R rate = c_ * power(x, p_), over = 1.0 / x, slope = p_ * rate * over;
     return {rate, slope, (p_ - 1.0) * slope * over, x, R(1.0)};
   }
 
  private:
-  template <class R>
-  R power(const R& x) const {
-    if (whole_ == 0) return map([&](double one) { return std::pow(one, p_); }, x);
-    R square = x, product = R(1.0);
-    for (int n = whole_;; square = square * square) {
-      if (n % 2 == 1) product = product * square;
-      n /= 2;
-      if (n == 0) return product;
-    }
-  }
-
   double c_ = 0.0;  // [1/time]; 0: no rate effect
   double p_ = 1.0;  // [1]
   double raised_ = 0.0;
-  int whole_ = 0;  // P where it is a small whole number
 };
 
 /// 1 + C ln(rate / rest) above the rate `rest`, 1 below (Johnson and Cook); x = ln(rate / rest), or rate / rest - 1.
@@ -79,13 +65,13 @@ class LogarithmicRate {
 
   template <class R>
   Range<R> range(const R& raise, const R& most_rate) const {
-    const R most = map([](double r) { return std::log(std::max(r, 1.0)); }, (1.0 / rest_) * most_rate);
+    const R most = logarithm(max((1.0 / rest_) * most_rate, R(1.0)));
     return {R(-1.0), most + 1e-9, (1.0 / factor_) * raise};
   }
   template <class R>
   [[gnu::always_inline]] inline RateAt<R> operator()(const R& x) const {
     const auto above = x > 0.0;
-    const R grown = rest_ * map([](double one) { return std::exp(one); }, max(x, R(0.0)));
+    const R grown = rest_ * exponential(max(x, R(0.0)));
     return {select(above, grown, rest_ * (1.0 + x)), grown, select(above, grown, R(0.0)), factor_ * max(x, R(0.0)),
             select(above, R(factor_), R(0.0))};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/law/yield_curve.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace nugget::kernel {
@@ -17,16 +18,10 @@ YieldCurve::YieldCurve(const Curve& curve) {
   pieces_.front().y -= pieces_.front().slope * pieces_.front().x;
   pieces_.front().x = 0.0;
   pieces_.back().end = forever;
-  if (pieces_.size() == 1) return;
 
-  const std::size_t buckets = 4 * pieces_.size();
-  buckets_per_strain_ = static_cast<double>(buckets) / pieces_.back().x;
-  for (std::size_t b = 0; b < buckets; ++b) {
-    const double strain = static_cast<double>(b) / buckets_per_strain_;
-    int i = 0;
-    while (strain >= pieces_[i].end) ++i;
-    first_.push_back(std::max(i - 1, 0));
-  }
+  std::vector<double> starts;
+  for (const Piece& piece : pieces_) starts.push_back(piece.x);
+  intervals_ = Intervals(starts);
 }
 
 double YieldCurve::lowest() const {

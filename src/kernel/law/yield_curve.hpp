@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <vector>
 
 #include "base/curve.hpp"
+#include "base/intervals.hpp"
 
 namespace nugget::kernel {
 
@@ -19,14 +18,7 @@ class YieldCurve {
   };
 
   explicit YieldCurve(const Curve& curve);
-  const Piece& at(double plastic_strain) const {
-    if (plastic_strain >= pieces_.back().x || pieces_.size() == 1) return pieces_.back();
-    if (!(plastic_strain >= pieces_.front().end)) return pieces_.front();
-    const auto bucket = std::min(static_cast<std::size_t>(plastic_strain * buckets_per_strain_), first_.size() - 1);
-    auto i = static_cast<std::size_t>(first_[bucket]);
-    while (plastic_strain >= pieces_[i].end) ++i;
-    return pieces_[i];
-  }
+  const Piece& at(double plastic_strain) const { return pieces_[intervals_.at(plastic_strain)]; }
   double operator()(double plastic_strain) const {
     const Piece& p = at(plastic_strain);
     return p.y + p.slope * (plastic_strain - p.x);
@@ -34,11 +26,11 @@ class YieldCurve {
   const Piece& last() const { return pieces_.back(); }
   double lowest() const;
   bool straight() const { return pieces_.size() == 1; }
+  const std::vector<Piece>& pieces() const { return pieces_; }
 
  private:
   std::vector<Piece> pieces_;
-  std::vector<int> first_;  // the piece in which, or before which, each of equal buckets begins
-  double buckets_per_strain_ = 0.0;
+  Intervals intervals_;
 };
 
 }  // namespace nugget::kernel
