@@ -114,8 +114,8 @@ class PointFailure {
   int size_ = lost_field + 1;
   int cracked_, ruled_, damaged_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
   bool flow_can_fail_, active_, by_plastic_strain_only_;
-  bool gissmo_only_;         ///< there is no other criterion
   bool bounded_;             ///< may_fail() can be asked
+  bool gissmo_only_;         ///< there is no other criterion
   bool needs_plastic_flow_;  ///< a point that has not failed only can in a step with plastic strain
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/elementary.hpp"
+#include "base/intervals.hpp"
 #include "kernel/law/plastic_return.hpp"
 #include "kernel/law/rate_effects.hpp"
 #include "kernel/law/yield_curve.hpp"
