@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PROGRAMS = ("nugget", "nugget-mpi", "nugget-avx512")
+PROGRAMS = ("nugget", "nugget-mpi", "nugget-avx512", "nugget-mpi-avx512")
 TOOLCHAIN = {"gcc-12", "glibc", "linux", "gcc-defaults", "libxcrypt", "llvm-toolchain-14"}  # runtimes: linked, not carried
 SPDX_NAMES = {"Expat": "MIT", "MIT": "MIT", "Apache": "Apache-2.0", "Apache-2": "Apache-2.0", "Apache-2.0": "Apache-2.0",
               "BSD-2-clause": "BSD-2-Clause", "BSD-3-clause": "BSD-3-Clause", "BSD-3-Clause": "BSD-3-Clause",

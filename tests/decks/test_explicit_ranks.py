@@ -11,7 +11,7 @@ import unittest
 from few_elements import card
 from lap_joint import deck as lap_joint
 from nugget_command import SOURCE
-from repeated_runs import FOREVER, RepeatedRuns, with_lanes
+from repeated_runs import FOREVER, LANES, RepeatedRuns, with_lanes
 from shared_out import block, tube
 from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
 
@@ -21,8 +21,9 @@ class ExplicitRanks(RepeatedRuns):
     def command(self, ranks, *arguments):
         return mpirun(ranks, *arguments)
 
-    def over(self, ranks, *arguments, expect=0):
-        run = subprocess.run(self.command(ranks, *arguments), capture_output=True, text=True, timeout=200, cwd=self.folder, env=ENVIRONMENT)
+    def over(self, ranks, *arguments, expect=0, lanes=None):
+        environment = dict(ENVIRONMENT, **({"NUGGET_LANES": str(lanes)} if lanes else {}))
+        run = subprocess.run(self.command(ranks, *arguments), capture_output=True, text=True, timeout=200, cwd=self.folder, env=environment)
         self.assertEqual(run.returncode, expect, f"{ranks} ranks: {arguments}\n{run.stderr}\n{run.stdout}")
         return run
 
@@ -44,6 +45,16 @@ class ExplicitRanks(RepeatedRuns):
             for quantity in ("cycles", "time", "time_step", "mass", "energy", "termination", "message", "weld"):
                 self.assertEqual(summary[quantity], alone[quantity], quantity)
         return summary
+
+    def test_four_and_eight_lanes(self):
+        """Each number of lanes that this processor has, over ranks, against four of one process."""
+        model = self.write(tube())
+        self.nugget("run", model, "-o", "one", "--quiet", env=with_lanes(4))
+        reference = self.bits("one")
+        for lanes in LANES:
+            self.over(2, "run", model, "-o", f"lanes{lanes}", "--quiet", lanes=lanes)
+            self.assertEqual(self.json(f"lanes{lanes}/summary.json")["lanes"], lanes)
+            self.assertEqual(self.bits(f"lanes{lanes}"), reference)
 
     def log(self, folder):
         return self.read(f"{folder}/run.log")

@@ -21,7 +21,7 @@ def ranks_in(folder):
     found = []
     for process in pathlib.Path("/proc").glob("[0-9]*"):
         try:
-            if (process / "cwd").resolve() == folder.resolve() and (process / "exe").resolve().name == "nugget-mpi":
+            if (process / "cwd").resolve() == folder.resolve() and (process / "exe").resolve().name.startswith("nugget-mpi"):
                 found.append(int(process.name))
         except OSError:
             continue  # of somebody else, or gone

@@ -65,7 +65,8 @@ class InstallTest(unittest.TestCase):
                      "share/man/man1/nugget-mpi.1.gz", "share/bash-completion/completions/nugget", "include/nugget/model/nugget_weld_law.h",
                      "share/nugget/examples/double_hat/make.py", "share/nugget/examples/double_hat/double_hat.k"):
             self.assertTrue((usr / name).is_file(), name)
-        self.assertEqual((usr / "bin/nugget-avx512").exists(), (BUILD / "nugget-avx512").exists())
+        for name in ("nugget-avx512", "nugget-mpi-avx512"):
+            self.assertEqual((usr / "bin" / name).exists(), (BUILD / name).exists())
         self.assertEqual([path.name for path in usr.rglob("*") if path.name.startswith(("test_", "__pycache__"))], [])
         self.assertRegex(self.bare(usr / "bin/nugget", "--version").stdout, r"^nugget \d+\.\d+\.\d+\n$")
         self.assertEqual(self.bare(usr / "bin/nugget", "--completion", "bash").stdout,

@@ -37,7 +37,8 @@ class Processor(unittest.TestCase):
     def test_program_with_eight_lanes(self):
         if not NUGGET.with_name("nugget-avx512").exists():
             self.skipTest("nugget-avx512 was not built")
-        self.assertEqual(self.lacks(self.on("Haswell", "nugget-avx512"), "x86-64-v4"), [f"AVX512{part}" for part in ("F", "DQ", "CD", "BW", "VL")])
+        for program in ("nugget-avx512", "nugget-mpi-avx512"):
+            self.assertEqual(self.lacks(self.on("Haswell", program), "x86-64-v4"), [f"AVX512{part}" for part in ("F", "DQ", "CD", "BW", "VL")])
 
     def import_on(self, processor):
         package = pathlib.Path(os.environ["NUGGET_BUILD"], "python")

@@ -30,12 +30,6 @@ int refuse(const std::string& why) {
   return static_cast<int>(nugget::app::ExitCode::wrong_command);
 }
 
-/// Under mpirun the program with MPI.
-int become_a_rank(char** argv) {
-  const std::string program = become("nugget-mpi", argv);
-  return refuse(fmt::format("started by mpirun with several ranks, which need {}: {}", program, std::strerror(errno)));
-}
-
 /// What x86-64-v4 has beyond v3. Systems that keep the wide registers only (__builtin_cpu_supports asks for that, too).
 bool has_avx512() {
   return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
@@ -45,18 +39,23 @@ bool has_avx512() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (nugget::app::started_ranks() > 1) return become_a_rank(argv);
+  const bool several_ranks = nugget::app::started_ranks() > 1;
   // Eight lanes where the processor has them and that program was built; NUGGET_LANES asks for one of the two.
   const char* asked = std::getenv("NUGGET_LANES");
   const std::string_view lanes = asked == nullptr ? "" : asked;
   if (!lanes.empty() && lanes != "4" && lanes != "8")
     return refuse(fmt::format("NUGGET_LANES is '{}', expected 4 (AVX2) or 8 (AVX-512)", lanes));
   if (lanes == "8" || (lanes.empty() && has_avx512())) {
-    const std::string program = become("nugget-avx512", argv);
+    const std::string program = become(several_ranks ? "nugget-mpi-avx512" : "nugget-avx512", argv);
     if (lanes == "8")
       return refuse(fmt::format(
           "NUGGET_LANES=8 needs {}: {} [./dev build nugget-avx512 makes it; without NUGGET_LANES this one runs]",
           program, std::strerror(errno)));
+  }
+  if (several_ranks) {
+    const std::string program = become("nugget-mpi", argv);
+    return refuse(
+        fmt::format("started by mpirun with several ranks, which need {}: {}", program, std::strerror(errno)));
   }
   nugget::app::guard_terminal();
   return nugget::app::code_after_terminal(nugget::app::command_line(argc, argv));
