@@ -49,10 +49,14 @@ void check_subcycling(const impact::Simulation& simulation, Findings& findings) 
            "which acts in each cycle on forces that the elements have not in each");
     break;
   }
-  if (acting.rigid_welds.size() > 0)
-    refuse("rigid welds", "whose forces and failure go by the forces on their nodes in each cycle");
-  if (acting.rivets.size() > 0) refuse("rivets", "whose forces go by the forces on their nodes in each cycle");
-  if (!acting.joints.empty()) refuse("joints", "whose forces go by the forces on their bodies in each cycle");
+  const auto in_each_cycle = [&](bool there_are, const std::string& what) {
+    if (there_are && asked.contact_period > 1)
+      refuse(what + fmt::format(" and L {}", asked.contact_period),
+             "whose forces go by the forces of contact on them in each cycle, and those come at L 1 only");
+  };
+  in_each_cycle(acting.rigid_welds.size() > 0, "rigid welds");
+  in_each_cycle(acting.rivets.size() > 0, "rivets");
+  in_each_cycle(!acting.joints.empty(), "joints");
   if (findings.errors() > 0) return;
   if (system.period() == 1)
     report(Severity::note, "no element allows twice the step of the run: all have their forces in each cycle",

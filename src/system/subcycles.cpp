@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -27,10 +28,33 @@ int power_of_two(double most) {
   return period;
 }
 
+/// Whether elements at a node have their forces in each cycle whatever their step: nodes of rigid welds, rivets and
+/// bodies with joints, whose forces and failure go by what acts on them in each cycle. Nodes that follow them, too.
+std::vector<bool> looked_at_in_each_cycle(const System& system) {
+  std::vector<bool> looked_at(system.all_nodes(), false);
+  const auto of_body = [&](model::Index body) {
+    if (body != model::none) looked_at[at(system.bodies[at(system.body_of[body])].node)] = true;
+  };
+  for (const model::RigidWeld& weld : system.model.rigid_welds) {
+    if (weld.kind != model::RigidWeld::Kind::rivet) of_body(weld.body);
+    for (const model::Index node : weld.nodes) looked_at[at(system.node_of[node])] = true;
+  }
+  for (const model::Joint& joint : system.model.joints) std::for_each(joint.body.begin(), joint.body.end(), of_body);
+  for (const model::JointStiffness& joint : system.model.joint_stiffnesses)
+    std::for_each(joint.body.begin(), joint.body.end(), of_body);
+  for (std::size_t d = 0; d < system.nodes; ++d)
+    for (const ConstraintMap::Term& t : system.map.terms(static_cast<int>(d)))
+      if (looked_at[at(t.node)]) looked_at[d] = true;
+  return looked_at;
+}
+
 /// Gives elements the shortest period of what else their nodes, or nodes that follow these, belong to. Where a node had
 /// elements of different periods, the impulses of the slow ones would feed its fast vibrations.
 void share_periods_of_nodes(const System& system, ElementPeriods& periods) {
   std::vector<std::uint8_t> of_node(system.nodes, std::numeric_limits<std::uint8_t>::max());
+  const std::vector<bool> looked_at = looked_at_in_each_cycle(system);
+  for (std::size_t k = 0; k < system.nodes; ++k)
+    if (looked_at[k]) of_node[k] = 1;
   const auto each = [&](const auto& visit) {
     for (const auto& group : system.groups) {
       std::vector<std::uint8_t>* of = periods.of_kind(group->kind);
@@ -53,7 +77,7 @@ void share_periods_of_nodes(const System& system, ElementPeriods& periods) {
 
 }  // namespace
 
-std::vector<std::uint8_t>* ElementPeriods::of_kind(model::ElementKind kind) {
+const std::vector<std::uint8_t>* ElementPeriods::of_kind(model::ElementKind kind) const {
   switch (kind) {
     case model::ElementKind::shell: return &shells;
     case model::ElementKind::solid: return &solids;
@@ -64,8 +88,12 @@ std::vector<std::uint8_t>* ElementPeriods::of_kind(model::ElementKind kind) {
   return nullptr;
 }
 
+std::vector<std::uint8_t>* ElementPeriods::of_kind(model::ElementKind kind) {
+  return const_cast<std::vector<std::uint8_t>*>(std::as_const(*this).of_kind(kind));
+}
+
 int ElementPeriods::of(model::ElementKind kind, model::Index element) const {
-  const std::vector<std::uint8_t>* periods = const_cast<ElementPeriods*>(this)->of_kind(kind);
+  const std::vector<std::uint8_t>* periods = of_kind(kind);
   return periods == nullptr || periods->empty() ? 1 : (*periods)[element];
 }
 

@@ -29,11 +29,13 @@ struct ElementPeriods {
   int of(model::ElementKind kind, model::Index element) const;
   /// Null for kinds that have theirs in each cycle.
   std::vector<std::uint8_t>* of_kind(model::ElementKind kind);
+  const std::vector<std::uint8_t>* of_kind(model::ElementKind kind) const;
 };
 
 /// The periods of a model whose elements have been computed once, by their stable steps: every so many cycles as the
 /// shortest step goes into an element's, with a margin, `ratio` at most. Elements beside one of a shorter period have
-/// that too; elements of one weld have the shortest of theirs.
+/// that too; elements of one weld have the shortest of theirs; elements at rigid welds, rivets and bodies with joints
+/// have their forces in each cycle.
 ElementPeriods periods_by_step(const System& system, int ratio);
 
 /// Sub-cycling: elements with a long stable step have their forces every 2, 4, 8 ... cycles, all nodes move in each.

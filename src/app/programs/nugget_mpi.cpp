@@ -21,8 +21,8 @@
 #include "nvh/matrices/ranks.hpp"
 #include "output/restart_file.hpp"
 
-// `nugget-mpi`, and `nugget-mpi-avx512` with eight lanes: the same program with MPI. The first rank does what the command line asks for. The others answer its
-// calls of the solver, and compute their shares of explicit runs.
+// `nugget-mpi`, and `nugget-mpi-avx512` with eight lanes: the same program with MPI. The first rank does what the
+// command line asks for. The others answer its calls of the solver, and compute their shares of explicit runs.
 namespace {
 
 using nugget::nvh::SolverCall;
