@@ -234,6 +234,13 @@ void RigidWall::stop(const Shape& shape, Tracked& tracked, bool slept, const Ste
   ++sum.touching;
 }
 
+std::size_t RigidWall::awake() const {
+  std::size_t count = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    if (!groups_[g].slept) count += std::min(tracked_.size(), (g + 1) * nodes_per_sum) - g * nodes_per_sum;
+  return count;
+}
+
 void RigidWall::average(double time, bool begins) {
   force_ = mean_force_.add(force_, time, begins);
   normal_force_ = mean_normal_.add({normal_force_, 0.0, 0.0}, time, begins).x;

@@ -54,6 +54,7 @@ class RigidWall {
                  std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip,
                  double fastest = std::numeric_limits<double>::infinity());
   std::size_t tracked() const { return tracked_.size(); }  ///< nodes
+  std::size_t awake() const;                               ///< of these, those that the last step looked at
 
   /// Force of the wall on the nodes at `time` [force], and the sum of its normal parts.
   /// In sub-cycling: the forces that results show are means over a period, of which this step may be the first.
