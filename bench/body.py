@@ -4,6 +4,7 @@
     python3 bench/body.py [--nugget build/nugget] [--work build-bench/body] [--shells 500000] [--welds 5000] [--threads 1]
     python3 bench/body.py --study crash [--end 1e-4] ...
     python3 bench/body.py --study cards [--other OLD_NUGGET] --shells 55000 --welds 700 --end 3e-5
+    python3 bench/body.py --study growth [--other OLD_NUGGET] [--sizes 20000,100000,500000] [--cycles 5,45] [--repeat 2]
     python3 bench/body.py --study modes [--modes 50] [--shells 280000] [--welds 800] ...
 
 The body is a row of closed sills: each is a curved hat with flanges, and a floor strip under it, both of 5 mm elements; some
@@ -11,11 +12,13 @@ carry a third strip under one flange. For modes the hats are straight and stand 
 stand along the flanges, three elements wide; `nugget weld` places them, so that the deck is one that a user could have made.
 What is timed is `nugget check` as its check.log tells it: reading, then tie and audit together (aim: under 5 s); the impact of
 the body against a wall at 10 m/s, all of it in one contact with itself; that impact with one more card that many decks have,
-phase by phase, in turn with another program's where one is given; modes up to their number, files and report included.
+phase by phase, in turn with another program's where one is given; what that impact costs with the size of the body, setup and
+memory too (a cycle is what the later of two runs takes longer than the earlier, in processor time of the user); modes up to their number, files and report included.
 """
 import argparse
 import math
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -192,6 +195,33 @@ def crash(nugget, work, threads):
           f"energy ratio {summary['energy']['ratio']:.6f}")
 
 
+def growth(programs, work, threads, sizes, cycles, repeat):
+    """The impact by size: the least of `repeat` runs of each length, programs in turn."""
+    print("  shells  user ns per element-cycle: all  (by the clock: elements contact motion)  setup s  ns a shell   MB  bytes a shell  program")
+    for size in sizes:
+        shells, _ = sills(work, size, size // 100, 0.1)
+        subprocess.run([programs[0], "weld", "points.csv", "body.k", "-o", "welded.k"], cwd=work, capture_output=True, check=True)
+        write_crash(work)
+        best = {(program, count): None for program in programs for count in cycles}
+        for _ in range(repeat):
+            for program, count in best:
+                arguments = [program, "run", "crash.k", "-o", "crash", "-j", str(threads), "--quiet", "--max-cycles", str(count)]
+                process = subprocess.Popen(arguments, cwd=work, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                _, status, usage = os.wait4(process.pid, 0)
+                if status != 0:
+                    sys.exit(f"{program} failed in {work}: exit status {status}")
+                summary = json.loads((work / "crash" / "summary.json").read_text(encoding="utf-8"))
+                row = {"user": usage.ru_utime, "memory": usage.ru_maxrss * 1024, "setup": summary["seconds"]["setup"], **summary["seconds"]["phases"]}
+                before = best[program, count]
+                best[program, count] = row if before is None else {name: min(before[name], value) for name, value in row.items()}
+        for program in programs:
+            few, more = (best[program, count] for count in cycles)
+            count = (cycles[1] - cycles[0]) * sum(summary["elements"].values())
+            cost = {name: 1e9 * (more[name] - few[name]) / count for name in ("user", "elements", "contact", "motion")}
+            print(f"{shells:8}  {cost['user']:30.1f}  {cost['elements']:24.1f} {cost['contact']:7.1f} {cost['motion']:6.1f}  {few['setup']:7.2f}"
+                  f"  {1e9 * few['setup'] / shells:10.0f}  {more['memory'] / 1e6:4.0f}  {more['memory'] / shells:13.0f}  {program}", flush=True)
+
+
 def modes(nugget, work, threads, number):
     seconds, memory = measure([nugget, "modes", "welded.k", "-n", str(number), "-o", "modes", "-j", str(threads), "--quiet"], work)
     log = (work / "modes" / "run.log").read_text(encoding="utf-8")
@@ -201,7 +231,7 @@ def modes(nugget, work, threads, number):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--study", choices=("tie", "crash", "cards", "modes"), default="tie")
+    parser.add_argument("--study", choices=("tie", "crash", "cards", "growth", "modes"), default="tie")
     parser.add_argument("--nugget", type=pathlib.Path, default=ROOT / "build" / "nugget")
     parser.add_argument("--other", type=pathlib.Path)
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "body")
@@ -210,9 +240,17 @@ def main():
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--end", type=float, default=1e-4)
     parser.add_argument("--modes", type=int, default=50)
+    parser.add_argument("--sizes", default="20000,100000,500000")
+    parser.add_argument("--cycles", default="5,45")
+    parser.add_argument("--repeat", type=int, default=2)
     arguments = parser.parse_args()
     nugget, work = str(arguments.nugget.resolve()), arguments.work
     work.mkdir(parents=True, exist_ok=True)
+    programs = [nugget] + ([str(arguments.other.resolve())] if arguments.other else [])
+    if arguments.study == "growth":
+        whole = lambda text: [int(word) for word in text.split(",")]
+        growth(programs, work, arguments.threads, whole(arguments.sizes), whole(arguments.cycles), arguments.repeat)
+        return 0
     write = panel if arguments.study == "modes" else sills
     shells, points = write(work, arguments.shells, arguments.welds, arguments.end * (1000.0 if arguments.study == "cards" else 1.0))
     print(f"{shells} shells, {points} spots")
@@ -230,7 +268,7 @@ def main():
     if arguments.study == "crash":
         crash(nugget, work, arguments.threads)
     elif arguments.study == "cards":
-        cards([nugget] + ([str(arguments.other.resolve())] if arguments.other else []), work, arguments.threads, arguments.end)
+        cards(programs, work, arguments.threads, arguments.end)
     elif arguments.study == "modes":
         modes(nugget, work, arguments.threads, arguments.modes)
     return 0

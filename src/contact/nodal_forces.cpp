@@ -39,7 +39,10 @@ void NodalForces::add_to(std::span<Row> force) const {
 
 void NodalForces::add_to(std::size_t part, std::span<Row> force) const {
   const Touched& now = parts_[part].now;
-  for (std::size_t i = 0; i < now.place.size(); ++i) nugget::add(force[nodes_[now.place[i]]], vec(now.sum[i].force));
+  for (std::size_t i = 0; i < now.place.size(); ++i) {
+    if (i + nodes_ahead < now.place.size()) __builtin_prefetch(&force[nodes_[now.place[i + nodes_ahead]]], 1);
+    nugget::add(force[nodes_[now.place[i]]], vec(now.sum[i].force));
+  }
 }
 
 Vec3d NodalForces::sum(std::span<const unsigned char> marked) const {
@@ -63,6 +66,7 @@ NodalForces::Work NodalForces::work(std::size_t part, double dt, std::span<const
   };
   const Sum nothing;
   for (std::size_t i = 0; i < now.place.size(); ++i) {
+    if (i + nodes_ahead < now.place.size()) __builtin_prefetch(&v[nodes_[now.place[i + nodes_ahead]]]);
     const Sum* found = before.find(now.place[i]);
     const Sum& was = found != nullptr ? *found : nothing;
     book(now.place[i], vec(now.sum[i].force) + vec(was.force), vec(now.sum[i].friction) + vec(was.friction));

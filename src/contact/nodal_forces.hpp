@@ -47,6 +47,8 @@ class NodalForces {
   const std::vector<int>& nodes() const { return nodes_; }
   /// Where a node stands in nodes().
   int place(int node) const { return index_[node]; }
+  /// Asks the memory for that.
+  void ask_for_place(int node) const { __builtin_prefetch(&index_[node]); }
   std::size_t parts() const { return parts_.size(); }
 
   /// Adds a force, and what of it is friction.
@@ -81,6 +83,7 @@ class NodalForces {
   void archive(Archive& a);
 
  private:
+  static constexpr std::size_t nodes_ahead = 12;  ///< for which rows the memory is asked
   struct Sum {
     Row force, friction;
   };

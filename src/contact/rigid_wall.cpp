@@ -2,6 +2,8 @@
 #include "contact/rigid_wall.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -11,6 +13,8 @@ namespace {
 
 constexpr std::size_t nodes_per_sum = 1024;
 constexpr std::size_t nodes_ahead = 16;
+// Groups sleep for half of the way that they have, if that is so many steps: they wake before a node can touch.
+constexpr double steps_of_sleep = 32.0;
 
 kernel::WallShape shape_of(const model::RigidWall& wall) {
   switch (wall.shape) {
@@ -44,6 +48,7 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
   tracked_.reserve(nodes.size());
   for (int n : nodes) tracked_.push_back({n, kernel::WallAttachment::none, {}});
   sums_.resize((tracked_.size() + nodes_per_sum - 1) / nodes_per_sum);
+  groups_.resize(sums_.size());
 }
 
 /// In the step `dt` from `time` on. The curve's time counts from the birth of the wall (keyword manual, BIRTH).
@@ -65,13 +70,14 @@ void RigidWall::press(const contact::Step& step, std::span<Row> f) {
 }
 
 void RigidWall::constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
-                          std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip) {
+                          std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip,
+                          double fastest) {
   force_ = {};
   normal_force_ = 0.0;
   touching_ = 0;
   pending_energy_ = power_on_change_ = 0.0;
-  Step step{dt, x, v, f, mass, skip, prescribed_velocity(time, dt)};
   const double between_middles = 0.5 * (dt + dt_previous);
+  Step step{dt, between_middles, x, v, f, mass, skip, prescribed_velocity(time, dt), fastest};
   const bool active = acts(time);
   if (mass_ > 0.0 && time >= birth_) {
     if (bodies_) velocity_ -= between_middles / mass_ * dot(bodies_->force(), normal_);
@@ -106,6 +112,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
     normal_impulse_ += between_middles * bodies_->normal_force();
     touching_ += bodies_->touching();
   }
+  if (!active) std::fill(groups_.begin(), groups_.end(), Group{});
   started_ = active;
   wall_velocity_ = step.wall_velocity;
   origin_ += dt * step.wall_velocity;
@@ -147,22 +154,42 @@ Vec3d RigidWall::friction(const Vec3d& slip, double normal_change) const {
 
 template <class Shape>
 void RigidWall::stop(const Shape& shape, const Step& step) {
-  parallel_for(sums_.size(), 1, [this, &shape, &step](std::size_t begin, std::size_t end) {
-    for (std::size_t g = begin; g < end; ++g) {
-      sums_[g] = {};
-      for (std::size_t i = g * nodes_per_sum; i < std::min(tracked_.size(), (g + 1) * nodes_per_sum); ++i) {
-        // The nodes of a wall are in the order of the deck, not of memory: not asked for ahead, each is waited for.
-        const int soon = tracked_[std::min(i + nodes_ahead, tracked_.size() - 1)].node;
-        __builtin_prefetch(&step.x[soon]);
-        __builtin_prefetch(&step.v[soon], 1);
-        stop(shape, tracked_[i], step, sums_[g]);
-      }
-    }
+  const double way = step.dt * (step.fastest + norm(step.wall_velocity));
+  if (std::isfinite(travelled_ + way)) {
+    travelled_ += way;
+  } else {
+    for (Group& group : groups_) group.asleep_until = 0.0;
+    travelled_ = 0.0;
+  }
+  parallel_for(groups_.size(), 1, [this, &shape, way, &step](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) stop(shape, g, way, step);
   });
 }
 
 template <class Shape>
-void RigidWall::stop(const Shape& shape, Tracked& tracked, const Step& step, Sum& sum) const {
+void RigidWall::stop(const Shape& shape, std::size_t g, double way, const Step& step) {
+  Group& group = groups_[g];
+  sums_[g] = {};
+  const bool slept = std::exchange(group.slept, group.asleep_until > travelled_);
+  if (group.slept) return;
+  double clear = std::numeric_limits<double>::infinity();
+  bool attached = false;
+  for (std::size_t i = g * nodes_per_sum; i < std::min(tracked_.size(), (g + 1) * nodes_per_sum); ++i) {
+    // The nodes of a wall are in the order of the deck, not of memory: not asked for ahead, each is waited for.
+    const int soon = tracked_[std::min(i + nodes_ahead, tracked_.size() - 1)].node;
+    __builtin_prefetch(&step.x[soon]);
+    __builtin_prefetch(&step.v[soon], 1);
+    stop(shape, tracked_[i], slept, step, sums_[g]);
+    const double free = clearance(shape, vec(step.x[tracked_[i].node]) - origin_);
+    if (!(free >= clear)) clear = free;
+    attached = attached || tracked_[i].attachment != kernel::WallAttachment::none;
+  }
+  const bool far = !attached && clear > steps_of_sleep * way;
+  group.asleep_until = far ? travelled_ - way + 0.5 * clear : 0.0;
+}
+
+template <class Shape>
+void RigidWall::stop(const Shape& shape, Tracked& tracked, bool slept, const Step& step, Sum& sum) const {
   if (!step.skip.empty() && step.skip[tracked.node]) {
     tracked.attachment = kernel::WallAttachment::none;
     return;
@@ -171,7 +198,10 @@ void RigidWall::stop(const Shape& shape, Tracked& tracked, const Step& step, Sum
   const Vec3d free = vec(step.v[tracked.node]);
   Vec3d relative = free - step.wall_velocity;
   kernel::WallPush p = push(shape, from, from + step.dt * relative, tracked.attachment);
-  const Vec3d before = started_ ? tracked.last : free;
+  Vec3d before = started_ ? tracked.last : free;
+  // Only a node that in one step goes half of its way to the wall meets it as the group wakes.
+  if (slept && step.mass[tracked.node] > 0.0)
+    before = free - (step.between_middles / step.mass[tracked.node]) * vec(step.f[tracked.node]);
   tracked.last = free;
   if (!p.touching) {
     tracked.attachment = kernel::WallAttachment::none;
@@ -204,6 +234,13 @@ void RigidWall::stop(const Shape& shape, Tracked& tracked, const Step& step, Sum
   ++sum.touching;
 }
 
+std::size_t RigidWall::awake() const {
+  std::size_t count = 0;
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    if (!groups_[g].slept) count += std::min(tracked_.size(), (g + 1) * nodes_per_sum) - g * nodes_per_sum;
+  return count;
+}
+
 void RigidWall::average(double time, bool begins) {
   force_ = mean_force_.add(force_, time, begins);
   normal_force_ = mean_normal_.add({normal_force_, 0.0, 0.0}, time, begins).x;
@@ -211,8 +248,8 @@ void RigidWall::average(double time, bool begins) {
 
 void RigidWall::archive(Archive& a) {
   a.section("wall");
-  a(origin_, velocity_, tracked_, started_, force_, impulse_, normal_force_, normal_impulse_, energy_, pending_energy_,
-    mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_);
+  a(origin_, velocity_, tracked_, groups_, travelled_, started_, force_, impulse_, normal_force_, normal_impulse_,
+    energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_);
   if (bodies_) a(*bodies_);
   a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
           birth_, death_, sums_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,9 +48,13 @@ class RigidWall {
   /// Call when the velocities of the middle of the step are known, v(t + dt/2), and before nodes move to x(t + dt). `x`
   /// at `time`. `dt_previous`: the step that led to `time`; forces are impulses over the time between the two middles,
   /// (dt + dt_previous)/2. `skip` (by node; may be empty) marks nodes that the wall leaves alone: dependent ones, and
-  /// those of rigid bodies. `f`: the other forces on the nodes at `time`.
+  /// those of rigid bodies. `f`: the other forces on the nodes at `time`. `fastest`: a speed that no node exceeds;
+  /// nodes that cannot reach the wall for a while are then not looked at.
   void constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
-                 std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip);
+                 std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip,
+                 double fastest = std::numeric_limits<double>::infinity());
+  std::size_t tracked() const { return tracked_.size(); }  ///< nodes
+  std::size_t awake() const;                               ///< of these, those that the last step looked at
 
   /// Force of the wall on the nodes at `time` [force], and the sum of its normal parts.
   /// In sub-cycling: the forces that results show are means over a period, of which this step may be the first.
@@ -98,12 +103,20 @@ class RigidWall {
   };
   struct Step {
     double dt;
+    double between_middles;  ///< of the steps before and after
     std::span<const Row> x;
     std::span<Row> v;
     std::span<const Row> f;
     std::span<const double> mass;
     std::span<const unsigned char> skip;
     Vec3d wall_velocity;
+    double fastest;  ///< of the nodes
+  };
+  /// Tracked nodes side by side in the list, whose impulses are summed up together.
+  struct Group {
+    double asleep_until = 0.0;  ///< before `travelled_` gets here none of them can touch the wall [length]
+    bool slept = false;         ///< was not looked at in the step before
+    void archive(Archive& a) { a(asleep_until, slept); }
   };
 
   Vec3d prescribed_velocity(double time, double dt) const;
@@ -112,7 +125,9 @@ class RigidWall {
   template <class Shape>
   void stop(const Shape& shape, const Step& step);
   template <class Shape>
-  void stop(const Shape& shape, Tracked& tracked, const Step& step, Sum& sum) const;
+  void stop(const Shape& shape, std::size_t group, double way, const Step& step);
+  template <class Shape>
+  void stop(const Shape& shape, Tracked& tracked, bool slept, const Step& step, Sum& sum) const;
   Vec3d friction(const Vec3d& slip, double normal_change) const;
 
   bool acts(double time) const { return time >= birth_ && time < death_; }
@@ -128,8 +143,10 @@ class RigidWall {
   double birth_ = 0.0, death_ = 0.0;
 
   std::vector<Tracked> tracked_;
-  std::vector<Sum> sums_;  // by group of tracked nodes
-  bool started_ = false;   // `last` holds
+  std::vector<Sum> sums_;      // by group of tracked nodes
+  std::vector<Group> groups_;  // these
+  double travelled_ = 0.0;     // by how much a node can have come closer to the wall since the start, at most
+  bool started_ = false;       // `last` holds
   std::optional<WallPenalty> bodies_;
 
   PeriodMean mean_force_, mean_normal_;

@@ -52,12 +52,6 @@ double area(const Facet& facet, std::span<const Row> x) {
   return 0.5 * norm(cross(c[2] - c[0], c[3] - c[1]));
 }
 
-Vec3d interpolate(const Facet& s, const std::array<double, 4>& weight, std::span<const Row> rows) {
-  Vec3d sum;
-  for (int c = 0; c < s.corners(); ++c) sum += weight[c] * vec(rows[s.node[c]]);
-  return sum;
-}
-
 int commonest(std::span<int> kinds) {
   std::sort(kinds.begin(), kinds.end());
   int best = 0;

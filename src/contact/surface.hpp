@@ -66,7 +66,13 @@ std::vector<TrackedNode> nodes_of(const std::vector<Segment>& segments, unsigned
 kernel::Corners corners_of(const Facet& facet, std::span<const Row> x);
 double area(const Facet& facet, std::span<const Row> x);
 /// Sum of the rows of the corners, each with its weight.
-Vec3d interpolate(const Facet& facet, const std::array<double, 4>& weight, std::span<const Row> rows);
+inline Vec3d interpolate(const Facet& facet, const std::array<double, 4>& weight, std::span<const Row> rows) {
+  FourReals sum{};
+  for (int c = 0; c < facet.corners(); ++c) sum += weight[c] * four(rows[facet.node[c]]);
+  Row row;
+  set(row, sum);
+  return vec(row);
+}
 /// Penalty stiffness of the segment before scaling; see kernel/contact/penalty.hpp. 0 for a segment without area.
 double penalty_stiffness(const Segment& segment, std::span<const Row> x);
 

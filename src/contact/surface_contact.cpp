@@ -33,7 +33,6 @@ void ask_for_lines(const void* data, std::size_t size) {
 
 SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x)
     : law_(setup.law),
-      stiffness_scale_(setup.stiffness_scale),
       deepest_allowed_(setup.deepest),
       birth_(setup.birth),
       death_(setup.death),
@@ -47,7 +46,8 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
   for (const Segment& s : setup.segments) {
     Face face{s};
     face.thickness = s.thickness;
-    face.stiffness = setup.stiffness_scale * penalty_stiffness(s, x);
+    face.stiffness = setup.stiffness_scale * (by_segment_masses ? s.scale : penalty_stiffness(s, x));
+    face.mass = s.mass;
     const double a = area(s, x);
     face.inner = s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0;
     face.element = s.element;
@@ -57,10 +57,6 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     face.of_brick = s.volume > 0.0;
     covers_ = covers_ || s.covered_by >= 0;
     faces_.push_back(face);
-    if (by_segment_masses) {
-      masses_.segment.push_back(s.mass);
-      masses_.scale.push_back(s.scale);
-    }
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
   }
   stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
@@ -68,22 +64,22 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
   std::vector<int> kinds;
   for (const TrackedNode& t : setup.nodes) {
     const std::span<const int> around = around_.at(t.node);
-    double sum = 0.0, mass = 0.0;
+    double sum = 0.0;
     kinds.clear();
     for (int s : around) {
-      sum += faces_[s].stiffness;
-      mass += setup.segments[s].mass;
+      sum += by_segment_masses ? faces_[s].mass : faces_[s].stiffness;
       kinds.push_back(faces_[s].kind);
     }
     Tracked node;
     node.node = t.node;
     node.kind = around.empty() ? t.kind : commonest(kinds);
     node.thickness = t.thickness;
-    // A node without segments of its own (of a beam, say) is as stiff as what it meets.
-    node.stiffness = around.empty() ? Box::infinity : sum / static_cast<double>(around.size());
+    // A node without segments of its own (of a beam, say) is as stiff as what it meets, and has no mass.
+    node.stiffness = !around.empty()     ? sum / static_cast<double>(around.size())
+                     : by_segment_masses ? 0.0
+                                         : Box::infinity;
     node.against = t.against;
     nodes_.push_back(node);
-    if (by_segment_masses) masses_.node.push_back(around.empty() ? 0.0 : mass / static_cast<double>(around.size()));
     pressing_ |= t.against;
     if (t.stays_active) stays_active_[t.node] = 1;
   }
@@ -180,7 +176,10 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
   if (work.awake.nodes.empty()) return;
   project(block, work, step);
   std::size_t first = 0;
-  for (const Awake::Node& node : work.awake.nodes) {
+  for (std::size_t n = 0; n < work.awake.nodes.size(); ++n) {
+    const Awake::Node& node = work.awake.nodes[n];
+    if (n + 1 < work.awake.nodes.size())
+      ask_for_touching(block, work.awake, node.end, work.awake.nodes[n + 1].end, step);
     check_node(block, gather_candidates(block, work, node, first, step), node.tracked, step);
     first = node.end;
   }
@@ -196,6 +195,21 @@ void SurfaceContact::ask_for(const Block& block) const {
   lines(block.first);
   lines(block.pairs);
   lines(block.touches);
+}
+
+/// Asks for what a pair of those that are awake needs to press, where it did so in the cycle before.
+void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, std::size_t begin, std::size_t end,
+                                      const Step& step) const {
+  for (std::size_t i = begin; i < end; ++i) {
+    const Pair& pair = block.pairs[awake.pairs[i]];
+    if (pair.touch == none) continue;
+    ask_for_lines(&block.touches[pair.touch], sizeof(Touch));
+    for (const int n : faces_[pair.segment].node) {
+      __builtin_prefetch(&step.v[n]);
+      __builtin_prefetch(&step.mass[n]);
+      forces_.ask_for_place(n);
+    }
+  }
 }
 
 /// Lists the pairs that can touch in this cycle.
@@ -241,10 +255,7 @@ void SurfaceContact::project(const Block& block, Work& work, const Step& step) c
   }
   const auto ask_for_corners = [&](std::size_t first) {
     for (std::size_t k = first; k < std::min(count, first + width); ++k)
-      for (const int n : faces_[block.pairs[awake.pairs[awake.order[k]]].segment].node) {
-        __builtin_prefetch(&step.x[n]);
-        __builtin_prefetch(&step.v[n]);
-      }
+      for (const int n : faces_[block.pairs[awake.pairs[awake.order[k]]].segment].node) __builtin_prefetch(&step.x[n]);
   };
   for (std::size_t first = 0; first < std::min(count, ahead); first += width) ask_for_corners(first);
   work.feet.resize((count + width - 1) / width);
@@ -527,12 +538,12 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
 /// Stiffness of the pair before the step bounds it. What has no mass of its own, as a node without segments or a side
 /// that is held, meets its like.
 double SurfaceContact::penalty(int segment, int tracked, const Step& step) const {
-  if (law_.stiffness != kernel::PenaltyStiffness::segment_masses)
-    return std::min(faces_[segment].stiffness, nodes_[tracked].stiffness);
-  const double mass = masses_.segment[segment];
-  const double own = masses_.node[tracked] > 0.0 ? masses_.node[tracked] : mass;
-  const double other = mass > 0.0 ? mass : own;
-  return stiffness_scale_ * masses_.scale[segment] * kernel::segment_penalty(own, other, law_.step(step.longest));
+  const Face& face = faces_[segment];
+  const Tracked& node = nodes_[tracked];
+  if (law_.stiffness != kernel::PenaltyStiffness::segment_masses) return std::min(face.stiffness, node.stiffness);
+  const double own = node.stiffness > 0.0 ? node.stiffness : face.mass;
+  const double other = face.mass > 0.0 ? face.mass : own;
+  return face.stiffness * kernel::segment_penalty(own, other, law_.step(step.longest));
 }
 
 /// Beyond PENMAX thicknesses of the shell, or depths of the brick.
@@ -592,10 +603,21 @@ void SurfaceContact::share_out(Block& block, std::vector<Share>& shares) const {
 
 /// Adds to the nodes of a part what of the hits is theirs.
 void SurfaceContact::spread(std::size_t part, const Step& step) {
-  for (const Source& source : sources_[part]) {
+  constexpr int shares_ahead = 24;
+  const std::vector<Source>& sources = sources_[part];
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    const Source& source = sources[s];
     const Block& block = blocks_[source.block];
+    if (s + 2 < sources.size()) __builtin_prefetch(&blocks_[sources[s + 2].block].hits);
+    if (s + 1 < sources.size()) {
+      const Source& next = sources[s + 1];
+      ask_for_lines(&blocks_[next.block].shares[next.begin], at(next.end - next.begin) * sizeof(Share));
+      ask_for_lines(blocks_[next.block].hits.data(), 4 * sizeof(Hit));
+    }
     for (int i = source.begin; i < source.end; ++i) {
       const Share& share = block.shares[i];
+      if (share.corner == the_node && i + shares_ahead < source.end)
+        ask_for_lines(&block.hits[block.shares[i + shares_ahead].hit], sizeof(Hit));
       const Hit& hit = block.hits[share.hit];
       if (share.corner == the_node) {
         forces_.add_at(share.place, hit.force, hit.friction);
@@ -667,9 +689,8 @@ void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_,
     active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, energies_);
-  a.built(law_, stiffness_scale_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, masses_,
-          around_, excluded_, stays_active_, thickest_segment_, pressing_, margin_, sources_, work_, shared_,
-          own_active_, with_hits_);
+  a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, excluded_,
+          stays_active_, thickest_segment_, pressing_, margin_, sources_, work_, shared_, own_active_, with_hits_);
 }
 
 }  // namespace nugget::contact

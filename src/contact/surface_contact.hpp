@@ -161,7 +161,8 @@ class SurfaceContact {
   /// What the passes over pairs read of a segment: one line of the cache.
   struct alignas(64) Face : Facet {
     double thickness = 0.0;
-    double stiffness = 0.0;  ///< scaled
+    double stiffness = 0.0;  ///< scaled; with SOFT = 2 what scales that by masses [1]
+    double mass = 0.0;       ///< counts with SOFT = 2
     double inner = 0.0;      ///< how deep inside its brick it still presses; 0: a shell
     int element = -1, covered_by = -1, kind = 0;
     unsigned char side = 1;
@@ -171,13 +172,8 @@ class SurfaceContact {
   struct Tracked {
     int node = 0, kind = 0;
     double thickness = 0.0;
-    double stiffness = 0.0;  ///< mean of its segments', scaled
+    double stiffness = 0.0;  ///< mean of its segments', scaled; with SOFT = 2 the mean of their masses
     unsigned against = 1;
-  };
-  /// What SOFT = 2 needs to know besides, of segments and tracked nodes.
-  struct Masses {
-    std::vector<double> segment, scale;
-    std::vector<double> node;  ///< mean of its segments'
   };
   /// A node and a segment that are near each other.
   struct Pair {
@@ -312,6 +308,8 @@ class SurfaceContact {
   void look_at(std::size_t begin, std::size_t end, Work& work, const Step& step);
   void look_at(Block& block, Work& work, const Step& step) const;
   void ask_for(const Block& block) const;
+  void ask_for_touching(const Block& block, const Awake& awake, std::size_t begin, std::size_t end,
+                        const Step& step) const;
   void wake(const Block& block, Awake& awake) const;
   void project(const Block& block, Work& work, const Step& step) const;
   void check_node(Block& block, Candidates candidates, int tracked, const Step& step) const;
@@ -359,11 +357,10 @@ class SurfaceContact {
   void add_forces(const Step& step, std::span<Row> force, bool active);
 
   kernel::PenaltyLaw law_;
-  double stiffness_scale_ = 0.0, deepest_allowed_ = 0.0, birth_ = 0.0, death_ = 0.0;
+  double deepest_allowed_ = 0.0, birth_ = 0.0, death_ = 0.0;
   bool edges_meet_ = false, covers_ = false;  // covers_: deleted elements expose segments
   std::vector<Face> faces_;                   // the segments
   std::vector<Tracked> nodes_;                // the tracked nodes
-  Masses masses_;                             // empty without SOFT = 2
   NodeSegments around_;
   const std::vector<unsigned char>* excluded_ = nullptr;
   std::vector<char> stays_active_;  // by node: TrackedNode::stays_active

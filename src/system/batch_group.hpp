@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +9,7 @@
 #include <utility>
 
 #include "base/batch.hpp"
+#include "base/denormals.hpp"
 #include "base/index.hpp"
 #include "base/row.hpp"
 #include "system/before_cycle.hpp"
@@ -22,27 +19,6 @@
 namespace nugget::system {
 
 using AlignedReals = std::vector<double, Aligned<double>>;
-
-/// While it lives, results and arguments below the least normal number count as 0: in single precision they are met
-/// wherever a wave arrives (1e-38), and each would cost a hundred cycles.
-class FlushedDenormals {
- public:
-#if defined(__SSE2__)
-  FlushedDenormals() : before_(_mm_getcsr()) {
-    _mm_setcsr(before_ | 0x8040u);
-  }
-  ~FlushedDenormals() {
-    _mm_setcsr(before_);
-  }
-#else
-  FlushedDenormals() = default;
-#endif
-  FlushedDenormals(const FlushedDenormals&) = delete;
-  FlushedDenormals& operator=(const FlushedDenormals&) = delete;
-
- private:
-  unsigned before_ = 0;
-};
 
 /// Walks the blocks of one kind of element: gathers nodal rows into lanes, calls the kernel, books the work of the
 /// nodal forces as internal energy, and writes the forces into slots. What is particular to a kind of element comes
@@ -84,6 +60,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   static constexpr int rows = Element::rotational ? 2 : 1;
   /// A step that moves nothing; of floats one after which strains are still normal numbers, whatever the units.
   static constexpr double no_step = single ? 0x1p-40 : 0x1p-100;
+  static constexpr std::size_t blocks_ahead = 2;  ///< for whose nodes the memory is asked
   static constexpr bool is_weld = requires(Element & kernel) { kernel.freeze_yield(nullptr, 0); };
   /// Its kernel's own derivative is not exact.
   static constexpr bool has_own_stiffness =
@@ -161,6 +138,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       for (int row = 0; row < width * corners * rows; row += 64 / sizeof(SlotRow)) __builtin_prefetch(slot + row, 1);
       const N* next = state(std::min(b + 1, end - 1) * width);
       for (int i = 0; i < width * state_size(); i += line) __builtin_prefetch(next + i, 1);
+      ask_for_nodes(std::min(b + blocks_ahead, end - 1), now);
       const typename Element::template Motion<R> motion = motion_of(b, now);
       const R alive_before = real_load<R>(state(b * width) + Element::Layout::alive * width);
       auto out = kernel_.template cycle<R>(motion, dt, state(b * width));
@@ -489,6 +467,16 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       if constexpr (Element::rotational) motion.w[a] = spins_at(now.w, id, a);
     }
     return motion;
+  }
+  /// Two corners of four: the others are those of neighbours.
+  [[gnu::always_inline]] inline void ask_for_nodes(std::size_t b, const State& now) const {
+    for (int a = 0; a < corners; a += 2)
+      for (int l = 0; l < width; ++l) {
+        const int node = nodes_[b * width * corners + at(a * width + l)];
+        __builtin_prefetch(&now.x[node]);
+        __builtin_prefetch(&now.v[node]);
+        if constexpr (Element::rotational) __builtin_prefetch(&now.w[node]);
+      }
   }
   /// Rows of the nodes a; in single precision less those of the first nodes, so that no digit goes into where an
   /// element is or how fast it flies.

@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+
+#include "base/parallel.hpp"
 
 namespace nugget::impact {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A wall leaves alone what is tied, and what belongs to a rigid body unless RWPNAL has it stopped by penalty.
 void report_constrained_nodes(const model::RigidWall& wall, const std::vector<int>& nodes, const system::System& system,
@@ -21,6 +26,23 @@ void report_constrained_nodes(const model::RigidWall& wall, const std::vector<in
     findings.note(wall.place, "*RIGIDWALL",
                   fmt::format("{} of the nodes of wall {} are tied{}: the wall stops what they are tied to, not them",
                               constrained, wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
+}
+
+/// Of any of the rows, infinite where one is no number.
+double largest_speed(std::span<const Row> v) {
+  constexpr std::size_t rows = 4096;
+  std::vector<double> found((v.size() + rows - 1) / rows);
+  parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      double largest = 0.0;
+      for (const Row& r : v.subspan(i * rows, std::min(rows, v.size() - i * rows))) {
+        const double square = r.x * r.x + r.y * r.y + r.z * r.z;
+        largest = square <= largest ? largest : square <= std::numeric_limits<double>::max() ? square : infinity;
+      }
+      found[i] = largest;
+    }
+  });
+  return found.empty() ? 0.0 : std::sqrt(*std::max_element(found.begin(), found.end()));
 }
 
 }  // namespace
@@ -47,6 +69,10 @@ Walls::Walls(const system::System& system, Findings& findings) {
 void Walls::constrain(const system::System& system, system::State& state, std::span<const unsigned char> dependent,
                       double& power_on_change) {
   const model::Model& model = system.model;
+  // Worth while where walls look at most nodes.
+  std::size_t tracked = 0;
+  for (const contact::RigidWall& w : walls_) tracked += w.tracked();
+  const double fastest = 2 * tracked > state.v.size() ? largest_speed(state.v) : infinity;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const model::RigidWall& card = model.walls[w];
     double time = state.time;
@@ -55,7 +81,7 @@ void Walls::constrain(const system::System& system, system::State& state, std::s
     if (card.motion_curve != model::none && model.control.end_time > 0.0 && time >= model.control.end_time &&
         std::abs(model.curves[card.motion_curve].x.back() + card.birth - time) <= 1e-6 * state.dt)
       time -= state.dt;
-    walls_[w].constrain(time, state.dt, state.dt_previous, state.x, state.v, state.f, system.mass, dependent);
+    walls_[w].constrain(time, state.dt, state.dt_previous, state.x, state.v, state.f, system.mass, dependent, fastest);
     power_on_change += walls_[w].power_on_change();
     if (state.period > 1) walls_[w].average(system::time_of_mean(state), state.begins_period());
   }

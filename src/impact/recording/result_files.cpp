@@ -50,6 +50,10 @@ bool of_sums_and_nodes(std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool of_energies(std::string_view name) {
+  return name == "glstat" || name == "matsum";
+}
+
 /// The first mark: the start, but with IOOPT 3 the curve's first abscissa that is not before it.
 double first_mark(const model::Request& request, const std::vector<Curve>& curves) {
   if (request.curve == model::none || request.rule != model::Request::Rule::at_points) return 0.0;
@@ -106,7 +110,7 @@ void ResultFiles::add(const HistoryFile& history, const system::System& system) 
   if (to.binout && !to.legend.empty()) to.binout->set_legend(std::string(history.name.text()), to.legend);
   const OpenHistory file = history.open(history.name, system, to);
   channels_.push_back({request, file.write, file.archive, first_mark(request, model_.curves), false,
-                       !of_sums_and_nodes(history.name.text())});
+                       !of_sums_and_nodes(history.name.text()), of_energies(history.name.text())});
 }
 
 std::shared_ptr<output::Binout> ResultFiles::binout() {
@@ -125,6 +129,12 @@ bool ResultFiles::due(const system::State& state) {
   return false;
 }
 
+bool ResultFiles::energies_due(const system::State& state) {
+  return std::any_of(channels_.begin(), channels_.end(), [&](const Channel& c) {
+    return c.of_energies && (due(c, state) || (state_asked_ && c.of_states));
+  });
+}
+
 Recorder::Marks ResultFiles::next_marks() const {
   Marks marks;
   for (const Channel& c : channels_) {
@@ -137,7 +147,7 @@ Recorder::Marks ResultFiles::next_marks() const {
 void ResultFiles::Channel::archive(Archive& a) {
   archive_file(a);
   a(next);
-  a.built(request, write, of_states, of_elements);
+  a.built(request, write, of_states, of_elements, of_energies);
 }
 
 void ResultFiles::archive(Archive& a) {

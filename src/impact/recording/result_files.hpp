@@ -21,6 +21,7 @@ class ResultFiles : public Recorder {
   ResultFiles(const system::System& system, const std::filesystem::path& directory, const output::Header& header);
 
   bool due(const system::State& state) override;
+  bool energies_due(const system::State& state) override;
   void write(const Snapshot& now, bool last) override;
   void finish() override;
   Marks next_marks() const override;
@@ -37,6 +38,7 @@ class ResultFiles : public Recorder {
     double next = 0.0;
     bool of_states = false;   ///< d3plot
     bool of_elements = true;  ///< see Recorder::Marks
+    bool of_energies = true;  ///< see energies_due
     void archive(Archive& a);
   };
   /// d3plot, to which a thread of its own writes the states.

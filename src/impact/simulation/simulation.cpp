@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -153,16 +154,21 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (!outcome.stops()) outcome.message = components_.ends.update(state_);
     last = outcome.stops() || state_.time >= end_time;
     const bool record = last || results_due(recorder);
-    const bool balance = record || state_.cycle % 100 == 0;
-    if (balance) store_velocities();
+    const bool balance = last || state_.cycle % 100 == 0 || (record && balance_due(recorder));
+    if (record || balance) store_velocities();
     update_velocities();
-    if (balance) {
+    if (record || balance) {
       collect(last || elements_due() ? system::Carried::results : system::Carried::energies);
-      update_energy_balance();
+      // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
+      system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
+      if (on_first_rank() && (balance || runs_away())) {
+        update_energy_balance();
+        if (record) masses_ = system_.masses();
+      }
     }
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
-    if (balance) pass_on_balance(recorder);
+    if (record || balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
       if (progress) report_progress(progress, end_time);
       if (options.sense_switches) obey(options.sense_switches(), recorder);
@@ -196,7 +202,6 @@ void Simulation::store_velocities() {
 }
 
 void Simulation::write_results(Recorder& recorder, bool last) {
-  masses_ = system_.masses();
   recorder.write({.system = system_,
                   .state = state_,
                   .components = components_,
@@ -587,10 +592,28 @@ std::string Simulation::describe_instability() const {
       advised_scale_ > 0.0 ? advised_scale_ : 0.75 * step_factor_ * system_.model.control.step_scale);
 }
 
+/// Limits of energy and mass are watched with whatever is written.
+bool Simulation::balance_due(Recorder& recorder) const {
+  const model::Control& control = system_.model.control;
+  return control.energy_limit > 0.0 || control.added_mass_limit < model::Control{}.added_mass_limit ||
+         !on_first_rank() || recorder.energies_due(state_);
+}
+
+/// No energy is beyond what the result files hold while no velocity is anywhere near.
+bool Simulation::runs_away() const {
+  constexpr double far = 1e12;
+  std::atomic<bool> found{false};
+  parallel_for(state_.v.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    bool bounded = true;  // and a number
+    for (std::size_t k = begin; k < end; ++k)
+      for (const Row* r : {&state_.v[k], &state_.w[k]})
+        bounded = bounded && std::abs(r->x) < far && std::abs(r->y) < far && std::abs(r->z) < far;
+    if (!bounded) found = true;
+  });
+  return found;
+}
+
 void Simulation::update_energy_balance() {
-  // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
-  system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
-  if (!on_first_rank()) return;
   const Energy before = energy_;
   element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
   energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;

@@ -93,6 +93,10 @@ class Simulation {
   void collect(system::Carried what);
   /// Whether results are due at the state that is about to be complete.
   bool results_due(Recorder& recorder) const;
+  /// Whether what is due shows energies.
+  bool balance_due(Recorder& recorder) const;
+  /// A velocity is no number, or so large that energies may be none.
+  bool runs_away() const;
   /// Whether what is due looks at elements; in one process they are there anyway.
   bool elements_due() const;
   /// After a balance of energies, which the first rank makes: what others must know of it.

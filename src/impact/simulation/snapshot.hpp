@@ -56,6 +56,8 @@ class Recorder {
   virtual ~Recorder() = default;
   /// True if the state that is about to be complete at state.time has to be written, knowing the next step state.dt.
   virtual bool due(const system::State& state) = 0;
+  /// Of a state that is due: whether its energies or masses are looked at. They are those of an earlier one else.
+  virtual bool energies_due(const system::State&) { return true; }
   /// `last`: the run ends here, whatever is due.
   virtual void write(const Snapshot& now, bool last) = 0;
   /// The earliest marks of time of what is to be written, which is due where the next step would pass them.

@@ -138,6 +138,21 @@ inline WallPush push(const PrismWall& wall, const Vec3d& from, const Vec3d& to, 
   return {true, through->normal, level - end};
 }
 
+/// How far a node at `from`, which is not attached, has to travel at least until it can be pushed [length]; not above 0
+/// where that is not known.
+inline double clearance(const PlaneWall& wall, const Vec3d& from) {
+  return dot(from, wall.normal);
+}
+inline double clearance(const CylinderWall& wall, const Vec3d& from) {
+  return norm(from - dot(from, wall.axis) * wall.axis) - wall.radius;
+}
+inline double clearance(const SphereWall& wall, const Vec3d& from) {
+  return norm(from) - wall.radius;
+}
+inline double clearance(const PrismWall& wall, const Vec3d& from) {
+  return dot(from, wall.normal);
+}
+
 using WallShape = std::variant<PlaneWall, CylinderWall, SphereWall, PrismWall>;
 
 /// Change of the sliding velocity `slip` that friction makes in a step in which the wall changes the normal velocity by

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -46,12 +48,14 @@ struct Masses {
     for (std::size_t i = 0; i < x.size(); ++i) sum += 0.5 * mass[i] * dot(vec(v[i]), vec(v[i]));
     return sum;
   }
-  void step(RigidWall& wall) {
+  void step(RigidWall& wall, bool knows_speeds = false) {
     const std::vector<Row> before = v;
     std::vector<Row> force(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) nugget::add(force[i], mass[i] * acceleration[i]);
     for (std::size_t i = 0; i < x.size(); ++i) nugget::add(v[i], dt * acceleration[i]);
-    wall.constrain(time, dt, dt, x, v, force, mass, skip);
+    double fastest = knows_speeds ? 0.0 : std::numeric_limits<double>::infinity();
+    for (const Row& r : v) fastest = std::max(fastest, norm(vec(r)));
+    wall.constrain(time, dt, dt, x, v, force, mass, skip, fastest);
     for (std::size_t i = 0; i < x.size(); ++i) {
       force_work += 0.5 * mass[i] * dt * dot(acceleration[i], vec(before[i]) + vec(v[i]));
       nugget::add(x[i], dt * vec(v[i]));
@@ -458,6 +462,68 @@ TEST(RigidWall, LedgerClosesWithOtherForcesAtWork) {
   for (int i = 0; i < 20000; ++i) m.step(wall);
   EXPECT_GT(wall.touching(), 10);
   EXPECT_NEAR(m.kinetic() + wall.energy(), start + m.force_work, 1e-10 * wall.energy());
+}
+
+/// Three groups of nodes, the nearest 2 mm from a wall, thrown at it; the farthest is turned round on its way.
+/// `knows_speeds`: the wall is told how fast nodes are, and leaves alone those that cannot reach it.
+struct Throw {
+  Masses m;
+  std::vector<Vec3d> forces;
+  std::vector<double> energies;
+  std::size_t least_awake = 3000, most_awake = 0;
+
+  Throw(const model::RigidWall& card, bool knows_speeds, int lift = 0) {
+    for (int i = 0; i < 3000; ++i) m.add({0.01 * (i % 50), 0.01 * (i % 30), 2.0 + 0.01 * i}, {}, 1.0 + 0.1 * (i % 7));
+    for (int i = 0; i < 3000; ++i) m.v[i] = {3.0 * (i % 5), 1.0, -2e4 - 10.0 * (i % 11), 0.0};
+    RigidWall wall(card, m.nodes());
+    for (int step = 0; step < 1200; ++step) {
+      for (int i = 2048; i < 3000; ++i) m.acceleration[i] = {0.0, 0.0, step >= 300 && step < 400 ? 4e8 : 0.0};
+      // From one step to the next a node goes more than half of its way to the wall.
+      if (step == lift && lift > 0) m.acceleration[1100].z = -2e13;
+      m.step(wall, knows_speeds);
+      if (step == lift && lift > 0) m.acceleration[1100].z = 0.0;
+      forces.push_back(wall.force());
+      energies.push_back(wall.energy_at_time());
+      least_awake = std::min(least_awake, wall.awake());
+      most_awake = std::max(most_awake, wall.awake());
+    }
+  }
+};
+
+// Sabotage to be caught: groups that sleep for all of their way, or one that is woken by its own travel alone.
+TEST(RigidWall, NodesThatCannotReachItAreNotLookedAt) {
+  std::vector<model::RigidWall> walls(3, floor_wall());
+  walls[1].mass = 500.0;
+  walls[1].velocity = 3e3;
+  walls[1].friction = 0.2;
+  walls[2].shape = model::RigidWall::Shape::sphere;
+  walls[2].radius = 1.5;
+  for (const model::RigidWall& card : walls) {
+    const Throw all(card, false), few(card, true);
+    EXPECT_EQ(all.least_awake, 3000u);
+    EXPECT_LT(few.least_awake, 1500u);
+    EXPECT_GT(few.most_awake, 2000u);
+    ASSERT_EQ(all.forces.size(), few.forces.size());
+    double largest = 0.0;
+    for (std::size_t i = 0; i < all.forces.size(); ++i) {
+      largest = std::max(largest, norm(all.forces[i]));
+      ASSERT_TRUE(all.forces[i].x == few.forces[i].x && all.forces[i].y == few.forces[i].y &&
+                  all.forces[i].z == few.forces[i].z && all.energies[i] == few.energies[i])
+          << "step " << i;
+    }
+    EXPECT_GT(largest, 0.0);
+    for (std::size_t i = 0; i < all.m.x.size(); ++i) ASSERT_EQ(all.m.x[i].z, few.m.x[i].z) << i;
+  }
+}
+
+// It is stopped in the step in which its group wakes, and the ledger knows its velocity of the step before.
+TEST(RigidWall, ANodeThatJumpsAtItIsStopped) {
+  const Throw all(floor_wall(), false, 20), few(floor_wall(), true, 20);
+  EXPECT_LT(few.least_awake, 1500u);
+  EXPECT_GE(few.m.x[1100].z, -1e-12);
+  EXPECT_GT(all.energies[20], 0.0);
+  for (std::size_t i = 0; i < all.forces.size(); ++i)
+    ASSERT_NEAR(all.energies[i], few.energies[i], 1e-12 * all.energies[i]) << i;
 }
 
 TEST(RigidWall, SameBitsForAnyNumberOfThreads) {

@@ -329,5 +329,29 @@ TEST(Supports, MotionAlongAnAxisOfASystem) {
   expect_near(vec(run.simulation->state().x[run.node(1)]), {-1.0, std::sqrt(3.0), 0.0}, 1e-9);
 }
 
+/// Looks at each cycle, at energies at none.
+class WithoutEnergies : public Trial {
+ public:
+  using Trial::Trial;
+  bool energies_due(const system::State&) override { return false; }
+};
+
+// Energies are summed up where a file shows them, at the start, every 100 cycles and at the end, or where a limit of
+// them is watched. The force 8 on mass 2 gives the work 16 t^2.
+TEST(Energies, AreSummedUpWhereTheyAreLookedAt) {
+  const std::string pull = mass + "*LOAD_NODE_POINT\n1,1,1\n*DEFINE_CURVE\n1\n0.0,8.0\n100.0,8.0\n";
+  const auto lag = [&](const std::string& deck) {
+    WithoutEnergies run(deck);
+    double largest = 0.0;
+    run.run([&](const Snapshot& now) {
+      largest = std::max(largest, 16.0 * now.state.time * now.state.time - now.energy.external);
+    });
+    EXPECT_NEAR(run.energy().external, 16.0, 0.1);
+    return largest;
+  };
+  EXPECT_GT(lag(pull + until_one), 2.0);  // the last but one: 16 (1 - 0.9^2)
+  EXPECT_LT(lag(pull + "*CONTROL_TERMINATION\n1.0,0,0.0,50.0\n"), 0.1);
+}
+
 }  // namespace
 }  // namespace nugget::impact
