@@ -357,6 +357,7 @@ void D3plotWords::put_thick_shell(std::size_t e, const ThickShellRecord& r, std:
     out.reals(r.inner_strain);
     out.reals(r.outer_strain);
   }
+  out.real(r.internal_energy);
   Put(word(thick_deletion_ + rank_[e])).real(deletion(geometry_.solids[e].part, alive));
 }
 

@@ -72,9 +72,11 @@ struct SolidRecord : StressRecord {
   std::array<double, 6> strain{};  ///< xx yy zz xy yz zx, global; written where D3plotGeometry::strains is set
 };
 
-/// Strains of a thick shell at its lowest and uppermost layer; as SolidRecord::strain.
+/// Strains of a thick shell at its lowest and uppermost layer, as SolidRecord::strain, and in the last word, as of
+/// shells, the internal energy per volume [force/length^2].
 struct ThickShellRecord {
   std::array<double, 6> inner_strain{}, outer_strain{};
+  double internal_energy = 0.0;
 };
 
 /// Resultants in the shell's local axes, per unit length.

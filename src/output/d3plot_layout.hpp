@@ -23,8 +23,9 @@ inline int solid_words(const D3plotGeometry& g) {
 inline int words_of_layers(const D3plotGeometry& g) {
   return g.layers * (d3plot_layer_words + g.shell_histories);
 }
+/// One more than LSTC's document says: files of R11 have it, without strains 22 words for three layers.
 inline int thick_shell_words(const D3plotGeometry& g) {
-  return words_of_layers(g) + (g.strains ? 12 : 0);
+  return words_of_layers(g) + (g.strains ? 12 : 0) + 1;
 }
 inline std::size_t count_thick_shells(const D3plotGeometry& g) {
   return static_cast<std::size_t>(std::count(g.thick.begin(), g.thick.end(), char{1}));

@@ -262,9 +262,11 @@ void read_solids(WordReader& in, const D3plotGeometry& g, D3plotState& s) {
     for (int i = 0; i < g.layers; ++i) read_stress(in, s.thick_layers.emplace_back(), g.shell_histories);
     static_cast<StressRecord&>(s.solids[e]) = s.thick_layers[first];
     ThickShellRecord& r = s.thick_shells.emplace_back();
-    if (!g.strains) continue;
-    r.inner_strain = in.six();
-    r.outer_strain = in.six();
+    if (g.strains) {
+      r.inner_strain = in.six();
+      r.outer_strain = in.six();
+    }
+    r.internal_energy = in.real();
     for (std::size_t i = 0; i < 6; ++i) s.solids[e].strain[i] = 0.5 * (r.inner_strain[i] + r.outer_strain[i]);
   }
 }

@@ -55,7 +55,13 @@ void put_thick_shell(const Snapshot& now, std::size_t e, output::D3plotWords& wo
   output::thick_shell_stresses(now.system, now.state, location, layers);
   const system::ElementGroup* group = group_of(now, location);
   const Strains::Faces faces = now.components.strains.thick_shell(e);
-  words.put_thick_shell(e, {faces.lower, faces.upper}, layers, group == nullptr || group->alive(at(location.element)));
+  const std::size_t i = at(location.element);
+  output::ThickShellRecord record{faces.lower, faces.upper, 0.0};
+  if (group != nullptr && group->mass(i) > 0.0)
+    record.internal_energy = group->internal_energy(i) *
+                             now.system.model.materials[now.system.model.parts[group->part].material].density /
+                             group->mass(i);
+  words.put_thick_shell(e, record, layers, group == nullptr || group->alive(i));
 }
 
 void put_solids(const Snapshot& now, output::D3plotWords& words) {

@@ -56,13 +56,25 @@ double layers_to_delete(const LawKernel<Law>& law, int layers) {
   return limit > 0.0 && limit < layers ? limit : layers;
 }
 
+/// What is left of a law's elastic stiffness while its point flows: the share of the strain that is not plastic, from
+/// the plastic strain before and after a step. Never less than a twentieth, or a plastic hinge could fold in the
+/// patterns that have no strain in its layers.
+template <class R>
+[[gnu::always_inline]] inline R elastic_share(const R& before, const R& after, const SolidTensor<R>& rate, double dt) {
+  const R flow = after - before, whole = R(dt) * effective_rate(rate), least = R(0.05);
+  const R share = select(flow > 0.0, 1.0 - flow / max(whole, flow), R(1.0));
+  return max(share, least);
+}
+
 /// Advances the hourglass forces by a step and adds up their work. Bending through the thickness is not among them.
+/// `share`: stiffness now over that of `e`.
 template <class R>
 [[gnu::always_inline]] inline Hourglass<R> stabilise(const ThickShellProperties& shell, const ElasticConstants& e,
-                                                     const R& volume, const Patterns<R>& mid, const Patterns<R>& v,
-                                                     const Hourglass<R>& strain, double dt, double* state) {
+                                                     const R& share, const R& volume, const Patterns<R>& mid,
+                                                     const Patterns<R>& v, const Hourglass<R>& strain, double dt,
+                                                     double* state) {
   using L = ThickShellLayout;
-  const StabilizingStress<R> stress(e, R(dt * shell.brick.hourglass_coefficient), volume, mid, v, strain);
+  const StabilizingStress<R> stress(e, (dt * shell.brick.hourglass_coefficient) * share, volume, mid, v, strain);
   const auto shorter = [dt](const R& growth) { return 1.0 - (dt * growth) * (1.0 - (0.5 * dt) * growth); };
   const Vec3<R> f{shorter(stress.growth.x), shorter(stress.growth.y), shorter(stress.growth.z)};
   Hourglass<R> change = stress.change;
@@ -126,7 +138,7 @@ SolidForces<R> thick_shell_cycle(const ThickShellProperties& shell, const LawKer
   const R thinning = R(-e.nu / (1.0 - e.nu)) * spread - R(relief) * load_field<R>(state, L::pinch);
 
   LayerSums<R> sum;
-  R wave = none, failed = none;
+  R wave = none, failed = none, elastic = none;
   for (int k = 0; k < shell.layers.count; ++k) {
     const R zeta = R(shell.layers.zeta[at(k)]), weight = R(shell.layers.weight[at(k)]),
             more = R(shell.shear[at(k)] - 1.0), half_of = R(0.5) * zeta;
@@ -141,7 +153,15 @@ SolidForces<R> thick_shell_cycle(const ThickShellProperties& shell, const LawKer
     double* history = state + layout.history_of(k) * lanes<R>;
     SolidTensor<R> s = rotated(turn, load_solid<R>(place));
     law.rotate(turn, history);
-    law.solid(s, rate_at_end(own, half), dt, history);
+    const SolidTensor<R> rate = rate_at_end(own, half);
+    if constexpr (LawKernel<Law>::has_plastic_strain) {
+      const R before = load_field<R>(history, 0);
+      law.solid(s, rate, dt, history);
+      elastic += weight * elastic_share(before, load_field<R>(history, 0), rate, dt);
+    } else {
+      law.solid(s, rate, dt, history);
+      elastic += weight;
+    }
     store_solid(place, s);
     wave = max(wave, law.template wave_modulus<R>(history));
     if (law.can_fail()) failed += select(law.template failed<R>(history), R(1.0), none);
@@ -157,7 +177,7 @@ SolidForces<R> thick_shell_cycle(const ThickShellProperties& shell, const LawKer
   }
   store_field(state, L::pinch, sum.pinch);
 
-  Hourglass<R> q = stabilise(shell, e, g.volume, mid, v, strain, dt, state);
+  Hourglass<R> q = stabilise(shell, e, elastic, g.volume, mid, v, strain, dt, state);
   q.q[1].x += g_end.volume * sum.moment_xi;
   q.q[0].y += g_end.volume * sum.moment_eta;
   q.q[0].x += g_end.volume * sum.moment_both;

@@ -204,15 +204,16 @@ double moment(const PlasticKinematic& law, double last) {
   return sum;
 }
 
-// Sabotage to be caught: no relief of the stress across (the thickness then locks in flow: 1.3 and more), no thinning.
+// Sabotage to be caught: no relief of the stress across (the thickness then locks in flow: 3.3 times the hinge), no
+// thinning.
 TEST(ThickShell, BendsAsAPlate) {
   const double b = 20.0, t = 2.0, yield = 250.0;
   const PlasticKinematic law{steel_E, steel_nu, yield, 0.0, 1.0, 0.0, 0.0, 0.0};
   const double small = 0.1 * yield / steel_E;  // strain of the faces, curvature times t / 2
   EXPECT_NEAR(moment(law, small), steel_E / (1.0 - steel_nu * steel_nu) * b * t * t * t / 12.0 * small / (t / 2.0),
               1e-4 * moment(law, small));
-  // A hinge in plane strain: 2/sqrt(3) SIGY b t^2/4, and with ten Gauss layers 0.5 % of it.
-  EXPECT_NEAR(moment(law, 20.0 * yield / steel_E) / (2.0 / std::sqrt(3.0) * yield * b * t * t / 4.0), 1.0, 0.01);
+  // A hinge in plane strain: 2/sqrt(3) SIGY b t^2/4, less a core that is elastic; ten Gauss layers.
+  EXPECT_NEAR(moment(law, 10.0 * yield / steel_E) / (2.0 / std::sqrt(3.0) * yield * b * t * t / 4.0), 1.0, 0.015);
 }
 
 TEST(ThickShell, RigidRotationStrainsNothing) {
