@@ -127,8 +127,9 @@ class Builder {
   std::vector<Vec3d> vector_tails;                             ///< of the same: points
   std::vector<SetRecipe> set_recipes;
   std::vector<deck::RowOf<NodeMergeCard>> merge_rows;
-  double merge_tolerance = 0.0;              ///< TOLR of *NODE_MERGE_TOLERANCE; 0: not given
-  std::map<int, LayerStack> layer_rules;     ///< *INTEGRATION_SHELL by IRID
+  std::map<int, std::optional<BlastLoad>> blasts;  ///< *LOAD_BLAST_ENHANCED by BID; nothing: refused
+  double merge_tolerance = 0.0;                    ///< TOLR of *NODE_MERGE_TOLERANCE; 0: not given
+  std::map<int, LayerStack> layer_rules;           ///< *INTEGRATION_SHELL by IRID
   std::map<Index, LayerStack> layer_stacks;  ///< by shell section: layers that cards give; known after Phase::curves
   BodyCards body_cards;
 

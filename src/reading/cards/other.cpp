@@ -180,7 +180,9 @@ Rows other_conditions() {
       refused("INITIAL_*",
               "this initial condition is not built; velocities of nodes, sets, parts and rigid bodies are"),
       refused("LOAD_THERMAL_*", "heat and thermal strains are not built"),
-      refused("LOAD_BLAST*", "blast loads are not built; use *LOAD_SEGMENT_SET with a pressure curve"),
+      refused(
+          "LOAD_BLAST*",
+          "this form of blast loads is not built; *LOAD_BLAST_ENHANCED with *LOAD_BLAST_SEGMENT or _SEGMENT_SET is"),
       refused("LOAD_*", "this load is not built; nodal, body and pressure loads are"),
       refused("DAMPING_*",
               "this damping is not built; _GLOBAL, _PART_MASS, _PART_STIFFNESS, _FREQUENCY_RANGE, _RELATIVE and "
