@@ -42,6 +42,14 @@ def block(elform, tetrahedra, n=16):
     return places, f"*SECTION_SOLID\n1,{elform}\n", "*ELEMENT_SOLID\n" + "".join(f"{e},1,{','.join(map(str, c))}\n" for e, c in enumerate(cells, 1))
 
 
+def thick_sheet(elform, layers, n=80):
+    number = lambda i, j, k: 1 + i + (n + 1) * (j + (n + 1) * k)  # noqa: E731
+    places = [(SIZE * i, SIZE * j, 2.0 * k) for k in (0, 1) for j in range(n + 1) for i in range(n + 1)]
+    corners = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+    cells = [[number(i + a, j + b, c) for a, b, c in corners] for j in range(n) for i in range(n)]
+    return places, f"*SECTION_TSHELL\n1,{elform},1.0,{layers}\n", "*ELEMENT_TSHELL\n" + "".join(f"{e},1,{','.join(map(str, c))}\n" for e, c in enumerate(cells, 1))
+
+
 def rods(elform, n=4000):
     places = [(SIZE * i, 0.0, 0.0) for i in range(n + 1)] + [(0.0, 100.0, 0.0)]
     section = f"*SECTION_BEAM\n1,{elform}\n" + ("3.0,3.0,3.0,3.0\n" if elform == 1 else "10.0\n")
@@ -51,6 +59,7 @@ def rods(elform, n=4000):
 KINDS = {f"shell {form}{' triangle' if tri else ''}, {layers} layers": (lambda f=form, la=layers, t=tri: sheet(f, la, t))
          for form, tri, layers in ((2, False, 3), (2, False, 5), (2, False, 9), (16, False, 3), (16, False, 5), (4, True, 3), (17, True, 3), (5, False, 1), (9, False, 1))}
 KINDS |= {f"solid {form}": (lambda f=form, t=form in (10, 13, 4): block(f, t)) for form in (1, 2, -1, -2, 10, 13, 4)}
+KINDS |= {f"thick shell 5, {layers} layers": (lambda la=layers: thick_sheet(5, la)) for layers in (2, 3, 5, 9)}
 KINDS |= {f"beam {form}": (lambda f=form: rods(f)) for form in (1, 3)}
 
 

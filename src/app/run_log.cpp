@@ -41,7 +41,11 @@ std::string section_name(const model::Model& model, const model::Part& part, con
       const model::SectionShell& s = model.shell_sections[part.section];
       return fmt::format("shell, ELFORM {}, {} layers, t = {:.4g}{}", s.elform, s.layers, s.thickness, length);
     }
-    case model::ElementKind::solid: return fmt::format("solid, ELFORM {}", model.solid_sections[part.section].elform);
+    case model::ElementKind::solid: {
+      const model::SectionSolid& s = model.solid_sections[part.section];
+      if (s.thickness) return fmt::format("thick shell, ELFORM {}, {} layers", s.elform, s.thickness->layers);
+      return fmt::format("solid, ELFORM {}", s.elform);
+    }
     case model::ElementKind::beam: {
       const model::SectionBeam& s = model.beam_sections[part.section];
       if (s.elform == 6)

@@ -41,6 +41,14 @@ const NodeMeanings shell_nodes{"node 1",
                                "mid-side node"};
 const NodeMeanings solid_nodes{"node 1; n1 to n10 may also stand on a line of their own", "node 2", "node 3", "node 4",
                                "node 5; n5 to n8 repeat for wedges and tetrahedra",       "node 6", "node 7", "node 8"};
+const NodeMeanings thick_shell_nodes{"node 1 of the bottom; a wedge repeats nodes: n4 = n3, n8 = n7",
+                                     "node 2 of the bottom",
+                                     "node 3 of the bottom",
+                                     "node 4 of the bottom",
+                                     "node of the top over n1",
+                                     "node of the top over n2",
+                                     "node of the top over n3",
+                                     "node of the top over n4"};
 const NodeMeanings beam_nodes{"node 1", "node 2", "orientation node"};
 
 /// The first `needed` of them have to be given.
@@ -180,6 +188,7 @@ class ElementReader {
     fill(out_.system, 0);
     fill(out_.offset, none);
     fill(out_.to_ten, char{0});
+    fill(out_.thick, char{0});
     if (mirrored_ && n > rows_before_) {
       out_.mirrored.resize(rows_before_, char{0});
       out_.mirrored.resize(n, char{1});
@@ -405,6 +414,10 @@ const ElementCard& solid_element_card() {
   static const ElementCard card = element_card(solid_nodes, 4);
   return card;
 }
+const ElementCard& thick_shell_element_card() {
+  static const ElementCard card = element_card(thick_shell_nodes, 8);
+  return card;
+}
 const ElementCard& solid_short_card() {
   static const ElementCard card = element_card({}, 0);
   return card;
@@ -422,6 +435,18 @@ class SolidReader : ElementReader {
  public:
   SolidReader(const Deck& deck, const Block& block, ElementTable& out, Findings& findings)
       : ElementReader(deck, block, out, findings, 10, 1) {}
+
+  void read_thick() {
+    std::string_view line;
+    while (lines_.next(line)) {
+      first_line_ = lines_.number();
+      if (!read_element(line, thick_shell_element_card(), 8)) continue;
+      if (mirrored_) mirror_nodes({{0, 1}, {2, 3}, {4, 5}, {6, 7}});
+      append();
+      append(out_.thick, char{1}, char{0});
+    }
+    complete();
+  }
 
   void read() {
     const auto options = options_of(block_.keyword, "ELEMENT_SOLID");
@@ -612,6 +637,9 @@ const Card& shell_offset_card() {
 const Card& solid_card() {
   return solid_element_card();
 }
+const Card& thick_shell_card() {
+  return thick_shell_element_card();
+}
 const Card& beam_card() {
   return beam_element_card();
 }
@@ -628,6 +656,10 @@ void read_shells(const Deck& deck, const Block& block, ElementTable& out, Findin
 
 void read_solids(const Deck& deck, const Block& block, ElementTable& out, Findings& findings) {
   SolidReader(deck, block, out, findings).read();
+}
+
+void read_thick_shells(const Deck& deck, const Block& block, ElementTable& out, Findings& findings) {
+  SolidReader(deck, block, out, findings).read_thick();
 }
 
 void read_beams(const Deck& deck, const Block& block, ElementTable& out, Findings& findings) {

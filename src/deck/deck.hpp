@@ -265,6 +265,7 @@ struct ElementTable {
   std::vector<int> system;                         ///< shells: MCID
   std::vector<double> offset;                      ///< shells: OFFSET, NaN where none is given
   std::vector<char> to_ten;                        ///< solids: of _TET4TOTET10
+  std::vector<char> thick;                         ///< solids: 1 of *ELEMENT_TSHELL
   std::vector<char> mirrored;                      ///< 1: of a file that is mirrored; nodes stand renumbered here
   std::vector<std::array<int, 2>> tied_parts;      ///< beams: PID1, PID2 of _PID
   std::vector<std::array<double, 3>> orientation;  ///< beams: _ORIENTATION
@@ -274,6 +275,8 @@ struct ElementTable {
 void read_shells(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
 /// *ELEMENT_SOLID one-line and two-line, ORTHO, DOF, TET4TOTET10; up to 10 nodes.
 void read_solids(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
+/// *ELEMENT_TSHELL: eight nodes, those of wedges as 1 2 3 3 5 6 7 7; into the table of solids.
+void read_thick_shells(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
 /// *ELEMENT_BEAM with THICKNESS, PID, OFFSET, ORIENTATION; nodes N1 N2 N3.
 void read_beams(const Deck& deck, const Block& block, ElementTable& out, Findings& findings);
 
@@ -283,6 +286,7 @@ const Card& shell_card();
 const Card& shell_thickness_card();
 const Card& shell_offset_card();
 const Card& solid_card();
+const Card& thick_shell_card();
 const Card& beam_card();
 const Card& beam_parts_card();
 const Card& beam_orientation_card();

@@ -58,7 +58,7 @@ bool is_family(std::string_view keyword, std::string_view base) {
 
 bool is_bulk(std::string_view keyword) {
   return keyword == "NODE" || is_family(keyword, "ELEMENT_SHELL") || is_family(keyword, "ELEMENT_SOLID") ||
-         is_family(keyword, "ELEMENT_BEAM");
+         is_family(keyword, "ELEMENT_BEAM") || keyword == "ELEMENT_TSHELL";
 }
 
 /// The format that `%`, `+` or `-` at the end of a keyword line asks for.

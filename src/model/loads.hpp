@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "kernel/law/blast_wave.hpp"
 #include "model/control_volume.hpp"
 #include "model/parts.hpp"
 
@@ -93,17 +94,46 @@ struct TractionLoad {
   double birth = 0.0, death = forever;  ///< the curve begins at `birth`
 };
 
+/// Units of a deck, in those of the data of blasts.
+struct BlastUnits {
+  double mass = 1.0;      ///< [kg]
+  double length = 1.0;    ///< [m]
+  double time = 1.0;      ///< [ms]
+  double pressure = 1.0;  ///< [kPa]
+};
+
+/// *LOAD_BLAST_ENHANCED on segments, whose right-hand normals look to the charge. `mass`, `centre` and `time` in the
+/// deck's units.
+struct BlastLoad {
+  std::string keyword;
+  Place place;
+  kernel::Burst burst = kernel::Burst::sphere;
+  BlastUnits units;
+  double mass = 0.0;  ///< of TNT
+  Vec3d centre;
+  double time = 0.0, death = forever;  ///< of the burst; after which nothing presses
+  bool negative_phase = true;          ///< NEGPHS = 0
+  double scale = 1.0;                  ///< SCALEP
+  std::vector<Segment> segments;
+  std::vector<CornerShares> share;  ///< of each segment's force, by its corners
+};
+/// Of a segment's middle to the charge [length].
+double distance_to(const BlastLoad& load, const Segment& segment, const std::vector<Vec3d>& x);
+
 /// The loads of a model, a list for each kind. A new kind is a list here and a name in `kinds`; impact and linear
 /// statics go through these, and do not compile, or refuse the load by name, where they lack it.
 struct LoadLists {
   std::vector<NodalLoad> nodal_loads;
   std::vector<PressureLoad> pressure_loads;
   std::vector<TractionLoad> traction_loads;
+  std::vector<BlastLoad> blast_loads;
   std::vector<ControlVolume> control_volumes;
   std::vector<BodyLoad> body_loads;
 
   /// All lists, in the order in which they act.
-  auto kinds() const { return std::tie(nodal_loads, pressure_loads, traction_loads, control_volumes, body_loads); }
+  auto kinds() const {
+    return std::tie(nodal_loads, pressure_loads, traction_loads, blast_loads, control_volumes, body_loads);
+  }
 };
 static_assert(sizeof(LoadLists) == std::tuple_size_v<decltype(LoadLists{}.kinds())> * sizeof(std::vector<NodalLoad>),
               "kinds() lacks a list");

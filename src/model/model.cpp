@@ -39,6 +39,11 @@ Index Model::curve_index(int id) const {
   return at == curves.end() ? none : static_cast<Index>(at - curves.begin());
 }
 
+bool Model::has_thick_shells(Index part) const {
+  const Part& p = parts[part];
+  return p.kind == ElementKind::solid && p.section != none && solid_sections[p.section].thickness.has_value();
+}
+
 bool Model::has_membranes(Index part) const {
   const Part& p = parts[part];
   if (p.kind != ElementKind::shell || p.section == none || p.material == none) return false;

@@ -251,6 +251,8 @@ struct Model : LoadLists {
   Index curve_index(int id) const;
   /// Whether a part's elements are membranes: shells without bending, neither rigid nor for contact alone (MAT_NULL).
   bool has_membranes(Index part) const;
+  /// Whether a part's section is that of thick shells, whatever its material.
+  bool has_thick_shells(Index part) const;
 };
 
 }  // namespace nugget::model

@@ -67,10 +67,19 @@ struct SectionShell {
   Place place;
 };
 
+/// *SECTION_SOLID, and *SECTION_TSHELL, whose elements are bricks with a bottom and a top.
 struct SectionSolid {
+  /// What *SECTION_TSHELL says of the way through the thickness.
+  struct Thickness {
+    int layers = 2;               ///< NIP
+    bool trapezoidal = false;     ///< QR = 1
+    double shear_factor = 1.0;    ///< SHRF; of a parabola the factor is the parabola's own
+    bool parabolic_shear = true;  ///< TSHEAR = 0
+  };
   int id = 0;
   int elform = 1;
-  bool in_swforc = true;  ///< PRINT = 0 of the weld beams that bricks of this section replace
+  std::optional<Thickness> thickness{};  ///< of thick shells
+  bool in_swforc = true;                 ///< PRINT = 0 of the weld beams that bricks of this section replace
   Place place;
 };
 

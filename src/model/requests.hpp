@@ -47,6 +47,7 @@ struct Requests {
   std::map<std::string, Request, std::less<>> histories;  ///< by name of the file
   Request d3plot;                                         ///< interval; `binary` unused
   std::vector<NamedEntity> history_nodes, history_shells, history_solids, history_beams;
+  std::vector<NamedEntity> history_thick_shells;    ///< indices of solids
   std::vector<CrossSection> cross_sections;         ///< of secforc
   std::vector<NodalForceGroup> nodal_force_groups;  ///< of nodfor
 

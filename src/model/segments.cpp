@@ -19,6 +19,13 @@ bool bring_triangle_into_form(Segment& n) {
   return n[0] != n[2];
 }
 
+double distance_to(const BlastLoad& load, const Segment& segment, const std::vector<Vec3d>& x) {
+  const int corners = segment[3] == segment[2] ? 3 : 4;
+  Vec3d middle;
+  for (std::size_t a = 0; a < at(corners); ++a) middle += (1.0 / corners) * x[segment[a]];
+  return norm(load.centre - middle);
+}
+
 Segment sorted_corners(Segment face) {
   std::sort(face.begin(), face.end());
   // Which corner a triangle repeats is no property of the face.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -90,8 +91,12 @@ class Words {
   std::string bytes_;
 };
 
-int thick_shell_words(const D3plotGeometry& g) {
-  return words_of_layers(g) + 1 + (g.strains ? 12 : 0);
+/// The solids that are thick shells, or those that are not.
+std::vector<D3plotElement<8>> solids_of(const D3plotGeometry& g, bool thick) {
+  std::vector<D3plotElement<8>> chosen;
+  for (std::size_t e = 0; e < g.solids.size(); ++e)
+    if (g.is_thick(e) == thick) chosen.push_back(g.solids[e]);
+  return chosen;
 }
 int numbering_words(const D3plotGeometry& g) {
   return static_cast<int>(16 + g.node_ids.size() + g.solids.size() + g.beams.size() + g.shells.size() +
@@ -112,9 +117,10 @@ int count_parts(const D3plotGeometry& g, const Elements& elements) {
 
 /// Control section: 64 words.
 void control(Words& out, const D3plotGeometry& g) {
-  const int solid_parts = count_parts(g, g.solids), beam_parts = count_parts(g, g.beams);
+  const int solid_parts = count_parts(g, solids_of(g, false)), thick_parts = count_parts(g, solids_of(g, true)),
+            beam_parts = count_parts(g, g.beams);
   // Each part counts once; one without elements goes with the shells.
-  const int shell_parts = static_cast<int>(g.parts.size()) - solid_parts - beam_parts;
+  const int shell_parts = static_cast<int>(g.parts.size()) - solid_parts - thick_parts - beam_parts;
   out.text(g.title, 40);
   out.integer(g.seconds_since_1970);
   out.integer(file_type(g.family));
@@ -128,7 +134,7 @@ void control(Words& out, const D3plotGeometry& g) {
   out.integer(0);                                                            // IT: no temperatures
   out.integer(1);                                                            // IU: coordinates
   for (int flag = 0; flag < 2; ++flag) out.integer(holds_modes(g) ? 0 : 1);  // IV, IA
-  out.integer(static_cast<std::int64_t>(g.solids.size()));
+  out.integer(static_cast<std::int64_t>(g.solids.size() - count_thick_shells(g)));
   out.integer(solid_parts);
   out.integer(0), out.integer(0);  // NUMDS, NUMST
   out.integer(solid_words(g));
@@ -143,7 +149,8 @@ void control(Words& out, const D3plotGeometry& g) {
   out.integer(-10000 - g.layers);                        // MAXINT, with the element deletion table
   out.integer(0), out.integer(0);                        // NMSPH, NGPSPH
   out.integer(numbering_words(g));
-  out.integer(0), out.integer(0);  // NELT, NUMMATT
+  out.integer(static_cast<std::int64_t>(count_thick_shells(g)));
+  out.integer(thick_parts);
   out.integer(thick_shell_words(g));
   for (int flag = 0; flag < 4; ++flag)
     out.integer(1000);  // IOSHL: stress, plastic strain, resultants, thickness are there
@@ -169,20 +176,22 @@ void ids(Words& out, const Elements& elements) {
 
 /// User numbers, in the form for arbitrary part ids (NSORT < 0).
 void numbering(Words& out, const D3plotGeometry& g) {
-  const auto nodes = static_cast<std::int64_t>(g.node_ids.size()), solids = static_cast<std::int64_t>(g.solids.size()),
+  const auto nodes = static_cast<std::int64_t>(g.node_ids.size()),
+             thick_shells = static_cast<std::int64_t>(count_thick_shells(g)),
+             solids = static_cast<std::int64_t>(g.solids.size()) - thick_shells,
              beams = static_cast<std::int64_t>(g.beams.size()), shells = static_cast<std::int64_t>(g.shells.size()),
              parts = static_cast<std::int64_t>(g.parts.size());
-  const std::int64_t elements_end = 1 + nodes + solids + beams + shells;
+  const std::int64_t thick_begin = 1 + nodes + solids + beams + shells, elements_end = thick_begin + thick_shells;
   out.integer(-1);                          // NSORT
   out.integer(1 + nodes);                   // NSRH
   out.integer(1 + nodes + solids);          // NSRB
   out.integer(1 + nodes + solids + beams);  // NSRS
-  out.integer(elements_end);                // NSRT
+  out.integer(thick_begin);                 // NSRT
   out.integer(nodes);
   out.integer(solids);
   out.integer(beams);
   out.integer(shells);
-  out.integer(0);                         // thick shells
+  out.integer(thick_shells);
   out.integer(elements_end);              // NSRMA
   out.integer(elements_end + parts);      // NSRMU
   out.integer(elements_end + 2 * parts);  // NSRMP
@@ -190,9 +199,10 @@ void numbering(Words& out, const D3plotGeometry& g) {
   out.integer(g.nodal_rigid_bodies);
   out.integer(parts);
   for (const int id : g.node_ids) out.integer(id);
-  ids(out, g.solids);
+  ids(out, solids_of(g, false));
   ids(out, g.beams);
   ids(out, g.shells);
+  ids(out, solids_of(g, true));
 
   std::vector<std::size_t> ascending(g.parts.size()), rank(g.parts.size());
   std::iota(ascending.begin(), ascending.end(), std::size_t{0});
@@ -236,6 +246,8 @@ void check(const D3plotGeometry& g) {
   if (g.node_ids.size() != g.x.size()) throw std::logic_error("d3plot: as many node ids as coordinates are wanted");
   if (!std::is_sorted(g.node_ids.begin(), g.node_ids.end(), std::less_equal<>()))
     throw std::logic_error("d3plot: node ids do not ascend");
+  if (!g.thick.empty() && g.thick.size() != g.solids.size())
+    throw std::logic_error("d3plot: of each solid is wanted whether it is a thick shell");
   if (g.layers < 1) throw std::logic_error("d3plot: a shell has at least one layer");
   check_elements(g, g.solids, "solid");
   check_elements(g, g.beams, "beam");
@@ -253,6 +265,8 @@ void check(const D3plotGeometry& g, const D3plotState& s) {
   check_size(s.v.size(), holds_modes(g) ? 0 : nodes, "v");
   check_size(s.a.size(), holds_modes(g) ? 0 : nodes, "a");
   check_size(s.solids.size(), g.solids.size(), "solids");
+  check_size(s.thick_shells.size(), count_thick_shells(g), "thick_shells");
+  check_size(s.thick_layers.size(), count_thick_shells(g) * at(g.layers), "thick_layers");
   check_size(s.beams.size(), g.beams.size(), "beams");
   check_size(s.beam_points.size(), g.beams.size() * at(g.beam_points), "beam_points");
   check_size(s.shells.size(), g.shells.size(), "shells");
@@ -287,12 +301,19 @@ void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> 
 D3plotWords::D3plotWords(const D3plotGeometry& g) : geometry_(g) {
   places_ = 1 + at(global_words(g));
   solids_ = places_ + at(nodal_words(g)) * g.node_ids.size();
-  beams_ = solids_ + at(solid_words(g)) * g.solids.size();
+  const std::size_t thick = count_thick_shells(g), bricks = g.solids.size() - thick;
+  thick_shells_ = solids_ + at(solid_words(g)) * bricks;
+  beams_ = thick_shells_ + at(thick_shell_words(g)) * thick;
   shells_ = beams_ + at(beam_words(g)) * g.beams.size();
   solid_deletion_ = shells_ + at(shell_words(g)) * g.shells.size();
-  shell_deletion_ = solid_deletion_ + g.solids.size();
+  thick_deletion_ = solid_deletion_ + bricks;
+  shell_deletion_ = thick_deletion_ + thick;
   beam_deletion_ = shell_deletion_ + g.shells.size();
   bytes_.resize((beam_deletion_ + g.beams.size()) * d3plot_word);
+  if (thick == 0) return;
+  std::array<std::size_t, 2> next{};
+  rank_.reserve(g.solids.size());
+  for (std::size_t e = 0; e < g.solids.size(); ++e) rank_.push_back(next[g.is_thick(e) ? 1 : 0]++);
 }
 
 void D3plotWords::put(const D3plotTotals& s) {
@@ -321,10 +342,23 @@ void D3plotWords::put_node(std::size_t n, const Vec3d& x, const Vec3d& v, const 
 }
 
 void D3plotWords::put_solid(std::size_t e, const SolidRecord& record, bool alive) {
-  Put out(word(solids_ + e * at(solid_words(geometry_))));
+  const std::size_t place = rank_.empty() ? e : rank_[e];
+  Put out(word(solids_ + place * at(solid_words(geometry_))));
   out.stress(record, geometry_.solid_histories);
   if (geometry_.strains) out.reals(record.strain);
-  Put(word(solid_deletion_ + e)).real(deletion(geometry_.solids[e].part, alive));
+  Put(word(solid_deletion_ + place)).real(deletion(geometry_.solids[e].part, alive));
+}
+
+void D3plotWords::put_thick_shell(std::size_t e, const ThickShellRecord& r, std::span<const StressRecord> layers,
+                                  bool alive) {
+  Put out(word(thick_shells_ + rank_[e] * at(thick_shell_words(geometry_))));
+  for (const StressRecord& layer : layers) out.stress(layer, geometry_.shell_histories);
+  if (geometry_.strains) {
+    out.reals(r.inner_strain);
+    out.reals(r.outer_strain);
+  }
+  out.real(r.internal_energy);
+  Put(word(thick_deletion_ + rank_[e])).real(deletion(geometry_.solids[e].part, alive));
 }
 
 void D3plotWords::put_beam(std::size_t e, const BeamRecord& r, std::span<const BeamPointRecord> points, bool alive) {
@@ -356,7 +390,8 @@ D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, OpenMod
   Words out;
   control(out, g);
   out.vectors(g.x);
-  connectivity(out, g.solids);
+  connectivity(out, solids_of(g, false));
+  connectivity(out, solids_of(g, true));
   connectivity(out, g.beams, 3);
   connectivity(out, g.shells);
   numbering(out, g);
@@ -378,8 +413,15 @@ void D3plot::write(const D3plotState& s) {
     else
       out.put_node(n, s.x[n], s.v[n], s.a[n]);
   const auto alive = [](const std::vector<char>& flags, std::size_t e) { return flags.empty() || flags[e] != 0; };
-  for (std::size_t e = 0; e < s.solids.size(); ++e) out.put_solid(e, s.solids[e], alive(s.solid_alive, e));
   const auto points = at(g.beam_points), layers = at(g.layers);
+  for (std::size_t e = 0, thick = 0; e < s.solids.size(); ++e)
+    if (g.is_thick(e)) {
+      out.put_thick_shell(e, s.thick_shells[thick], std::span(s.thick_layers).subspan(thick * layers, layers),
+                          alive(s.solid_alive, e));
+      ++thick;
+    } else {
+      out.put_solid(e, s.solids[e], alive(s.solid_alive, e));
+    }
   for (std::size_t e = 0; e < s.beams.size(); ++e)
     out.put_beam(e, s.beams[e], std::span(s.beam_points).subspan(e * points, points), alive(s.beam_alive, e));
   for (std::size_t e = 0; e < s.shells.size(); ++e)

@@ -33,6 +33,7 @@ struct D3plotGeometry {
   std::vector<int> node_ids;
   std::vector<Vec3d> x;                  ///< initial coordinates [length]
   std::vector<D3plotElement<8>> solids;  ///< wedge 1 2 3 4 5 5 6 6, tetrahedron 1 2 3 4 4 4 4 4
+  std::vector<char> thick;  ///< by solid: 1 is a thick shell, which the file has in a block of its own; empty: none is
   std::vector<D3plotElement<2>> beams;
   std::vector<D3plotElement<4>> shells;  ///< a triangle repeats its third node
   std::vector<D3plotPart> parts;         ///< in deck order
@@ -51,6 +52,7 @@ struct D3plotGeometry {
   enum class Family { d3plot, d3eigv, d3ssd } family = Family::d3plot;
   std::string suffix;  ///< of their names, before the number
   std::string stem() const;
+  bool is_thick(std::size_t solid) const { return !thick.empty() && thick[solid] != 0; }
 };
 
 /// Energies [force length], mass and velocity of one part.
@@ -68,6 +70,13 @@ struct StressRecord {
 
 struct SolidRecord : StressRecord {
   std::array<double, 6> strain{};  ///< xx yy zz xy yz zx, global; written where D3plotGeometry::strains is set
+};
+
+/// Strains of a thick shell at its lowest and uppermost layer, as SolidRecord::strain, and in the last word, as of
+/// shells, the internal energy per volume [force/length^2].
+struct ThickShellRecord {
+  std::array<double, 6> inner_strain{}, outer_strain{};
+  double internal_energy = 0.0;
 };
 
 /// Resultants in the shell's local axes, per unit length.
@@ -102,8 +111,10 @@ struct D3plotTotals {
 
 /// The model at one time. The caller keeps it and fills it anew for each state; the sizes follow from the geometry.
 struct D3plotState : D3plotTotals {
-  std::vector<Vec3d> x, v, a;  ///< current coordinates, velocities, accelerations
-  std::vector<SolidRecord> solids;
+  std::vector<Vec3d> x, v, a;                  ///< current coordinates, velocities, accelerations
+  std::vector<SolidRecord> solids;             ///< of thick shells the record of the first of their layers
+  std::vector<ThickShellRecord> thick_shells;  ///< of the first thick shell among the solids, of the second, ...
+  std::vector<StressRecord> thick_layers;      ///< the same, of each in the order of shell_layers()
   std::vector<BeamRecord> beams;
   std::vector<BeamPointRecord> beam_points;  ///< of the first beam, of the second, ...
   std::vector<StressRecord> shell_layers;    ///< of the first shell in the order of shell_layers(), of the second, ...
@@ -128,6 +139,8 @@ class D3plotWords {
   void put_node(std::size_t n, const Vec3d& x, const Vec3d& v, const Vec3d& a);
   void put_node(std::size_t n, const Vec3d& x);
   void put_solid(std::size_t e, const SolidRecord& record, bool alive);
+  /// `e` counts all solids.
+  void put_thick_shell(std::size_t e, const ThickShellRecord& record, std::span<const StressRecord> layers, bool alive);
   void put_beam(std::size_t e, const BeamRecord& record, std::span<const BeamPointRecord> points, bool alive);
   void put_shell(std::size_t e, const ShellRecord& record, std::span<const StressRecord> layers, bool alive);
   const std::string& bytes() const { return bytes_; }
@@ -136,8 +149,9 @@ class D3plotWords {
   char* word(std::size_t index) { return bytes_.data() + index * sizeof(float); }
 
   const D3plotGeometry& geometry_;
-  std::size_t places_, solids_, beams_, shells_;  ///< where they begin, in words
-  std::size_t solid_deletion_, shell_deletion_, beam_deletion_;
+  std::size_t places_, solids_, thick_shells_, beams_, shells_;  ///< where they begin, in words
+  std::size_t solid_deletion_, thick_deletion_, shell_deletion_, beam_deletion_;
+  std::vector<std::size_t> rank_;  ///< of each solid among the bricks or the thick shells; empty: no thick shells
   std::string bytes_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "output/d3plot.hpp"
 
 // How many words stand where in a d3plot: what its writer and its reader share.
@@ -21,6 +23,13 @@ inline int solid_words(const D3plotGeometry& g) {
 inline int words_of_layers(const D3plotGeometry& g) {
   return g.layers * (d3plot_layer_words + g.shell_histories);
 }
+/// One more than LSTC's document says: files of R11 have it, without strains 22 words for three layers.
+inline int thick_shell_words(const D3plotGeometry& g) {
+  return words_of_layers(g) + (g.strains ? 12 : 0) + 1;
+}
+inline std::size_t count_thick_shells(const D3plotGeometry& g) {
+  return static_cast<std::size_t>(std::count(g.thick.begin(), g.thick.end(), char{1}));
+}
 /// Of a node: place, and but for modes velocity and acceleration.
 inline int nodal_words(const D3plotGeometry& g) {
   return holds_modes(g) ? 3 : 9;
@@ -40,7 +49,8 @@ inline std::size_t state_words(const D3plotGeometry& g) {
     return elements * static_cast<std::size_t>(of_one + 1);  // and its deletion flag
   };
   return 1 + static_cast<std::size_t>(global_words(g)) + static_cast<std::size_t>(nodal_words(g)) * g.node_ids.size() +
-         words(g.solids.size(), solid_words(g)) + words(g.beams.size(), beam_words(g)) +
+         words(g.solids.size() - count_thick_shells(g), solid_words(g)) +
+         words(count_thick_shells(g), thick_shell_words(g)) + words(g.beams.size(), beam_words(g)) +
          words(g.shells.size(), shell_words(g));
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <numeric>
 #include <stdexcept>
 #include <string_view>
 
@@ -83,8 +84,8 @@ class WordReader {
 
 /// The control section, as far as it is needed beside the geometry.
 struct Control {
-  std::size_t nodes = 0, solids = 0, beams = 0, shells = 0, parts = 0, numbering = 0;
-  int globals = 0, of_solid = 0, of_beam = 0, of_shell = 0;
+  std::size_t nodes = 0, solids = 0, thick_shells = 0, beams = 0, shells = 0, parts = 0, numbering = 0;
+  int globals = 0, of_solid = 0, of_thick_shell = 0, of_beam = 0, of_shell = 0;
   bool velocities = false, accelerations = false;
 };
 
@@ -129,8 +130,9 @@ Control read_control(WordReader& in, D3plotGeometry& g) {
   if (in.integer() != 0) refuse(in.file(), "particles (NMSPH) are not read");
   in.skip(1);
   c.numbering = in.count();
-  if (in.integer() != 0) refuse(in.file(), "thick shells (NELT) are not read");
-  in.skip(2);
+  c.thick_shells = in.count();
+  in.skip(1);
+  c.of_thick_shell = in.integer();
   for (int flag = 0; flag < 4; ++flag)
     if (in.integer() != 1000)
       refuse(in.file(), "shells without stresses, plastic strain, resultants or energy (IOSHL): not read");
@@ -168,13 +170,27 @@ void read_numbering(WordReader& in, const Control& c, D3plotGeometry& g) {
     in.skip(1);
   }
   for (int& id : g.node_ids) id = in.integer();
-  for (auto& solid : g.solids) solid.id = in.integer();
+  for (std::size_t e = 0; e < c.solids; ++e) g.solids[e].id = in.integer();
   for (auto& beam : g.beams) beam.id = in.integer();
   for (auto& shell : g.shells) shell.id = in.integer();
+  for (std::size_t e = c.solids; e < g.solids.size(); ++e) g.solids[e].id = in.integer();
   if (in.words_left() < end + 3 * c.parts) return;
   in.skip(c.parts);  // in ascending order
   for (D3plotPart& part : g.parts) part.id = in.integer();
   in.skip(c.parts);
+}
+
+/// Bricks and thick shells, which the file has one after the other, by rising id.
+void sort_solids(D3plotGeometry& g, std::size_t bricks) {
+  std::vector<std::size_t> order(g.solids.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return g.solids[i].id < g.solids[j].id; });
+  std::vector<D3plotElement<8>> sorted;
+  for (const std::size_t i : order) {
+    sorted.push_back(g.solids[i]);
+    g.thick.push_back(i >= bricks);
+  }
+  g.solids = std::move(sorted);
 }
 
 void read_titles(WordReader& in, D3plotGeometry& g) {
@@ -230,6 +246,39 @@ void read_shells(WordReader& in, const D3plotGeometry& g, D3plotState& s) {
   }
 }
 
+/// Bricks, then thick shells.
+void read_solids(WordReader& in, const D3plotGeometry& g, D3plotState& s) {
+  s.solids.resize(g.solids.size());
+  for (std::size_t e = 0; e < g.solids.size(); ++e) {
+    if (g.is_thick(e)) continue;
+    read_stress(in, s.solids[e], g.solid_histories);
+    if (g.strains) s.solids[e].strain = in.six();
+  }
+  s.thick_shells.clear();
+  s.thick_layers.clear();
+  for (std::size_t e = 0; e < g.solids.size(); ++e) {
+    if (!g.is_thick(e)) continue;
+    const std::size_t first = s.thick_layers.size();
+    for (int i = 0; i < g.layers; ++i) read_stress(in, s.thick_layers.emplace_back(), g.shell_histories);
+    static_cast<StressRecord&>(s.solids[e]) = s.thick_layers[first];
+    ThickShellRecord& r = s.thick_shells.emplace_back();
+    if (g.strains) {
+      r.inner_strain = in.six();
+      r.outer_strain = in.six();
+    }
+    r.internal_energy = in.real();
+    for (std::size_t i = 0; i < 6; ++i) s.solids[e].strain[i] = 0.5 * (r.inner_strain[i] + r.outer_strain[i]);
+  }
+}
+
+/// `all`: of the bricks alone, then of all solids.
+void merge_alive(const D3plotGeometry& g, const std::vector<char>& thick, std::vector<char>& all) {
+  const std::vector<char> bricks = all;
+  all.clear();
+  std::array<std::size_t, 2> next{};
+  for (std::size_t e = 0; e < g.solids.size(); ++e) all.push_back(g.is_thick(e) ? thick[next[1]++] : bricks[next[0]++]);
+}
+
 void read_beams(WordReader& in, const D3plotGeometry& g, D3plotState& s) {
   s.beams.resize(g.beams.size());
   s.beam_points.clear();
@@ -258,20 +307,24 @@ D3plotReader::D3plotReader(const fs::path& directory, D3plotGeometry::Family fam
   const Control c = read_control(in, geometry_);
   if (geometry_.family != family) refuse(file, "holds another kind of results than its name says");
   read_vectors(in, c.nodes, geometry_.x);
-  read_elements(in, c.solids, c, 0, geometry_.solids);
+  read_elements(in, c.solids + c.thick_shells, c, 0, geometry_.solids);
   read_elements(in, c.beams, c, 3, geometry_.beams);
   read_elements(in, c.shells, c, 0, geometry_.shells);
   read_numbering(in, c, geometry_);
   read_titles(in, geometry_);
+  if (c.thick_shells > 0) sort_solids(geometry_, c.solids);
   D3plotGeometry& g = geometry_;
   g.beam_points = c.beams == 0 ? 0 : (c.of_beam - 6) / 5;
   const int beyond_layers = c.of_shell - words_of_layers(g) - 12;
-  g.strains = c.shells > 0 ? beyond_layers == 12 : g.solid_histories >= 6;
+  g.strains = c.shells > 0         ? beyond_layers == 12
+              : c.thick_shells > 0 ? c.of_thick_shell - words_of_layers(g) >= 12
+                                   : g.solid_histories >= 6;
   if (g.strains) g.solid_histories -= 6;  // NEIPH counts the strains
   g.rigid_walls = 0;
   g.rigid_walls = c.globals - global_words(g);
   if (g.rigid_walls < 0 || (c.solids > 0 && c.of_solid != solid_words(g)) ||
-      (c.beams > 0 && c.of_beam != beam_words(g)) || (c.shells > 0 && c.of_shell != shell_words(g)))
+      (c.thick_shells > 0 && c.of_thick_shell != thick_shell_words(g)) || (c.beams > 0 && c.of_beam != beam_words(g)) ||
+      (c.shells > 0 && c.of_shell != shell_words(g)))
     refuse(file, "words of a state that are not known here");
   velocities_ = c.velocities;
   accelerations_ = c.accelerations;
@@ -310,14 +363,13 @@ void D3plotReader::read(std::size_t state, D3plotState& s) const {
   read_vectors(in, g.x.size(), s.x);
   if (velocities_) read_vectors(in, g.x.size(), s.v);
   if (accelerations_) read_vectors(in, g.x.size(), s.a);
-  s.solids.resize(g.solids.size());
-  for (SolidRecord& record : s.solids) {
-    read_stress(in, record, g.solid_histories);
-    if (g.strains) record.strain = in.six();
-  }
+  read_solids(in, g, s);
   read_beams(in, g, s);
   read_shells(in, g, s);
-  read_alive(in, g.solids.size(), s.solid_alive);
+  std::vector<char> thick_alive;
+  read_alive(in, g.solids.size() - s.thick_shells.size(), s.solid_alive);
+  read_alive(in, s.thick_shells.size(), thick_alive);
+  if (!thick_alive.empty()) merge_alive(g, thick_alive, s.solid_alive);
   read_alive(in, g.shells.size(), s.shell_alive);
   read_alive(in, g.beams.size(), s.beam_alive);
 }

@@ -157,6 +157,21 @@ ShellRecord shell_forces(const system::System& system, const system::State& stat
   return shell;
 }
 
+void thick_shell_stresses(const system::System& system, const system::State& state, const ElementLocation& location,
+                          std::span<StressRecord> layers) {
+  std::fill(layers.begin(), layers.end(), StressRecord{});
+  if (location.group < 0) return;
+  const system::ElementGroup& group = *system.groups[location.group];
+  const std::size_t e = at(location.element);
+  thread_local std::vector<StressRecord> points;
+  points.resize(at(group.layers()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto layer = static_cast<int>(k);
+    points[k] = record(system.model, group, e, layer, state, group.layer(e, layer, state));
+  }
+  shell_layers(points, layers);
+}
+
 void fill_stresses(const system::System& system, const system::State& state, D3plotState& s) {
   const auto each = [](std::size_t count, const auto& fill) {
     parallel_for(count, 256, [&](std::size_t begin, std::size_t end) {
@@ -165,10 +180,20 @@ void fill_stresses(const system::System& system, const system::State& state, D3p
   };
   const model::Model& model = system.model;
   s.solids.resize(model.solids.size());
+  const auto points = at(model.requests.beam_points), layers = at(model.requests.layers);
   each(s.solids.size(), [&](std::size_t e) {
     static_cast<StressRecord&>(s.solids[e]) = solid_stress(system, state, system.solid_location[e]);
   });
-  const auto points = at(model.requests.beam_points), layers = at(model.requests.layers);
+  std::vector<std::size_t> thick;
+  for (std::size_t e = 0; e < s.solids.size(); ++e)
+    if (model.has_thick_shells(model.solids.part[e])) thick.push_back(e);
+  s.thick_shells.resize(thick.size());
+  s.thick_layers.resize(thick.size() * layers);
+  each(thick.size(), [&](std::size_t i) {
+    const auto own = std::span(s.thick_layers).subspan(i * layers, layers);
+    thick_shell_stresses(system, state, system.solid_location[thick[i]], own);
+    static_cast<StressRecord&>(s.solids[thick[i]]) = own.front();
+  });
   s.beams.resize(model.beams.size());
   s.beam_points.resize(model.beams.size() * points);
   each(s.beams.size(), [&](std::size_t e) {

@@ -18,6 +18,9 @@ BeamRecord beam_forces(const system::System& system, const system::State& state,
                        const system::System::ElementLocation& location, std::span<BeamPointRecord> points);
 ShellRecord shell_forces(const system::System& system, const system::State& state,
                          const system::System::ElementLocation& location, std::span<StressRecord> layers);
+/// The layers of a thick shell, as MAXINT wants them.
+void thick_shell_stresses(const system::System& system, const system::State& state,
+                          const system::System::ElementLocation& location, std::span<StressRecord> layers);
 
 /// These of all elements. Sizes the records.
 void fill_stresses(const system::System& system, const system::State& state, D3plotState& into);

@@ -42,6 +42,11 @@ std::vector<EloutPoint> layers_of_shells(const EloutState& s) {
   for (const EloutShell& e : s.shells) all.insert(all.end(), e.layers.begin(), e.layers.end());
   return all;
 }
+std::vector<EloutPoint> layers_of_thick_shells(const EloutState& s) {
+  std::vector<EloutPoint> all;
+  for (const EloutShell& e : s.thick_shells) all.insert(all.end(), e.layers.begin(), e.layers.end());
+  return all;
+}
 std::vector<EloutBeam::Point> points_of_beams(const EloutState& s) {
   std::vector<EloutBeam::Point> all;
   for (const EloutBeam& b : s.beams) all.insert(all.end(), b.points.begin(), b.points.end());
@@ -95,15 +100,15 @@ void write_beams(AsciiFile& file, const EloutState& state) {
   }
 }
 
-void write_shells(AsciiFile& file, const EloutState& state) {
-  const char* axes = state.local_shells ? "(local)" : "(global)";
+void write_shells(AsciiFile& file, const EloutState& state, const std::vector<EloutShell>& shells, bool local) {
+  const char* axes = local ? "(local)" : "(global)";
   head(file, "s t r e s s", state);
   file.print(
       " element  materl{:<8}\n"
       " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       plastic\n"
       "           state                                                                                 strain \n",
       axes);
-  for (const EloutShell& shell : state.shells) {
+  for (const EloutShell& shell : shells) {
     element(file, shell.id, shell.part);
     int number = 0;
     for (const EloutPoint& layer : shell.layers) {
@@ -115,7 +120,7 @@ void write_shells(AsciiFile& file, const EloutState& state) {
   if (!state.strains) return;
   file.print("\n strains {:<8}      eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx{:36}\n{:117}\n",
              axes, "", "");
-  for (const EloutShell& shell : state.shells) {
+  for (const EloutShell& shell : shells) {
     element(file, shell.id, shell.part);
     file.print(" lower ipt       ");
     tensor(file, shell.lower_strain);
@@ -128,7 +133,8 @@ void write_shells(AsciiFile& file, const EloutState& state) {
 void print(AsciiFile& file, const EloutState& state) {
   if (!state.solids.empty()) write_solids(file, state);
   if (!state.beams.empty()) write_beams(file, state);
-  if (!state.shells.empty()) write_shells(file, state);
+  if (!state.shells.empty()) write_shells(file, state, state.shells, state.local_shells);
+  if (!state.thick_shells.empty()) write_shells(file, state, state.thick_shells, false);
 }
 
 }  // namespace
@@ -136,6 +142,44 @@ void print(AsciiFile& file, const EloutState& state) {
 double effective(const Tensor& s) {
   const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
   return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+/// Shells or thick shells.
+Branch<EloutState> branch_of_shells(const char* path, std::vector<EloutShell> EloutState::*list,
+                                    std::vector<EloutPoint> (*layers)(const EloutState&),
+                                    const char* (*axes)(const EloutState&), bool (*written)(const EloutState&)) {
+  return {
+      .path = path,
+      .once = columns<EloutState>({
+          {"states", states, dimension::number, "names of `state`, from 1"},
+          {"system", axes, dimension::number, "axes of the stresses"},
+      }),
+      .columns =
+          columns(list,
+                  {
+                      {"time", &EloutState::time, dimension::time, "time"},
+                      {"cycle", &EloutState::cycle, dimension::number, "number of the cycle, from 1"},
+                      {"ids", &EloutShell::id, dimension::number, "id of the element"},
+                      {"mat", &EloutShell::part, dimension::number, "id of its part"},
+                      {"nip", [](const EloutShell& e) { return static_cast<int>(e.layers.size()); }, dimension::number,
+                       "layers that are written"},
+                      {"iop", [](const EloutShell&) { return 0; }, dimension::number, "of the format; always 0"},
+                  }) +
+          columns(layers,
+                  {
+                      {"state", state_number, dimension::number, "1 elastic, 2 plastic"},
+                      {"sig_*", &EloutPoint::stress, dimension::stress, "stress of a layer"},
+                      {"plastic_strain", &EloutPoint::plastic_strain, dimension::number, "plastic strain of a layer"},
+                  }) +
+          columns(list,
+                  {
+                      {"lower_eps_*", &EloutShell::lower_strain, dimension::number,
+                       "logarithmic strain of the lowest layer"},
+                      {"upper_eps_*", &EloutShell::upper_strain, dimension::number,
+                       "logarithmic strain of the uppermost layer"},
+                  })
+              .where(has_strains),
+      .written = written};
 }
 
 const HistoryFormat<EloutState>& elout() {
@@ -176,39 +220,14 @@ const HistoryFormat<EloutState>& elout() {
                            })
                        .where([](const EloutState& s) { return !points_of_beams(s).empty(); }),
                .written = [](const EloutState& s) { return !s.beams.empty(); }},
-              {.path = "elout/shell",
-               .once = columns<EloutState>({
-                   {"states", states, dimension::number, "names of `state`, from 1"},
-                   {"system", [](const EloutState& s) { return s.local_shells ? "local " : "global"; },
-                    dimension::number, "axes of the stresses"},
-               }),
-               .columns = columns(&EloutState::shells,
-                                  {
-                                      {"time", &EloutState::time, dimension::time, "time"},
-                                      {"cycle", &EloutState::cycle, dimension::number, "number of the cycle, from 1"},
-                                      {"ids", &EloutShell::id, dimension::number, "id of a shell"},
-                                      {"mat", &EloutShell::part, dimension::number, "id of its part"},
-                                      {"nip", [](const EloutShell& e) { return static_cast<int>(e.layers.size()); },
-                                       dimension::number, "layers that are written"},
-                                      {"iop", [](const EloutShell&) { return 0; }, dimension::number,
-                                       "of the format; always 0"},
-                                  }) +
-                          columns(layers_of_shells,
-                                  {
-                                      {"state", state_number, dimension::number, "1 elastic, 2 plastic"},
-                                      {"sig_*", &EloutPoint::stress, dimension::stress, "stress of a layer"},
-                                      {"plastic_strain", &EloutPoint::plastic_strain, dimension::number,
-                                       "plastic strain of a layer"},
-                                  }) +
-                          columns(&EloutState::shells,
-                                  {
-                                      {"lower_eps_*", &EloutShell::lower_strain, dimension::number,
-                                       "logarithmic strain of the lowest layer"},
-                                      {"upper_eps_*", &EloutShell::upper_strain, dimension::number,
-                                       "logarithmic strain of the uppermost layer"},
-                                  })
-                              .where(has_strains),
-               .written = [](const EloutState& s) { return !s.shells.empty(); }},
+              branch_of_shells(
+                  "elout/shell", &EloutState::shells, layers_of_shells,
+                  [](const EloutState& s) { return s.local_shells ? "local " : "global"; },
+                  [](const EloutState& s) { return !s.shells.empty(); }),
+              branch_of_shells(
+                  "elout/thickshell", &EloutState::thick_shells, layers_of_thick_shells,
+                  [](const EloutState&) { return "global"; },
+                  [](const EloutState& s) { return !s.thick_shells.empty(); }),
               {.path = "elout/solid",
                .once = columns<EloutState>({{"states", states, dimension::number, "names of `state`, from 1"}}),
                .columns = columns(&EloutState::solids,

@@ -51,6 +51,7 @@ struct EloutState {
   std::vector<EloutSolid> solids;
   std::vector<EloutBeam> beams;
   std::vector<EloutShell> shells;
+  std::vector<EloutShell> thick_shells;  ///< in global axes
 };
 
 /// The file `elout`; the legend holds the headings of *DATABASE_HISTORY_..._ID. The state of a point is `plastic`

@@ -2,6 +2,7 @@
 #include "output/model_geometry.hpp"
 
 #include "base/index.hpp"
+#include "output/d3plot_layout.hpp"
 
 namespace nugget::output {
 
@@ -13,6 +14,7 @@ D3plotGeometry d3plot_geometry(const system::System& system) {
   g.x = system.ties.x;
   for (std::size_t e = 0; e < model.solids.size(); ++e)
     g.solids.push_back({model.solids.id[e], model.solids.node[e], model.solids.part[e]});
+  g.thick = thick_shells(model);
   for (std::size_t e = 0; e < model.beams.size(); ++e)
     g.beams.push_back({model.beams.id[e], model.beams.node[e], model.beams.part[e]});
   for (std::size_t e = 0; e < model.shells.size(); ++e)
@@ -25,12 +27,24 @@ D3plotGeometry d3plot_geometry(const system::System& system) {
   return g;
 }
 
+std::vector<char> thick_shells(const model::Model& model) {
+  std::vector<char> thick;
+  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+    if (!model.has_thick_shells(model.solids.part[e])) continue;
+    thick.resize(model.solids.size(), char{0});
+    thick[e] = 1;
+  }
+  return thick;
+}
+
 D3plotState unstressed_state(const system::System& system, const D3plotGeometry& geometry) {
   const model::Model& model = system.model;
   D3plotState state;
   state.x = system.ties.x;
   state.parts.resize(model.parts.size());
   state.solids.resize(model.solids.size());
+  state.thick_shells.resize(count_thick_shells(geometry));
+  state.thick_layers.resize(state.thick_shells.size() * at(geometry.layers));
   state.beams.resize(model.beams.size());
   state.beam_points.resize(model.beams.size() * at(geometry.beam_points));
   state.shells.resize(model.shells.size());

@@ -117,6 +117,7 @@ model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsuppo
   // Behind what the conditions leave for that phase.
   b.defer(Phase::checks, [](Builder& late) { late.defer(Phase::checks, check_inertia); });
   b.defer(Phase::checks, check_mesh);
+  b.defer(Phase::checks, check_thick_shells);
   b.defer(Phase::checks, check_parts);
   b.defer(Phase::checks, release_driven_bodies);
   b.defer(Phase::checks, check_relaxation);

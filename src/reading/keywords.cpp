@@ -64,6 +64,7 @@ std::vector<Keyword> all_families() {
            initial_state_keywords,
            damping_keywords,
            load_keywords,
+           blast_keywords,
            generalized_body_load_keywords,
            airbag_keywords,
            rigidwall_keywords,

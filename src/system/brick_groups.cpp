@@ -11,6 +11,7 @@
 #include "system/quadratic_tetrahedron_element.hpp"
 #include "system/rotational_tetrahedron_element.hpp"
 #include "system/tetrahedron_element.hpp"
+#include "system/thick_shell_element.hpp"
 #include "weld/failure/connection.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -38,6 +39,17 @@ FullBrickElement<Law> full_brick(const BrickElement<Law>& of, const model::Secti
                                                     : kernel::BrickStrains::shape_functions};
 }
 
+/// `brick`: of the section's part. Without hourglass control of type 6 it has the whole elastic stabilisation.
+kernel::ThickShellProperties thick_shell(kernel::HexahedronProperties brick, const model::Hourglass& hourglass,
+                                         const model::SectionSolid::Thickness& through) {
+  brick.hourglass = 6;
+  if (hourglass.type != 6) brick.hourglass_coefficient = 1.0;
+  kernel::ThickShellProperties shell{brick, layer_rule(through), {}};
+  shell.shear = kernel::shear_by_layer(shell.layers, through.parabolic_shear,
+                                       through.parabolic_shear ? 5.0 / 6.0 : through.shear_factor);
+  return shell;
+}
+
 /// The nodes of a weld's brick, so that zeta runs along the weld: the kernel's uniaxial stress state wants that.
 std::array<model::Index, 8> laid_along(const weld::Weld& weld, const std::array<model::Index, 8>& brick,
                                        const std::vector<Vec3d>& x) {
@@ -56,6 +68,10 @@ std::array<model::Index, 8> laid_along(const weld::Weld& weld, const std::array<
 }
 
 }  // namespace
+
+kernel::LayerRule layer_rule(const model::SectionSolid::Thickness& through) {
+  return through.trapezoidal ? kernel::equally_spaced_layers(through.layers) : kernel::gauss_layers(through.layers);
+}
 
 void System::make_bricks() {
   solid_location.assign(model.solids.size(), {});
@@ -87,7 +103,11 @@ void System::make_bricks() {
       add_weld_bricks(p, sorted[p], brick, *law);
       continue;
     }
+    const auto& thickness = model.solid_sections[part.section].thickness;
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
+      if (thickness)
+        return add_group(ThickShellElement<Law>{thick_shell(brick, hourglass, *thickness), kernel::LawKernel<Law>(law)},
+                         model::ElementKind::solid, p, members(model.solids, sorted[p]), solid_location);
       const BrickElement<Law> element{brick, kernel::LawKernel<Law>(law)};
       const auto [quadratic, tetrahedra, full, others] =
           by_formulation(sorted[p], model.solid_sections[part.section].elform);

@@ -26,7 +26,8 @@ constexpr std::array costs{
     Cost{ElementKind::solid, 8, -1, 217.0, 0.0, 3.0},   Cost{ElementKind::solid, 8, -2, 235.0, 0.0, 129.0},
     Cost{ElementKind::solid, 4, 10, 45.0, 0.0, 10.0},   Cost{ElementKind::solid, 4, 13, 58.0, 0.0, 8.0},
     Cost{ElementKind::solid, 10, 16, 132.0, 0.0, 20.0}, Cost{ElementKind::solid, 4, 4, 132.0, 0.0, 20.0},
-    Cost{ElementKind::beam, 2, 1, 34.0, 0.0, 39.0},     Cost{ElementKind::beam, 2, 3, 14.0, 0.0, 3.0},
+    Cost{ElementKind::solid, 8, 5, 92.0, 10.0, 19.0},   Cost{ElementKind::beam, 2, 1, 34.0, 0.0, 39.0},
+    Cost{ElementKind::beam, 2, 3, 14.0, 0.0, 3.0},
 };
 constexpr double of_others = 80.0, of_springs = 20.0, single_precision = 0.7;
 
@@ -55,8 +56,9 @@ double element_cost(const System& system, const ElementGroup& group) {
   const model::Index material = system.model.parts[group.part].material;
   const bool elastic =
       material != model::none && std::holds_alternative<kernel::Elastic>(system.model.materials[material].law);
-  // Layers of solids and beams are points that their base has already.
-  const double layers = group.kind == ElementKind::shell ? std::max(1, group.layers()) : 1;
+  // Layers of other solids and of beams are points that their base has already.
+  const bool layered = group.kind == ElementKind::shell || system.model.has_thick_shells(group.part);
+  const double layers = layered ? std::max(1, group.layers()) : 1;
   const double sum = cost->base + layers * (elastic ? cost->elastic_layer : cost->yielding_layer);
   return group.single_precision() ? single_precision * sum : sum;
 }

@@ -28,16 +28,7 @@ kernel::LayerRule layer_rule(const model::SectionShell& section, const model::Co
       rule.zeta[k] = section.rule[k][0], rule.weight[k] = section.rule[k][1];
     return rule;
   }
-  if (section.trapezoidal) {
-    kernel::LayerRule rule;
-    rule.count = section.layers;
-    for (int k = 0; k < section.layers; ++k) {
-      rule.zeta[k] = section.layers == 1 ? 0.0 : -1.0 + 2.0 * k / (section.layers - 1);
-      rule.weight[k] =
-          section.layers == 1 ? 1.0 : (k == 0 || k == section.layers - 1 ? 0.5 : 1.0) / (section.layers - 1);
-    }
-    return rule;
-  }
+  if (section.trapezoidal) return kernel::equally_spaced_layers(section.layers);
   return control.lobatto ? kernel::lobatto_layers(section.layers) : kernel::gauss_layers(section.layers);
 }
 

@@ -453,7 +453,7 @@ std::string System::Controlling::describe(const System& s) const {
 std::string_view System::kind_name(const ElementGroup& group) const {
   switch (group.kind) {
     case model::ElementKind::shell: return "shell";
-    case model::ElementKind::solid: return "solid";
+    case model::ElementKind::solid: return model.has_thick_shells(group.part) ? "thick shell" : "solid";
     case model::ElementKind::beam: return "beam";
     case model::ElementKind::discrete: return "spring";
     case model::ElementKind::nothing: break;

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include "impact/conditions/blast_load.hpp"
 #include "impact/conditions/body_load.hpp"
 #include "impact/conditions/gas_volume.hpp"
 #include "impact/conditions/nodal_load.hpp"

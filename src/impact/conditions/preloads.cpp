@@ -61,7 +61,9 @@ std::string why_no_stress(const model::Model& model, model::Index solid) {
   const bool bond = model::bond_of(model, model.parts[model.solids.part[solid]]) != nullptr;
   return fmt::format("solid {} takes no stress: {}", model.solids.id[solid],
                      bond ? "it is adhesive, which begins without tractions"
-                          : "in tetrahedra of ELFORM 13 the nodes have the pressure");
+                     : model.has_thick_shells(model.solids.part[solid])
+                         ? "thick shells begin without stress here"
+                         : "in tetrahedra of ELFORM 13 the nodes have the pressure");
 }
 
 /// Where the size of the curve's values falls for the first time, or its end.
@@ -137,7 +139,7 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
     const system::System::ElementLocation location = system.solid_location[s.element];
     if (location.group < 0 || takes_stress(*system.groups[location.group])) continue;
     findings.error(s.place, "*INITIAL_STRESS_SOLID", why_no_stress(model, s.element),
-                   "take it out, or use tetrahedra of ELFORM 10");
+                   "take it out, or use bricks, or tetrahedra of ELFORM 10");
   }
   for (const Prescribed& p : prescribed_)
     for (const auto& [group, stress] : p.elements) groups_.push_back(group);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "impact/conditions/acting_load.hpp"
@@ -15,6 +16,9 @@ class PressedFaces {
       : segments_(segments), shares_(shares), system_(system), last_(4 * segments.size()) {}
   /// Adds `pressure` [stress], positive against the faces' normals, to state.f, and its work to `work`.
   void press(double pressure, system::State& state, double dt, double& work);
+  /// The same on the s-th face alone.
+  void press(std::size_t s, double pressure, system::State& state, double dt, double& work);
+  std::pair<Vec3d, Vec3d> middle_and_area(std::size_t s, const system::State& state) const;  ///< along the normal
   void archive(Archive& a);
 
  private:

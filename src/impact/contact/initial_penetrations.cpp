@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
 #include <span>
 
 #include "contact/surface_contact.hpp"
@@ -27,10 +30,27 @@ std::string proposal(const model::Model& model, const contact::Penetration& p, s
   return fmt::format("node {} to ({:.6g}, {:.6g}, {:.6g})", model.nodes.id[p.node], out.x, out.y, out.z);
 }
 
+/// A node of the back of a body that is one brick thick stands behind the face in front, deep in its own brick: what
+/// shares a brick with a face is not pressed by it.
+void leave_own_bricks_out(const model::Model& model, const contact::SurfaceContactSetup& setup,
+                          std::vector<contact::Penetration>& found) {
+  std::map<int, std::set<int>> neighbours;  // by node that was found: all nodes of its bricks
+  for (const contact::Penetration& p : found) neighbours[p.node];
+  for (std::size_t e = 0; e < model.solids.size(); ++e)
+    for (const model::Index n : model.solids.nodes(e))
+      if (const auto it = neighbours.find(n); it != neighbours.end())
+        it->second.insert(model.solids.nodes(e).begin(), model.solids.nodes(e).end());
+  std::erase_if(found, [&](const contact::Penetration& p) {
+    const auto& face = setup.segments[p.segment].node;
+    return std::any_of(std::begin(face), std::end(face), [&](int n) { return neighbours[p.node].contains(n); });
+  });
+}
+
 /// Bricks that start so far in each other that nothing presses them apart.
 void report_out_of_reach(const model::Model& model, const model::Contact& card,
                          const contact::SurfaceContactSetup& setup, std::span<const Row> x, Findings& findings) {
-  const std::vector<contact::Penetration> deep = contact::find_nodes_out_of_reach(setup, x);
+  std::vector<contact::Penetration> deep = contact::find_nodes_out_of_reach(setup, x);
+  leave_own_bricks_out(model, setup, deep);
   if (deep.empty()) return;
   std::vector<int> nodes;
   for (const contact::Penetration& p : deep) nodes.push_back(p.node);

@@ -48,10 +48,27 @@ void put_shells(const Snapshot& now, output::D3plotWords& words) {
   });
 }
 
+void put_thick_shell(const Snapshot& now, std::size_t e, output::D3plotWords& words) {
+  thread_local std::vector<output::StressRecord> layers;
+  layers.resize(at(now.system.model.requests.layers));
+  const system::System::ElementLocation location = now.system.solid_location[e];
+  output::thick_shell_stresses(now.system, now.state, location, layers);
+  const system::ElementGroup* group = group_of(now, location);
+  const Strains::Faces faces = now.components.strains.thick_shell(e);
+  const std::size_t i = at(location.element);
+  output::ThickShellRecord record{faces.lower, faces.upper, 0.0};
+  if (group != nullptr && group->mass(i) > 0.0)
+    record.internal_energy = group->internal_energy(i) *
+                             now.system.model.materials[now.system.model.parts[group->part].material].density /
+                             group->mass(i);
+  words.put_thick_shell(e, record, layers, group == nullptr || group->alive(i));
+}
+
 void put_solids(const Snapshot& now, output::D3plotWords& words) {
   const model::Model& model = now.system.model;
   put_each(model.solids.size(), [&](std::size_t e) {
     const system::System::ElementLocation location = now.system.solid_location[e];
+    if (model.has_thick_shells(model.solids.part[e])) return put_thick_shell(now, e, words);
     output::SolidRecord solid{output::solid_stress(now.system, now.state, location), {}};
     const system::ElementGroup* group = group_of(now, location);
     const std::size_t i = at(location.element);

@@ -81,6 +81,20 @@ output::EloutShell shell(const Snapshot& now, model::Index index, const system::
   return row;
 }
 
+/// Layers from the bottom up, in global axes.
+output::EloutShell thick_shell(const Snapshot& now, model::Index index, const system::ElementGroup& group,
+                               std::size_t e) {
+  const model::Model& model = now.system.model;
+  output::EloutShell row;
+  row.id = model.solids.id[index];
+  row.part = model.parts[group.part].id;
+  for (int k = 0; k < group.layers(); ++k) row.layers.push_back(point(group, e, k, now));
+  const Strains::Faces faces = now.components.strains.thick_shell(at(index));
+  row.lower_strain = faces.lower;
+  row.upper_strain = faces.upper;
+  return row;
+}
+
 /// LS-DYNA's number of the laws that beams can have; 0 where this table does not know it.
 int material_type(const model::Material& material) {
   static constexpr std::pair<std::string_view, int> numbers[] = {{"MAT_SPOTWELD", 100},
@@ -144,6 +158,10 @@ output::EloutState elout_state(const Snapshot& now) {
     const auto [group, e] = find(now, now.system.shell_location, entity.index);
     if (group == nullptr) continue;
     s.shells.push_back(shell(now, entity.index, *group, e));
+  }
+  for (const model::NamedEntity& entity : model.requests.history_thick_shells) {
+    const auto [group, e] = find(now, now.system.solid_location, entity.index);
+    if (group != nullptr) s.thick_shells.push_back(thick_shell(now, entity.index, *group, e));
   }
   return s;
 }

@@ -97,6 +97,8 @@ std::vector<char> Simulation::followed_by_all() const {
     for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
   for (const model::TractionLoad& load : model.traction_loads)
     for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
+  for (const model::BlastLoad& load : model.blast_loads)
+    for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
   for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
   for (const model::Sensor& sensor : model.run_ends.sensors) std::ranges::for_each(sensor.node, follow);
   for (const model::RunEnd& end : model.run_ends.ends) follow(end.node);

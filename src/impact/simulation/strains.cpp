@@ -13,6 +13,7 @@
 #include "model/axes.hpp"
 #include "model/bond.hpp"
 #include "system/shell_elements.hpp"
+#include "system/thick_shell_element.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -27,13 +28,16 @@ std::array<Vec3d, 8> first_eight(const std::array<Vec3d, 10>& x) {
   return eight;
 }
 
-/// Velocity gradient of a brick at its centre: rows are the gradients of the velocity's components.
-std::array<Vec3d, 3> velocity_gradient(const std::array<Vec3d, 8>& x, const std::array<Vec3d, 8>& v) {
+/// Velocity gradient of a brick amid the surface of its natural coordinate zeta = `height` (0: its centre): rows are
+/// the gradients of the velocity's components.
+std::array<Vec3d, 3> velocity_gradient(const std::array<Vec3d, 8>& x, const std::array<Vec3d, 8>& v,
+                                       double height = 0.0) {
   static constexpr double xi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, eta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
                           zeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
   std::array<Vec3d, 3> along{}, rate{};  // derivatives of place and velocity by xi, eta, zeta
   for (std::size_t a = 0; a < 8; ++a) {
-    const double d[3] = {0.125 * xi[a], 0.125 * eta[a], 0.125 * zeta[a]};
+    const double near = 0.125 * (1.0 + zeta[a] * height);
+    const double d[3] = {near * xi[a], near * eta[a], 0.125 * zeta[a]};
     for (std::size_t i = 0; i < 3; ++i) {
       along[i] += d[i] * x[a];
       rate[i] += d[i] * v[a];
@@ -60,6 +64,7 @@ Strains::Strains(const system::System& system, bool wanted) : system_(system) {
   const model::Model& model = system.model;
   shells_.resize(model.shells.size());
   solids_.resize(model.solids.size());
+  find_thick_shells();
   zeta_.resize(model.shells.size());
   for (std::size_t e = 0; e < zeta_.size(); ++e) {
     const system::System::ElementLocation location = system.shell_location[e];
@@ -67,6 +72,19 @@ Strains::Strains(const system::System& system, bool wanted) : system_(system) {
     const std::vector<double> places = layer_places(model, *system.groups[location.group]);
     zeta_[e] = {places.front(), places.back()};
   }
+}
+
+void Strains::find_thick_shells() {
+  const model::Model& model = system_.model;
+  for (std::size_t e = 0; e < model.solids.size(); ++e) {
+    if (!model.has_thick_shells(model.solids.part[e])) continue;
+    const auto& section = model.solid_sections[model.parts[model.solids.part[e]].section];
+    thick_rank_.resize(model.solids.size(), model::none);
+    thick_rank_[e] = static_cast<model::Index>(thick_zeta_.size());
+    const kernel::LayerRule rule = system::layer_rule(*section.thickness);
+    thick_zeta_.push_back(rule.zeta[at(rule.count - 1)]);
+  }
+  thick_.resize(thick_zeta_.size());
 }
 
 void Strains::start(const system::State& state) {
@@ -164,12 +182,20 @@ void Strains::advance_solid(std::size_t e, const system::State& state) {
     v[a] = vec(state.v[k]);
     x[a] = vec(state.x[k]) - 0.5 * state.dt * v[a];
   }
-  const auto g = group.nodes_per_element == 10 ? kernel::quadratic_tetrahedron_gradient(x, v)
-                                               : velocity_gradient(first_eight(x), first_eight(v));
-  const double dt = state.dt;
+  add(solids_[e],
+      group.nodes_per_element == 10 ? kernel::quadratic_tetrahedron_gradient(x, v)
+                                    : velocity_gradient(first_eight(x), first_eight(v)),
+      state.dt);
+  if (thick_rank_.empty() || thick_rank_[e] == model::none) return;
+  const auto rank = at(thick_rank_[e]);
+  add(thick_[rank].lower, velocity_gradient(first_eight(x), first_eight(v), -thick_zeta_[rank]), state.dt);
+  add(thick_[rank].upper, velocity_gradient(first_eight(x), first_eight(v), thick_zeta_[rank]), state.dt);
+}
+
+/// Adds a step with the velocity gradient `g`.
+void Strains::add(Tensor& s, const std::array<Vec3d, 3>& g, double dt) {
   // Half the curl; the strain so far turns with the element (Jaumann).
   const double wz = 0.5 * dt * (g[1].x - g[0].y), wx = 0.5 * dt * (g[2].y - g[1].z), wy = 0.5 * dt * (g[0].z - g[2].x);
-  Tensor& s = solids_[e];
   const auto [xx, yy, zz, xy, yz, zx] = s;
   s[0] += dt * g[0].x + 2.0 * (wy * zx - wz * xy);
   s[1] += dt * g[1].y + 2.0 * (wz * xy - wx * yz);
@@ -208,6 +234,10 @@ Strains::Tensor Strains::solid(std::size_t e) const {
   return solids_.empty() ? Tensor{} : solids_[e];
 }
 
+Strains::Faces Strains::thick_shell(std::size_t e) const {
+  return thick_rank_.empty() || thick_rank_[e] == model::none ? Faces{} : thick_[at(thick_rank_[e])];
+}
+
 void Strains::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
   if (what == system::Carried::energies) return;
   const auto some = [&](auto& strains, const std::vector<system::System::ElementLocation>& locations) {
@@ -216,11 +246,15 @@ void Strains::carry(system::Carried what, const system::System::Computed& of, sy
   };
   some(shells_, system_.shell_location);
   some(solids_, system_.solid_location);
+  for (std::size_t e = 0; e < thick_rank_.size(); ++e)
+    if (const auto& l = system_.solid_location[e];
+        thick_rank_[e] != model::none && l.group >= 0 && of(l.group, at(l.element)))
+      parcel(&thick_[at(thick_rank_[e])], 1);
 }
 
 void Strains::archive(Archive& a) {
-  a(shells_, solids_);
-  a.built(system_, zeta_);
+  a(shells_, solids_, thick_);
+  a.built(system_, zeta_, thick_rank_, thick_zeta_);
 }
 
 }  // namespace nugget::impact

@@ -15,7 +15,7 @@ namespace nugget::impact {
 class Strains {
  public:
   using Tensor = std::array<double, 6>;
-  /// At the lowest and the uppermost integration point of a shell.
+  /// At the lowest and the uppermost integration point of a shell or a thick shell.
   struct Faces {
     Tensor lower{}, upper{};
   };
@@ -31,6 +31,7 @@ class Strains {
   /// stress: what changes the volume is elastic, zz = -(xx + yy) + (1 - 2 nu)/E (s_xx + s_yy).
   Faces shell(std::size_t e, const system::State& now) const;
   Tensor solid(std::size_t e) const;
+  Faces thick_shell(std::size_t e) const;  ///< `e`: of the model's solids
 
   /// Over several ranks: strains of elements on their way to another one.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
@@ -43,12 +44,18 @@ class Strains {
   };
   void advance_shell(std::size_t e, const system::State& state);
   void advance_solid(std::size_t e, const system::State& state);
+  void find_thick_shells();
+  static void add(Tensor& strain, const std::array<Vec3d, 3>& gradient, double dt);
   Tensor global(const InPlane& strain, std::size_t e, int layer, const system::State& now) const;
 
   const system::System& system_;
   std::vector<ShellStrain> shells_;
   std::vector<std::array<double, 2>> zeta_;  ///< by model shell: of its outermost layers
   std::vector<Tensor> solids_;
+  std::vector<model::Index>
+      thick_rank_;                  ///< by model solid: of a thick shell in `thick_`, or none; empty: there are none
+  std::vector<double> thick_zeta_;  ///< by rank: place of the uppermost layer
+  std::vector<Faces> thick_;
 };
 
 }  // namespace nugget::impact

@@ -40,6 +40,17 @@ LayerRule gauss_layers(int count) {
   return rule;
 }
 
+LayerRule equally_spaced_layers(int count) {
+  LayerRule rule;
+  rule.count = count;
+  for (int k = 0; k < count; ++k) {
+    const auto point = static_cast<std::size_t>(k);
+    rule.zeta[point] = count == 1 ? 0.0 : -1.0 + 2.0 * k / (count - 1);
+    rule.weight[point] = count == 1 ? 1.0 : (k == 0 || k == count - 1 ? 0.5 : 1.0) / (count - 1);
+  }
+  return rule;
+}
+
 LayerRule lobatto_layers(int count) {
   if (count < 3) return gauss_layers(count);
   const int degree = count - 1;

@@ -21,6 +21,9 @@ LayerRule gauss_layers(int count);
 /// Gauss-Lobatto points, 3 to 10: the outermost lie on the faces (INTGRD 1). Fewer than 3 have no such rule: Gauss.
 LayerRule lobatto_layers(int count);
 
+/// Points with equal spaces between them, the outermost on the faces, weights of the trapezoidal rule.
+LayerRule equally_spaced_layers(int count);
+
 enum class ThicknessUpdate { none, all, plastic };                   ///< ISTUPD 0, 1, 4
 enum class ShellLength { area_over_side, area_over_diagonal, bar };  ///< ISDO 0, 1, 2
 

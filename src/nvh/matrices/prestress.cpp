@@ -10,6 +10,7 @@
 #include "nvh/matrices/assembly.hpp"
 #include "nvh/matrices/stresses.hpp"
 #include "system/shell_elements.hpp"
+#include "system/thick_shell_element.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -171,6 +172,12 @@ std::vector<Vec3d> places_of(const system::ElementGroup& group, std::size_t e, c
   return x;
 }
 
+/// The layers' shares of a thick shell; empty of other elements.
+kernel::LayerRule layers_of_thick(const model::Model& model, const system::ElementGroup& group) {
+  if (!model.has_thick_shells(group.part)) return {};
+  return system::layer_rule(*model.solid_sections[model.parts[group.part].section].thickness);
+}
+
 bool any(const Tensor& t) {
   return std::any_of(t.begin(), t.end(), [](double c) { return c != 0.0; });
 }
@@ -217,12 +224,14 @@ void Prestress::add(const std::vector<SixDof>& motion) {
   for (std::size_t g = 0; g < tensor_.size(); ++g) {
     const system::ElementGroup& group = *system_.groups[g];
     const int layers = group.layers();
-    const kernel::LayerRule rule =
-        dimension_of(group) == 2 ? system::layer_rule(system_.model, group.part) : kernel::LayerRule{};
+    const kernel::LayerRule rule = dimension_of(group) == 2 ? system::layer_rule(system_.model, group.part)
+                                                            : layers_of_thick(system_.model, group);
     for (std::size_t e = 0; e < group.size(); ++e) {
       if (!group.alive(e)) continue;
       const ElementLocation location{static_cast<int>(g), static_cast<int>(e)};
-      if (dimension_of(group) == 3) add_to(of(location), 1.0, elastic.stress(location, 0));
+      if (dimension_of(group) == 3 && rule.count == 0) add_to(of(location), 1.0, elastic.stress(location, 0));
+      if (dimension_of(group) == 3)
+        for (int k = 0; k < rule.count; ++k) add_to(of(location), rule.weight[k], elastic.stress(location, k));
       if (dimension_of(group) == 2)
         for (int k = 0; k < layers; ++k)
           add_to(of(location), group.thickness(e) * rule.weight[k], elastic.stress(location, k));
@@ -258,9 +267,12 @@ void Prestress::add(const system::System& run, const system::State& now) {
       }
       const int layers = group.layers();
       const kernel::LayerRule rule =
-          dimension_of(group) == 2 ? system::layer_rule(run.model, group.part) : kernel::LayerRule{};
+          dimension_of(group) == 2 ? system::layer_rule(run.model, group.part) : layers_of_thick(run.model, group);
       for (int k = 0; k < layers; ++k)
-        add_to(of(to[i]), dimension_of(group) == 2 ? group.thickness(e) * rule.weight[k] : 1.0 / layers,
+        add_to(of(to[i]),
+               dimension_of(group) == 2 ? group.thickness(e) * rule.weight[k]
+               : rule.count > 0         ? rule.weight[k]
+                                        : 1.0 / layers,
                group.layer(e, k, now).stress);
     }
   };

@@ -43,6 +43,7 @@ void ElasticStresses::fill(double share, output::D3plotState& state) const {
     for (double& component : r.stress) scale(component);
   };
   for (output::SolidRecord& r : state.solids) scale_stress(r);
+  for (output::StressRecord& r : state.thick_layers) scale_stress(r);
   for (output::StressRecord& r : state.shell_layers) scale_stress(r);
   for (output::BeamRecord& b : state.beams) scale(b.axial, b.shear_s, b.shear_t, b.moment_s, b.moment_t, b.torsion);
   for (output::BeamPointRecord& p : state.beam_points) scale(p.stress_rs, p.stress_tr, p.stress_axial);

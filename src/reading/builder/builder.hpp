@@ -77,6 +77,9 @@ struct Box {
 /// *SECTION_SOLID: what its card says beside the section's own members.
 struct SolidCard : SectionSolid {
   double cohoff = 0.0, gaskett = 0.0;
+  // Of *SECTION_TSHELL.
+  double shrf = 1.0, tshear = 0.0;
+  int nip = 2, qr = 0;
 };
 
 /// *PART: the ids that its card names.
@@ -124,8 +127,9 @@ class Builder {
   std::vector<Vec3d> vector_tails;                             ///< of the same: points
   std::vector<SetRecipe> set_recipes;
   std::vector<deck::RowOf<NodeMergeCard>> merge_rows;
-  double merge_tolerance = 0.0;              ///< TOLR of *NODE_MERGE_TOLERANCE; 0: not given
-  std::map<int, LayerStack> layer_rules;     ///< *INTEGRATION_SHELL by IRID
+  std::map<int, std::optional<BlastLoad>> blasts;  ///< *LOAD_BLAST_ENHANCED by BID; nothing: refused
+  double merge_tolerance = 0.0;                    ///< TOLR of *NODE_MERGE_TOLERANCE; 0: not given
+  std::map<int, LayerStack> layer_rules;           ///< *INTEGRATION_SHELL by IRID
   std::map<Index, LayerStack> layer_stacks;  ///< by shell section: layers that cards give; known after Phase::curves
   BodyCards body_cards;
 
@@ -133,6 +137,7 @@ class Builder {
   std::vector<Index> body_of_node;  ///< by node: the rigid body that carries it, or none; known after Phase::bodies
   std::vector<deck::Entry> shell_formulations, beam_formulations;  ///< by section: its ELFORM
   std::vector<deck::RowOf<SolidCard>> solid_section_rows;          ///< by section
+  std::vector<char> thick_solids;                                  ///< by solid: 1 of *ELEMENT_TSHELL; empty: none is
   std::vector<std::pair<Index, deck::RowOf<PartCard>>> part_rows;  ///< by part
   /// *PART_COMPOSITE: its section, and the fields of its id and its hourglass control.
   struct CompositePart {

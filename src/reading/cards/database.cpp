@@ -326,6 +326,8 @@ constexpr History shell_history{"shell", &Builder::shells, &Builder::shell_sets,
                                 &Requests::history_shells};
 constexpr History solid_history{"solid", &Builder::solids, &Builder::solid_sets, &Sets::solids,
                                 &Requests::history_solids};
+constexpr History thick_shell_history{"thick shell", &Builder::solids, &Builder::solid_sets, &Sets::solids,
+                                      &Requests::history_thick_shells};
 constexpr History beam_history{"beam", &Builder::beams, &Builder::beam_sets, &Sets::beams, &Requests::history_beams};
 
 void add_history(Builder& builder, std::vector<NamedEntity>& list, Index index, const std::string& heading) {
@@ -337,7 +339,12 @@ void resolve_history(Builder& builder, const History& history, const deck::Entry
   const int id = field.integer();
   if (id == 0) return;
   auto& list = builder.model.requests.*history.list;
-  const Index index = set ? (builder.*history.set_ids).find(id) : (builder.*history.ids).find(id);
+  Index index = set ? (builder.*history.set_ids).find(id) : (builder.*history.ids).find(id);
+  // Bricks and thick shells share their ids.
+  if (!set && index != none && history.ids == &Builder::solids) {
+    const bool thick = at(index) < builder.thick_solids.size() && builder.thick_solids[index] != 0;
+    if (thick != (&history == &thick_shell_history)) index = none;
+  }
   if (index == none) {
     field.report(builder.findings, Severity::warning,
                  std::string(history.what) + (set ? " set" : "") + " is not in the model; it has no time history");
@@ -484,6 +491,7 @@ std::vector<Keyword> database_keywords() {
       history_keyword<shell_history, true>("DATABASE_HISTORY_SHELL_SET", history_set_ids, set_id_heading),
       history_keyword<solid_history, false>("DATABASE_HISTORY_SOLID", history_element_ids, element_id_heading),
       history_keyword<solid_history, true>("DATABASE_HISTORY_SOLID_SET", history_set_ids, set_id_heading),
+      history_keyword<thick_shell_history, false>("DATABASE_HISTORY_TSHELL", history_element_ids, element_id_heading),
       history_keyword<beam_history, false>("DATABASE_HISTORY_BEAM", history_element_ids, element_id_heading),
       history_keyword<beam_history, true>("DATABASE_HISTORY_BEAM_SET", history_set_ids, set_id_heading),
       {.name = "DATABASE_HISTORY_DISCRETE",

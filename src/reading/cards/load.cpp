@@ -370,8 +370,9 @@ void warn_of_no_area(Builder& b, const RowOf<PressureCard>& row, const std::vect
 template <class Segments>
 void leave_pressure(Builder& builder, const RowOf<PressureCard>& row, Segments segments) {
   if (row->lcid < 0)
-    return refuse(builder, row[&PressureCard::lcid], "blast loads (Brode, ConWep) are not built",
-                  "give a curve of pressure over time");
+    return refuse(builder, row[&PressureCard::lcid],
+                  "blast loads by numbers below 0 (Brode, ConWep) are not built here",
+                  "write *LOAD_BLAST_ENHANCED with *LOAD_BLAST_SEGMENT_SET, or give a curve of pressure over time");
   builder.defer(Phase::conditions, [row, segments](Builder& b) {
     PressureLoad load;
     load.curve = b.curve(row[&PressureCard::lcid]);

@@ -118,6 +118,9 @@ void read_shell_elements(Builder& b, const Block& block, const Options&) {
 void read_solid_elements(Builder& b, const Block& block, const Options&) {
   deck::read_solids(b.deck, block, b.solid_table, b.findings);
 }
+void read_thick_shell_elements(Builder& b, const Block& block, const Options&) {
+  deck::read_thick_shells(b.deck, block, b.solid_table, b.findings);
+}
 void read_beam_elements(Builder& b, const Block& block, const Options&) {
   deck::read_beams(b.deck, block, b.beam_table, b.findings);
 }
@@ -262,6 +265,7 @@ std::vector<Keyword> mesh_keywords() {
        .options = {"ORTHO", "DOF", "TET4TOTET10"},
        .layout = {{"", &deck::solid_card()}},
        .read = read_solid_elements},
+      {.name = "ELEMENT_TSHELL", .layout = {{"", &deck::thick_shell_card()}}, .read = read_thick_shell_elements},
       {.name = "ELEMENT_BEAM",
        .options = {"THICKNESS", "PID", "OFFSET", "ORIENTATION"},
        .layout = {{"", &deck::beam_card()},

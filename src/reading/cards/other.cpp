@@ -106,8 +106,9 @@ Rows other_elements() {
       refused("ELEMENT_DISCRETE_*", "this form of a spring is not built; write *ELEMENT_DISCRETE"),
       refused("ELEMENT_SEATBELT*", "seat belts are not built"),
       refused("SECTION_SEATBELT*", "seat belts are not built"),
-      refused("ELEMENT_TSHELL*", "thick shells are not built; use shells or bricks"),
-      refused("SECTION_TSHELL*", "thick shells are not built; use shells or bricks"),
+      refused("SET_TSHELL*", "sets of thick shells are not built; name their parts, or write *DATABASE_HISTORY_TSHELL"),
+      refused("ELEMENT_TSHELL_*",
+              "thick shells with angles or layers of their own (_BETA, _COMPOSITE) are not built; *ELEMENT_TSHELL is"),
       refused("ELEMENT_SPH*", "particles (SPH) are not built"),
       refused("SECTION_SPH*", "particles (SPH) are not built"),
       refused("ELEMENT_DISCRETE_SPHERE*", "particles (DES) are not built"),
@@ -179,7 +180,9 @@ Rows other_conditions() {
       refused("INITIAL_*",
               "this initial condition is not built; velocities of nodes, sets, parts and rigid bodies are"),
       refused("LOAD_THERMAL_*", "heat and thermal strains are not built"),
-      refused("LOAD_BLAST*", "blast loads are not built; use *LOAD_SEGMENT_SET with a pressure curve"),
+      refused(
+          "LOAD_BLAST*",
+          "this form of blast loads is not built; *LOAD_BLAST_ENHANCED with *LOAD_BLAST_SEGMENT or _SEGMENT_SET is"),
       refused("LOAD_*", "this load is not built; nodal, body and pressure loads are"),
       refused("DAMPING_*",
               "this damping is not built; _GLOBAL, _PART_MASS, _PART_STIFFNESS, _FREQUENCY_RANGE, _RELATIVE and "

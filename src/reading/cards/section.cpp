@@ -120,6 +120,23 @@ const CardOf<SolidCard> solid_card{
     {&SolidCard::gaskett, real("gaskett", dimension::number, 0, any_value, "for gaskets only")},
 };
 
+const CardOf<SolidCard> thick_shell_card{
+    {&SolidCard::id, id("secid", IdSpace::other, required, "section id")},
+    {&SolidCard::elform,
+     integer("elform", 1, any_value,
+             "formulation: 5 assumed strains, one point in its plane, layers with laws of solids; others are refused")},
+    {&SolidCard::shrf,
+     real("shrf", dimension::number, 1, above_zero(),
+          "factor on the transverse shear stiffness, with TSHEAR 1; the parabola of TSHEAR 0 has 5/6")},
+    {&SolidCard::nip, integer("nip", 2, between(2, 10), "layers through the thickness")},
+    real("propt", dimension::number, 0, any_value, "listings, no effect"),
+    {&SolidCard::qr, integer("qr", 0, between(0, 1),
+                             "places of the layers: 0 Gauss, 1 equally spaced with the outermost on the faces")},
+    integer("icomp", 0, only(0), "angles of layers are not built"),
+    {&SolidCard::tshear, real("tshear", dimension::number, 0, between(0, 1),
+                              "transverse shear strain: 0 a parabola through the thickness, 1 constant")},
+};
+
 /// What the cards say beside the section's own members.
 struct BeamCards : SectionBeam {
   double scoor_written = 0.0;
@@ -302,6 +319,19 @@ void read_solid(Builder& b, const Block& block, const Options& options) {
   }
 }
 
+void read_thick_shell(Builder& b, const Block& block, const Options& options) {
+  for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    read_title(cursor, options);
+    const auto row = cursor.read(thick_shell_card);
+    SectionSolid section = *row;
+    section.thickness = SectionSolid::Thickness{row->nip, row->qr == 1, row->shrf, row->tshear == 0.0};
+    if (row->tshear != 0.0 && row->tshear != 1.0)
+      refuse(b, row[&SolidCard::tshear], "this distribution of the transverse shear is not known", "write 0 or 1");
+    add_section<SectionSolid>(b, row, section, b.solid_sections, b.model.solid_sections, "section of thick shells");
+    b.solid_section_rows.push_back(row);
+  }
+}
+
 /// Zero at the second end means: as at the first.
 void complete_ends(SectionBeam& s) {
   for (auto* extent : {&s.outer, &s.inner})
@@ -430,6 +460,7 @@ std::vector<Keyword> section_keywords() {
        .layout = {{"", &rule_card}, {"if ESOP = 0, NIP times", &rule_layer_card}},
        .read = read_rule},
       {.name = "SECTION_SOLID", .options = {"TITLE"}, .layout = {{"", &solid_card}}, .read = read_solid},
+      {.name = "SECTION_TSHELL", .options = {"TITLE"}, .layout = {{"", &thick_shell_card}}, .read = read_thick_shell},
       {.name = "SECTION_BEAM",
        .options = {"TITLE"},
        .layout = {{"", &beam_card},

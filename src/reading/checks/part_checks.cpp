@@ -127,6 +127,7 @@ void check_bond_formulation(Builder& b, const Part& part, std::vector<char>& rep
 
 void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& reported) {
   const auto s = at(part.section);
+  if (b.model.solid_sections[s].thickness) return;  // check_thick_shells
   int& elform = b.model.solid_sections[s].elform;
   if (is_cohesive(elform) || bond_of(b.model, part)) return check_bond_formulation(b, part, reported);
   // Linear analyses have a brick for 18 (nvh::linear_model).
@@ -504,9 +505,10 @@ void check_hourglass(Builder& b) {
     // solids the one-point brick has some, the others have none.
     const auto section = at(part.section);
     const int shell_form = part.kind == ElementKind::shell ? m.shell_sections[section].elform : 0;
-    const bool has_modes = part.kind == ElementKind::shell   ? shell_form != 16 && shell_form != 9
-                           : part.kind == ElementKind::solid ? m.solid_sections[section].elform == 1
-                                                             : true;
+    const bool has_modes = part.kind == ElementKind::shell ? shell_form != 16 && shell_form != 9
+                           : part.kind == ElementKind::solid
+                               ? m.solid_sections[section].elform == 1 && !m.solid_sections[section].thickness
+                               : true;
     if (has_modes) parts[{part.hourglass, part.kind}].push_back(part.id);
   }
   for (const auto& [user, ids] : parts) {

@@ -21,6 +21,12 @@ Place place_of(const Builder& b, int file, int line) {
   return {b.deck.files[file], line, 0};
 }
 
+template <class Table>
+bool is_thick(const Table& table, std::size_t row) {
+  if constexpr (requires { table.thick; }) return !table.thick.empty() && table.thick[row] != 0;
+  return false;
+}
+
 /// Rows of a table in ascending order of id, each id once; a second one is a finding.
 template <class Table>
 std::vector<std::size_t> rows_by_id(Builder& b, const Table& table, std::string_view what, std::string keyword) {
@@ -32,11 +38,14 @@ std::vector<std::size_t> rows_by_id(Builder& b, const Table& table, std::string_
   Tally twice(b.findings, Severity::error, std::move(keyword));
   const auto is_second = [&](std::size_t first, std::size_t second) {
     if (table.id[first] != table.id[second]) return false;
+    const bool unlike = is_thick(table, first) != is_thick(table, second);
     twice.add(
         place_of(b, table.file[second], table.line[second]),
         [&] {
           const Place p = place_of(b, table.file[first], table.line[first]);
-          return fmt::format("{} {} is defined twice; first at {}:{}", what, table.id[second], p.file, p.line);
+          return fmt::format("{} {} is defined twice{}; first at {}:{}", what, table.id[second],
+                             unlike ? ", of bricks and of thick shells, which share their ids here" : "", p.file,
+                             p.line);
         },
         "give one of them another id");
     return true;
@@ -323,6 +332,11 @@ void make_solids(Builder& b) {
     std::array<Index, 8> n;
     std::copy_n(ten.begin(), 8, n.begin());
     if (quadratic) std::fill(n.begin() + 4, n.end(), n[3]);
+    const bool thick = is_thick(table, r);
+    if (thick && std::count(n.begin(), n.end(), none) != 0) {
+      elements.refuse(r, "expected eight nodes of a thick shell (1 2 3 3 5 6 7 7 of a wedge)", "complete its nodes");
+      continue;
+    }
     if (!complete_solid(n)) {
       elements.refuse(r, "expected eight nodes (repeated ones for wedges and tetrahedra)", "complete its nodes");
       continue;
@@ -332,6 +346,7 @@ void make_solids(Builder& b) {
     solids.node.push_back(n);
     solids.place.push_back(table.file[r], table.line[r]);
     if (!table.mirrored.empty()) b.mirrored_solids.push_back(table.mirrored[r]);
+    if (!table.thick.empty()) b.thick_solids.push_back(thick);
     if (!quadratic) {
       if (!table.to_ten.empty() && table.to_ten[r] != 0) to_ten.push_back(r);
       continue;

@@ -12,7 +12,7 @@ try:
 except ImportError:
     sys.exit(77)
 
-KINDS = ["Point", "Beam", "Shell", "Solid"]
+KINDS = ["Point", "Beam", "Shell", "Solid", "ThickShell"]
 
 
 def leaves(data):
@@ -67,7 +67,7 @@ def main(path):
     os.unlink(log.name)
     json.dump({"title": (reader.GetTitle() or "").strip(), "nodes": reader.GetNumberOfNodes(),
                "solids": reader.GetNumberOfSolidCells(), "beams": reader.GetNumberOfBeamCells(),
-               "shells": reader.GetNumberOfShellCells(),
+               "shells": reader.GetNumberOfShellCells(), "thick_shells": reader.GetNumberOfThickShellCells(),
                "parts": [reader.GetPartArrayName(i) for i in range(reader.GetNumberOfPartArrays())],
                "states": states, "complaints": complaints}, sys.stdout)
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cstdint>
+#include <fstream>
+
 #include "base/index.hpp"
 #include "output/d3plot_reader.hpp"
 #include "unit/output/scratch.hpp"
@@ -107,6 +111,60 @@ void expect_equal(const D3plotState& a, const D3plotState& b) {
   EXPECT_EQ(a.solid_alive, b.solid_alive);
   EXPECT_EQ(a.beam_alive, b.beam_alive);
   EXPECT_EQ(a.shell_alive, b.shell_alive);
+}
+
+/// Thick shells among bricks: each has its block in the file (words 23, 40 to 42 of the control section count them),
+/// and both come back by rising id.
+TEST(D3plotReader, ThickShellsAmongBricks) {
+  for (const bool strains : {false, true}) {
+    Scratch scratch;
+    D3plotGeometry g = brick_beam_and_shells();
+    g.solids = {{3, {0, 1, 2, 3, 4, 5, 6, 7}, 2}, {7, {1, 2, 3, 0, 5, 6, 7, 4}, 1}, {9, {2, 3, 0, 1, 6, 7, 4, 5}, 2}};
+    g.thick = {1, 0, 1};
+    g.layers = 3, g.strains = strains;
+    D3plotState s = counted_state(g, 1.0);
+    Counter c{5000.0};
+    s.thick_shells.resize(2);
+    s.thick_layers.resize(6);
+    for (StressRecord& r : s.thick_layers) fill(c, r, 0);
+    for (ThickShellRecord& r : s.thick_shells) {
+      r.internal_energy = c.next();
+      if (strains) r.inner_strain = c.six(), r.outer_strain = c.six();
+    }
+    s.solid_alive = {1, 1, 0};
+    D3plot(scratch.path(), g).write(s);
+
+    std::ifstream file(scratch.path() / "d3plot", std::ios::binary);
+    std::array<std::int32_t, 64> control{};
+    file.read(reinterpret_cast<char*>(control.data()), sizeof control);
+    EXPECT_EQ(control[23], 1);
+    EXPECT_EQ(control[40], 2);
+    EXPECT_EQ(control[41], 1);
+    EXPECT_EQ(control[42], 3 * 7 + (strains ? 12 : 0) + 1);
+
+    const D3plotReader reader(scratch.path(), g.family);
+    const D3plotGeometry& back = reader.geometry();
+    EXPECT_EQ(back.thick, g.thick);
+    EXPECT_EQ(back.strains, strains);
+    for (std::size_t e = 0; e < 3; ++e) {
+      EXPECT_EQ(back.solids[e].id, g.solids[e].id);
+      EXPECT_EQ(back.solids[e].nodes, g.solids[e].nodes);
+      EXPECT_EQ(back.solids[e].part, g.solids[e].part);
+    }
+    const D3plotState read = reader.read(0);
+    EXPECT_EQ(read.solid_alive, s.solid_alive);
+    expect_equal(read.solids[1], s.solids[1]);
+    expect_equal(read.solids[2], s.thick_layers[3]);
+    ASSERT_EQ(read.thick_layers.size(), 6u);
+    for (std::size_t i = 0; i < 6; ++i) expect_equal(read.thick_layers[i], s.thick_layers[i]);
+    ASSERT_EQ(read.thick_shells.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(read.thick_shells[i].outer_strain, s.thick_shells[i].outer_strain);
+      EXPECT_EQ(read.thick_shells[i].internal_energy, s.thick_shells[i].internal_energy);
+    }
+    EXPECT_EQ(read.beams.at(0).torsion, s.beams[0].torsion);
+    EXPECT_EQ(read.shells.at(1).internal_energy, s.shells[1].internal_energy);
+  }
 }
 
 /// Everything that is written comes back, whatever the deck asks to have in a state.

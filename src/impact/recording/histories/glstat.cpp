@@ -7,8 +7,9 @@
 namespace nugget::impact {
 namespace {
 
-output::ElementKind kind(model::ElementKind k) {
-  switch (k) {
+output::ElementKind kind(const model::Model& model, const system::ElementGroup& group) {
+  if (model.has_thick_shells(group.part)) return output::ElementKind::thick_shell;
+  switch (group.kind) {
     case model::ElementKind::beam: return output::ElementKind::beam;
     case model::ElementKind::shell: return output::ElementKind::shell;
     case model::ElementKind::discrete: return output::ElementKind::discrete;
@@ -24,8 +25,8 @@ output::GlstatState glstat_state(const Snapshot& now) {
   if (now.controlling.group >= 0) {
     const system::ElementGroup& group = *now.system.groups[now.controlling.group];
     const model::Index element = now.controlling.element >= 0 ? group.element[now.controlling.element] : 0;
-    s.controlling =
-        output::ControllingElement{kind(group.kind), now.system.element_id(group, element), model.parts[group.part].id};
+    s.controlling = output::ControllingElement{kind(model, group), now.system.element_id(group, element),
+                                               model.parts[group.part].id};
   }
   s.time = now.state.time;
   s.time_step = now.state.dt;
