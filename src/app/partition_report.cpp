@@ -57,9 +57,14 @@ std::string report_partition(const std::filesystem::path& directory, const impac
     s += fmt::format(" {} elements are computed by every rank: springs, and those that welds look at\n\n", all);
   s += " rank  elements     nodes    shared  expected load  neighbours\n";
   const std::vector<system::Partition::Share> shares = partition.shares(system);
+  const auto listed = [](const std::vector<int>& neighbours) {
+    constexpr std::size_t on_a_line = 12;
+    return neighbours.size() > on_a_line ? fmt::format("{} ranks", neighbours.size())
+                                         : fmt::format("{}", fmt::join(neighbours, " "));
+  };
   for (std::size_t r = 0; r < shares.size(); ++r)
     s += fmt::format(" {:>4} {:>9} {:>9} {:>9} {:>14.3f}  {}\n", r, shares[r].elements, shares[r].nodes,
-                     shares[r].shared_nodes, shares[r].cost, fmt::join(shares[r].neighbours, " "));
+                     shares[r].shared_nodes, shares[r].cost, listed(shares[r].neighbours));
   write_picture(directory / "partition.vtu", system, partition);
   return s + "\n";
 }

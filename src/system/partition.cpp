@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/index.hpp"
@@ -150,19 +151,29 @@ std::vector<Partition::Share> Partition::shares(const System& system) const {
       }
     }
   }
+  std::size_t of_everyone = 0;  // nodes
   for (const std::vector<int>& here : ranks_at_nodes(system, *this)) {
-    const bool of_everyone = std::find(here.begin(), here.end(), everyone) != here.end();
-    for (int r = 0; r < ranks_; ++r) {
-      if (!of_everyone && std::find(here.begin(), here.end(), r) == here.end()) continue;
-      ++all[r].nodes;
-      if (ranks_ == 1 || (!of_everyone && here.size() == 1)) continue;
-      ++all[r].shared_nodes;
-      for (int other = 0; other < ranks_; ++other) {
-        std::vector<int>& known = all[r].neighbours;
-        if (other == r || (!of_everyone && std::find(here.begin(), here.end(), other) == here.end())) continue;
-        if (std::find(known.begin(), known.end(), other) == known.end()) known.push_back(other);
-      }
+    if (std::find(here.begin(), here.end(), everyone) != here.end()) {
+      ++of_everyone;
+      continue;
     }
+    for (const int r : here) {
+      ++all[at(r)].nodes;
+      if (here.size() == 1) continue;
+      ++all[at(r)].shared_nodes;
+      std::vector<int>& known = all[at(r)].neighbours;
+      for (const int other : here)
+        if (other != r && std::find(known.begin(), known.end(), other) == known.end()) known.push_back(other);
+    }
+  }
+  for (int r = 0; of_everyone > 0 && r < ranks_; ++r) {
+    Share& share = all[at(r)];
+    share.nodes += of_everyone;
+    if (ranks_ == 1) continue;
+    share.shared_nodes += of_everyone;
+    share.neighbours.resize(at(ranks_));
+    std::iota(share.neighbours.begin(), share.neighbours.end(), 0);
+    share.neighbours.erase(share.neighbours.begin() + r);
   }
   for (Share& share : all) {
     if (whole > 0.0) share.cost *= ranks_ / whole;

@@ -42,9 +42,11 @@ std::vector<bool> looked_at_in_each_cycle(const System& system) {
   for (const model::Joint& joint : system.model.joints) std::for_each(joint.body.begin(), joint.body.end(), of_body);
   for (const model::JointStiffness& joint : system.model.joint_stiffnesses)
     std::for_each(joint.body.begin(), joint.body.end(), of_body);
-  for (std::size_t d = 0; d < system.nodes; ++d)
+  for (std::size_t d = 0; d < system.nodes; ++d) {
+    if (!system.map.dependent(static_cast<int>(d))) continue;
     for (const ConstraintMap::Term& t : system.map.terms(static_cast<int>(d)))
       if (looked_at[at(t.node)]) looked_at[d] = true;
+  }
   return looked_at;
 }
 
