@@ -11,6 +11,7 @@ least of the runs, and how far energies are from those of the run without.
 import argparse
 import json
 import pathlib
+import shutil
 import sys
 
 import body
@@ -63,14 +64,20 @@ def write_tube(work):
 
 
 def compare(nugget, deck, work, repeat):
+    if deck.parent != work:  # with what it includes
+        shutil.copytree(deck.parent, work / deck.stem, dirs_exist_ok=True)
+        deck = work / deck.stem / deck.name
     text = deck.read_text(encoding="latin-1")
     at = text.upper().rindex("*END")
     base = None
     for form in FORMS:
-        name = deck.with_name(f"{deck.stem}_subcycled.k")  # beside the deck, for what it includes
-        name = name if deck.parent == work else work / name.name
+        name = deck.with_name(f"{deck.stem}_subcycled.k")
         name.write_text(text[:at] + (f"*CONTROL_SUBCYCLE_{form}\n" if form else "") + text[at:], encoding="latin-1")
-        seconds = min(measure([nugget, "run", str(name), "-o", "results", "-j1", "--quiet"], work)[0] for _ in range(repeat))
+        try:
+            seconds = min(measure([nugget, "run", str(name), "-o", "results", "-j1", "--quiet"], work)[0] for _ in range(repeat))
+        except SystemExit:  # rigid welds are refused beside L above 1
+            print(f"{'':<14}{form:<9}   refused")
+            continue
         summary = json.loads((work / "results" / "summary.json").read_text(encoding="utf-8"))
         energy = summary["energy"]
         base = base or (seconds, energy)
