@@ -22,22 +22,6 @@ void for_ranges(const std::vector<Share::Range>& ranges, const std::function<voi
   });
 }
 
-/// Elements of a tile: their state and forces fill half of the cache that a core has of its own.
-constexpr std::size_t elements_per_tile = 512;
-
-/// Calls `body` for groups and blocks of them that follow each other.
-template <class Body>
-void for_runs(std::span<const std::pair<int, std::size_t>> blocks, const Body& body) {
-  std::size_t begin = 0;
-  while (begin < blocks.size()) {
-    const auto [g, block] = blocks[begin];
-    std::size_t run = begin + 1;
-    while (run < blocks.size() && blocks[run].first == g && blocks[run].second == block + (run - begin)) ++run;
-    body(g, block, block + (run - begin));
-    begin = run;
-  }
-}
-
 }  // namespace
 
 void System::link_slots() {
@@ -78,38 +62,6 @@ void System::link_slots() {
   each_slot([&](std::size_t node, const ElementGroup& group, std::size_t row) {
     gather_[next[node]++] = static_cast<std::uint32_t>(row << 1 | (group.rotational ? 1u : 0u));
   });
-  make_tiles();
-}
-
-void System::make_tiles() {
-  constexpr int nobody = -1, several = -2;
-  std::vector<int> tile_of(nodes, nobody);
-  std::size_t in_tile = elements_per_tile;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    const ElementGroup& group = *groups[at(blocks_[i].first)];
-    if (in_tile >= elements_per_tile) {
-      tiles_.push_back({i, i, {}});
-      in_tile = 0;
-    }
-    tiles_.back().end = i + 1;
-    const int tile = static_cast<int>(tiles_.size()) - 1;
-    const std::size_t width = group.block_width(), first = blocks_[i].second * width;
-    for (std::size_t e = first; e < std::min(group.size(), first + width); ++e) {
-      const ElementNodes node = group.nodes(e);
-      for (int a = 0; a < group.nodes_per_element; ++a) {
-        int& of = tile_of[at(node[a])];
-        of = of == nobody || of == tile ? tile : several;
-      }
-    }
-    in_tile += width;
-  }
-  for (std::size_t k = 0; k < nodes; ++k) {
-    std::vector<NodeRange>& ranges = tile_of[k] < 0 ? between_tiles_ : tiles_[at(tile_of[k])].nodes;
-    if (!ranges.empty() && ranges.back().end == k)
-      ++ranges.back().end;
-    else
-      ranges.push_back({k, k + 1});
-  }
 }
 
 Vec3d System::nodal_force(ElementLocation location, int a) const {
@@ -132,17 +84,8 @@ void System::internal_force(State& state) {
     groups[g]->cycle(begin, end, state, state.dt, slots_, damping_slots);
   };
   if (!share_) {
-    const auto add_up = [&](const NodeRange& range) { add_up_slots(range, slots_, single_slots_, state.f, state.m); };
-    parallel_for(tiles_.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (const Tile& tile : std::span(tiles_).subspan(begin, end - begin)) {
-        for_runs(std::span(blocks_).subspan(tile.begin, tile.end - tile.begin), cycle);
-        std::for_each(tile.nodes.begin(), tile.nodes.end(), add_up);
-      }
-    });
-    parallel_for(between_tiles_.size(), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) add_up(between_tiles_[i]);
-    });
-    for (std::size_t k = nodes; k < all_nodes(); ++k) state.f[k] = state.m[k] = Row{};
+    for_each_block(cycle);
+    add_up_slots(slots_, single_slots_, state.f, state.m);
     return;
   }
   note_deleted();
@@ -159,8 +102,15 @@ void System::internal_force(State& state) {
 
 void for_each_block(std::span<const std::pair<int, std::size_t>> blocks,
                     const std::function<void(int, std::size_t, std::size_t)>& body) {
-  parallel_for(blocks.size(), 16,
-               [&](std::size_t begin, std::size_t end) { for_runs(blocks.subspan(begin, end - begin), body); });
+  parallel_for(blocks.size(), 16, [&](std::size_t begin, std::size_t end) {
+    while (begin < end) {
+      const auto [g, block] = blocks[begin];
+      std::size_t run = begin + 1;
+      while (run < end && blocks[run].first == g && blocks[run].second == block + (run - begin)) ++run;
+      body(g, block, block + (run - begin));
+      begin = run;
+    }
+  });
 }
 
 void System::for_each_node(std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) const {
@@ -180,46 +130,47 @@ void System::gather_slots(std::span<Row> slots, std::span<SingleRow> single, std
 
 void System::add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
                           std::span<Row> moment) const {
-  const auto some = [=, this](std::size_t begin, std::size_t end) {
-    add_up_slots({begin, end}, slots, single, force, moment);
+  constexpr std::size_t slots_ahead = 64;
+  const auto gather = [&](auto with_single) {
+    constexpr bool has_single = decltype(with_single)::value;
+    const auto some = [=, this](std::size_t begin, std::size_t end) {
+      const std::uint32_t* entry = gather_.data();
+      const std::size_t *start = gather_start_.data(), last_entry = gather_.size() - 1;
+      // Adds up entries [i, stop) to f and m; all of them stand in `rows`, which are counted from `first` on.
+      const auto add_up = [=](auto rows, std::size_t first, std::size_t i, std::size_t stop, FourReals& f,
+                              FourReals& m) {
+        for (; i < stop; ++i) {
+          // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
+          const std::size_t ahead = (entry[std::min(i + slots_ahead, last_entry)] >> 1) - first;
+          __builtin_prefetch(&rows[!has_single || ahead < rows.size() ? ahead : 0]);
+          const auto* slot = &rows[(entry[i] >> 1) - first];
+          f -= four(slot[0]);
+          if (entry[i] & 1u) m -= four(slot[1]);
+        }
+      };
+      for (std::size_t k = begin; k < end; ++k) {
+        FourReals f{}, m{};
+        std::size_t split = start[k + 1];
+        if constexpr (has_single) {
+          split = start[k];
+          while (split < start[k + 1] && entry[split] >> 1 < slots.size()) ++split;
+          add_up(single, slots.size(), split, start[k + 1], f, m);
+        }
+        add_up(slots, 0, start[k], split, f, m);
+        set(force[k], f);
+        set(moment[k], m);
+      }
+    };
+    if (share_)
+      for_ranges(share_->summed(), some);
+    else
+      parallel_for(nodes, 512, some);
   };
-  if (share_)
-    for_ranges(share_->summed(), some);
+  if (single.empty())
+    gather(std::false_type{});
   else
-    parallel_for(nodes, 512, some);
+    gather(std::true_type{});
   for (std::size_t k = nodes; k < all_nodes(); ++k) force[k] = moment[k] = Row{};
-}
-
-void System::add_up_slots(NodeRange range, std::span<const Row> slots, std::span<const SingleRow> single,
-                          std::span<Row> force, std::span<Row> moment) const {
-  constexpr std::size_t slots_ahead = 32;
-  const std::uint32_t* entry = gather_.data();
-  const std::size_t *start = gather_start_.data(), last_entry = gather_.size() - 1;
-  // Adds up entries [i, stop) to f and m; all of them stand in `rows`, which are counted from `first` on.
-  const auto add_up = [=](auto rows, bool all, std::size_t first, std::size_t i, std::size_t stop, FourReals& f,
-                          FourReals& m) {
-    for (; i < stop; ++i) {
-      // The slots of a node lie in as many elements: not asked for ahead, every one is waited for.
-      const std::size_t ahead = (entry[std::min(i + slots_ahead, last_entry)] >> 1) - first;
-      __builtin_prefetch(&rows[all || ahead < rows.size() ? ahead : 0]);
-      const auto* slot = &rows[(entry[i] >> 1) - first];
-      f -= four(slot[0]);
-      if (entry[i] & 1u) m -= four(slot[1]);
-    }
-  };
-  for (std::size_t k = range.begin; k < range.end; ++k) {
-    FourReals f{}, m{};
-    if (single.empty()) {
-      add_up(slots, true, 0, start[k], start[k + 1], f, m);
-    } else {
-      std::size_t split = start[k];
-      while (split < start[k + 1] && entry[split] >> 1 < slots.size()) ++split;
-      add_up(single, false, slots.size(), split, start[k + 1], f, m);
-      add_up(slots, false, 0, start[k], split, f, m);
-    }
-    set(force[k], f);
-    set(moment[k], m);
-  }
 }
 
 }  // namespace nugget::system

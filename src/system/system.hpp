@@ -263,7 +263,6 @@ class System {
   void add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations);
   void assemble_mass();
   void link_slots();
-  void make_tiles();
   /// Sets the density factor of an element and puts the change on its nodes.
   void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
 
@@ -302,21 +301,8 @@ class System {
   /// Deleted elements, by group, as far as all ranks know them.
   void note_deleted();
   void carry(int rank, Carried what, Parcel& parcel);
-  struct NodeRange {
-    std::size_t begin, end;
-  };
-  /// Blocks of elements that follow each other, and the nodes that have all of their elements there: these are summed
-  /// up while the forces are in the cache.
-  struct Tile {
-    std::size_t begin, end;  ///< in blocks_
-    std::vector<NodeRange> nodes;
-  };
-  std::vector<Tile> tiles_;               ///< in one process
-  std::vector<NodeRange> between_tiles_;  ///< all other nodes
   void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
                     std::span<Row> moment) const;
-  void add_up_slots(NodeRange range, std::span<const Row> slots, std::span<const SingleRow> single,
-                    std::span<Row> force, std::span<Row> moment) const;
   std::unique_ptr<Share> share_;
   std::vector<std::vector<char>> deleted_;  ///< known to all, by group and element
   std::vector<int> deletions_seen_;         ///< by group: ElementGroup::deletions when `deleted_` was made
