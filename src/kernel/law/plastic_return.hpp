@@ -132,16 +132,13 @@ template <bool both, class R, class Unknown>
         second -= (1.0 / 3.0) * a2 * r.over_a * (y.yield_bend + ka * y.increment_bend);
     }
     // Chebyshev's step. sqrt(s) - 1 by its series: exact enough near the end; farther off the bracket holds.
-    const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess));
-    if constexpr (Unknown::is_increment) {
-      const R over = 1.0 / first, newton = s * root * over, bend = 1.5 * newton * over * (s * second - first * first);
+    const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess)), over = 1.0 / first;
+    const R newton = s * root * over, bend = 1.5 * newton * over * (s * second - first * first);
+    // Far off, where the function bends much, Chebyshev's factor could vanish: Halley's there, as exact.
+    if constexpr (Unknown::is_increment)
       next = x + newton * (1.0 + bend);
-    } else {
-      // Far off, where the function bends much, Chebyshev's factor could vanish: Halley's, as exact, at most four times
-      // Newton's step.
-      const R first2 = first * first, bend = 1.5 * (s * root) * (s * second - first2);
-      next = x + (s * root * first) / max(first2 - bend, 0.25 * first2);
-    }
+    else
+      next = x + newton * select(bend < 0.0, 1.0 / (1.0 - bend), 1.0 + bend);
     next = select(next > low && next < high, next, 0.5 * (low + high));
     if constexpr (is_single<R>) active = active && (next > x || next < x);  // no number is closer
     x = select(active, next, x);
