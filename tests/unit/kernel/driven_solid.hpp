@@ -103,4 +103,20 @@ void batch_gives_the_bits_of_double(const HexahedronProperties& properties, cons
   }
 }
 
+/// Turns an element that has flowed once around an axis, slowly: its state and its forces are what they were.
+template <class Element, class Law>
+void expect_that_a_turn_strains_nothing(DrivenSolid<Element, Law>& d, double dt) {
+  const std::vector<double> before = d.state;
+  const auto start = d.force;
+  const Vec3d axis = unit(Vec3d{1, 2, 3});
+  for (int cycle = 0; cycle < 360; ++cycle) {
+    for (std::size_t i = 0; i < Element::corners; ++i)
+      d.nodes.v[i] = (1.0 / dt) * (turned(axis, 2 * M_PI / 360, d.nodes.x[i]) - d.nodes.x[i]);
+    d.step(dt);
+  }
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_NEAR(d.state[i], before[i], 1e-7 * (1 + std::abs(before[i]))) << i;
+  for (std::size_t i = 0; i < Element::corners; ++i) EXPECT_LT(norm(d.force.f[i] - start.f[i]), 1e-7 * largest(start));
+}
+
 }  // namespace nugget::kernel
