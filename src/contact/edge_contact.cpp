@@ -151,7 +151,7 @@ std::vector<Edge> edges_of(const std::vector<Segment>& segments, std::span<const
 }
 
 EdgeContact::EdgeContact(EdgeContactSetup setup, std::span<const Row> x)
-    : setup_(std::move(setup)), forces_(all_nodes(setup_.edges)) {
+    : setup_(std::move(setup)), forces_(all_nodes(setup_.edges), setup_.law.friction.any()) {
   const std::vector<Edge>& edges = setup_.edges;
   first_at_.assign(forces_.nodes().empty() ? 1 : forces_.nodes().back() + 2, 0);
   double length = 0.0;
@@ -198,9 +198,7 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
     book_drops(step);
     forces_.add_to(force);
   }
-  const NodalForces::Work work = forces_.work(step.dt, step.v);
-  for (std::size_t side = 0; side < 2; ++side) energy_[side] -= work.of_side[side];
-  if (setup_.law.friction.any()) energies_.friction -= work.friction;
+  forces_.book_work(step.dt, step.v);
 }
 
 // ---- search
@@ -659,8 +657,8 @@ void EdgeContact::Block::archive(Archive& a) {
 
 void EdgeContact::archive(Archive& a) {
   a.section("contact of edges");
-  a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, energy_, resultant_,
-    deepest_, energies_);
+  a(approach_, searched_, searches_, active_, blocks_, touches_, touched_before_, forces_, resultant_, deepest_,
+    energies_);
   a.built(setup_, first_at_, edge_at_, margin_, close_);
 }
 

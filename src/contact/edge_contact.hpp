@@ -96,11 +96,17 @@ class EdgeContact {
   /// Elements were deleted: the lists are made anew before the next forces.
   void surface_changed() { searched_ = false; }
 
-  double energy() const { return energy_[0] + energy_[1]; }  ///< as SurfaceContact::energy()
-  const std::array<double, 2>& energy_of_sides() const { return energy_; }
-  const ContactEnergies& energies() const { return energies_; }  ///< as SurfaceContact::energies()
+  double energy() const { return energy_of_sides()[0] + energy_of_sides()[1]; }  ///< as SurfaceContact::energy()
+  std::array<double, 2> energy_of_sides() const { return forces_.energy_of_sides(); }
+  /// As SurfaceContact::energies().
+  ContactEnergies energies() const {
+    ContactEnergies all = energies_;
+    all.friction = forces_.friction_energy();
+    return all;
+  }
   /// Force on the tracked side as a whole; zero where there are not two sides [force].
   const Vec3d& resultant() const { return resultant_; }
+  const std::vector<int>& nodes() const { return forces_.nodes(); }  ///< all that it can press
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
   /// As SurfaceContact::force_between.
   Vec3d force_between(const TwoBodies& bodies) const;
@@ -181,8 +187,7 @@ class EdgeContact {
   std::vector<const Candidate*> close_;         // of all blocks, by a, then b
   std::vector<Pair> touches_, touched_before_;  // pairs that touch, in this order
   NodalForces forces_;
-  std::array<double, 2> energy_{};
-  ContactEnergies energies_;
+  ContactEnergies energies_;  // but that of friction
   Vec3d resultant_;
   double deepest_ = 0.0;
 };

@@ -49,7 +49,7 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
       around_listed_(setup_.faces_at_nodes),
       bonded_(setup.nodes.size(), card_.alone ? 1 : 0),
       was_bonded_(setup.nodes.size(), 0),
-      forces_(surface_nodes(setup)) {
+      forces_(surface_nodes(setup), setup.law.friction.any()) {
   assign_sides(forces_, around_, setup_.segments);
   for (const Segment& s : setup_.segments)
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
@@ -264,9 +264,7 @@ void Glue::apply(const Step& step, std::span<Row> force) {
     resultant_ += setup_.segments[bond.segment].side == 1 ? f : -f;
   }
   forces_.add_to(force);
-  const NodalForces::Work work = forces_.work(step.dt, step.v);
-  for (std::size_t side = 0; side < 2; ++side) energy_[side] -= work.of_side[side];
-  if (setup_.law.friction.any()) friction_energy_ -= work.friction;
+  forces_.book_work(step.dt, step.v);
 }
 
 /// The force on the bond's node, and back on its segment.
@@ -313,8 +311,7 @@ Vec3d Glue::force_between(const TwoBodies& bodies) const {
 
 void Glue::archive(Archive& a) {
   a.section("glue");
-  a(bonds_, bonded_, was_bonded_, forces_, energy_, resultant_, failed_, first_node_, first_time_, last_time_,
-    friction_energy_, waits_);
+  a(bonds_, bonded_, was_bonded_, forces_, resultant_, failed_, first_node_, first_time_, last_time_, waits_);
   a.built(setup_, card_, around_, around_listed_, segment_stiffness_, at_start_);
 }
 

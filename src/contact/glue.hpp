@@ -53,8 +53,8 @@ class Glue {
   double first_time() const { return first_time_; }
   double last_time() const { return last_time_; }  ///< when the last one was released
 
-  const std::array<double, 2>& energy_of_sides() const { return energy_; }
-  double friction_energy() const { return friction_energy_; }  ///< as SurfaceContact::friction_energy()
+  std::array<double, 2> energy_of_sides() const { return forces_.energy_of_sides(); }
+  double friction_energy() const { return forces_.friction_energy(); }  ///< as ContactEnergies::friction
   const Vec3d& resultant() const { return resultant_; }        ///< force on the tracked side [force]
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
   /// As SurfaceContact::force_between.
@@ -97,8 +97,6 @@ class Glue {
   std::vector<unsigned char> bonded_;
   std::vector<unsigned char> was_bonded_;  // by tracked node: it has been glued
   NodalForces forces_;
-  std::array<double, 2> energy_{};
-  double friction_energy_ = 0.0;
   Vec3d resultant_;
   int at_start_ = 0, failed_ = 0;
   bool waits_ = false;  // for the birth time

@@ -28,7 +28,7 @@ std::vector<int> nodes_of(const std::vector<SqueezedBrick>& bricks) {
 }  // namespace
 
 InteriorContact::InteriorContact(std::vector<SqueezedBrick> bricks, std::span<const Row> x)
-    : bricks_(std::move(bricks)), forces_(nodes_of(bricks_)), squeezed_(bricks_.size(), 0) {
+    : bricks_(std::move(bricks)), forces_(nodes_of(bricks_), false), squeezed_(bricks_.size(), 0) {
   for (const SqueezedBrick& brick : bricks_) {
     const kernel::BrickHeights start = heights(brick, x);
     threshold_.push_back(brick.activation * start.least());
@@ -64,12 +64,12 @@ void InteriorContact::apply(const Step& step, std::span<Row> force) {
     }
   }
   forces_.add_to(force);
-  energy_ -= forces_.work(step.dt, step.v).of_side[0];
+  forces_.book_work(step.dt, step.v);
 }
 
 void InteriorContact::archive(Archive& a) {
   a.section("interior contact");
-  a(forces_, energy_, pressed_);
+  a(forces_, pressed_);
   a.built(bricks_, threshold_, stiffness_, squeezed_);
 }
 

@@ -34,7 +34,9 @@ class InteriorContact {
   /// Adds the forces at the end of a step to `force`.
   void apply(const Step& step, std::span<Row> force);
 
-  double energy() const { return energy_; }  ///< work done against the forces so far [energy]
+  /// Work done against the forces so far [energy].
+  double energy() const { return forces_.energy_of_sides()[0]; }
+  const std::vector<int>& nodes() const { return forces_.nodes(); }  ///< all that it can press
   std::size_t size() const { return bricks_.size(); }
   int pressed() const { return pressed_; }  ///< bricks that push back now
 
@@ -46,7 +48,6 @@ class InteriorContact {
   std::vector<double> stiffness_;  // [force/length]
   NodalForces forces_;
   std::vector<unsigned char> squeezed_;  // by brick, in this cycle
-  double energy_ = 0.0;
   int pressed_ = 0;
 };
 

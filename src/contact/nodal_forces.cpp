@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/nodal_forces.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/index.hpp"
@@ -8,7 +9,8 @@
 
 namespace nugget::contact {
 
-NodalForces::NodalForces(std::vector<int> nodes) : nodes_(std::move(nodes)) {
+NodalForces::NodalForces(std::vector<int> nodes, bool friction)
+    : nodes_(std::move(nodes)), work_(nodes_.size()), friction_work_(friction ? nodes_.size() : 0) {
   index_.assign(nodes_.empty() ? 0 : nodes_.back() + 1, -1);
   for (std::size_t i = 0; i < nodes_.size(); ++i) index_[nodes_[i]] = static_cast<int>(i);
   side_.assign(nodes_.size(), 0);
@@ -47,47 +49,93 @@ void NodalForces::add_to(std::size_t part, std::span<Row> force) const {
 
 Vec3d NodalForces::sum(std::span<const unsigned char> marked) const {
   Vec3d sum;
-  for (const Part& part : parts_)
-    for (std::size_t i = 0; i < part.now.place.size(); ++i) {
-      const auto node = at(nodes_[part.now.place[i]]);
-      if (node < marked.size() && marked[node]) sum += vec(part.now.sum[i].force);
+  std::vector<int> order;
+  for (const Part& part : parts_) {
+    // In the order of places, which is the same after a restart.
+    order = part.now.place;
+    std::sort(order.begin(), order.end());
+    for (const int place : order) {
+      const auto node = at(nodes_[place]);
+      if (node < marked.size() && marked[node]) sum += vec(part.now.find(place)->force);
     }
+  }
   return sum;
 }
 
-NodalForces::Work NodalForces::work(std::size_t part, double dt, std::span<const Row> v) const {
+void NodalForces::book_work(std::size_t part, double dt, std::span<const Row> v) {
   const Touched& now = parts_[part].now;
   const Touched& before = parts_[part].before;
-  Work work;
-  const auto book = [&](int place, const Vec3d& force, const Vec3d& friction) {
+  const bool friction = !friction_work_.empty();
+  const auto book = [&](int place, const Row& force, const Row& rubs) {
+    if (left_out(place)) return;
     const Vec3d velocity = vec(v[nodes_[place]]);
-    work.of_side[side_[place]] += 0.5 * dt * dot(force, velocity);
-    work.friction += 0.5 * dt * dot(friction, velocity);
+    work_[place] += 0.5 * dt * dot(vec(force), velocity);
+    if (friction) friction_work_[place] += 0.5 * dt * dot(vec(rubs), velocity);
   };
   const Sum nothing;
+  const auto both = [](const Row& a, const Row& b) { return Row{a.x + b.x, a.y + b.y, a.z + b.z, 0.0}; };
   for (std::size_t i = 0; i < now.place.size(); ++i) {
-    if (i + nodes_ahead < now.place.size()) __builtin_prefetch(&v[nodes_[now.place[i + nodes_ahead]]]);
+    if (i + nodes_ahead < now.place.size()) {
+      const int soon = now.place[i + nodes_ahead];
+      __builtin_prefetch(&v[nodes_[soon]]);
+      __builtin_prefetch(&work_[soon], 1);
+    }
     const Sum* found = before.find(now.place[i]);
     const Sum& was = found != nullptr ? *found : nothing;
-    book(now.place[i], vec(now.sum[i].force) + vec(was.force), vec(now.sum[i].friction) + vec(was.friction));
+    book(now.place[i], both(now.sum[i].force, was.force), both(now.sum[i].friction, was.friction));
   }
   for (std::size_t i = 0; i < before.place.size(); ++i)
-    if (now.find(before.place[i]) == nullptr)
-      book(before.place[i], vec(before.sum[i].force), vec(before.sum[i].friction));
-  return work;
+    if (now.find(before.place[i]) == nullptr) book(before.place[i], before.sum[i].force, before.sum[i].friction);
 }
 
-NodalForces::Work NodalForces::work(double dt, std::span<const Row> v) const {
-  std::vector<Work> by_part(parts_.size());
-  each_part([&](std::size_t p) { by_part[p] = work(p, dt, v); });
-  Work all;
-  for (const Work& part : by_part) all.add(part);
-  return all;
+void NodalForces::book_work(double dt, std::span<const Row> v) {
+  each_part([&](std::size_t p) { book_work(p, dt, v); });
+}
+
+std::array<double, 2> NodalForces::energy_of_sides() const {
+  std::array<double, 2> energy{};
+  for (std::size_t i = 0; i < work_.size(); ++i) energy[side_[i]] -= work_[i];
+  return energy;
+}
+
+double NodalForces::friction_energy() const {
+  double energy = 0.0;
+  for (const double work : friction_work_) energy -= work;
+  return energy;
+}
+
+void NodalForces::carry(int place, bool forces, system::Parcel& parcel) {
+  parcel(&work_[place], 1);
+  if (!friction_work_.empty()) parcel(&friction_work_[place], 1);
+  if (!forces) return;
+  Touched& now = parts_[place / part_size].now;
+  const Sum* found = now.find(place);
+  char touched = found != nullptr;
+  parcel(&touched, 1);
+  if (touched == 0) return;
+  Sum sum = found != nullptr ? *found : Sum{};
+  parcel(&sum, 1);
+  if (parcel.reading()) now.at(place) = sum;
+}
+
+void NodalForces::Touched::archive(Archive& a) {
+  std::vector<int> order = place;
+  std::sort(order.begin(), order.end());
+  std::vector<Sum> sums;
+  sums.reserve(order.size());
+  if (!a.reading())
+    for (const int one : order) sums.push_back(*find(one));
+  a(order, sums);
+  if (!a.reading()) return;
+  place.clear();
+  sum.clear();
+  for (std::size_t i = 0; i < order.size(); ++i) at(order[i]) = sums[i];
+  a.built(slot);
 }
 
 void NodalForces::archive(Archive& a) {
-  a(parts_);
-  a.built(nodes_, index_, side_);
+  a(parts_, work_, friction_work_);
+  a.built(nodes_, index_, side_, left_out_);
 }
 
 }  // namespace nugget::contact

@@ -5,11 +5,13 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/archive.hpp"
 #include "base/index.hpp"
 #include "base/row.hpp"
+#include "system/parcel.hpp"
 
 namespace nugget::contact {
 
@@ -30,23 +32,25 @@ struct TwoBodies {
   }
 };
 
-/// The forces of a contact on its nodes, in this cycle and in the one before, and the work that they do. Only nodes
-/// that are touched cost anything. The nodes stand in parts of a fixed size, so that several threads can add forces,
-/// each to parts of its own; a node's sum has the same bits for any number of threads if the forces on a part are
-/// always added in the same order.
+/// The forces of a contact on its nodes, in this cycle and in the one before, and the work that they have done. Only
+/// nodes that are touched cost anything. The nodes stand in parts of a fixed size, so that several threads can add
+/// forces, each to parts of its own; a node's sum has the same bits for any number of threads if the forces on a part
+/// are always added in the same order. Work is booked node by node, and summed up when somebody asks: so a rank of
+/// several need know no other nodes than those that it follows (docs/decisions/0115).
 class NodalForces {
  public:
   static constexpr int part_size = 1024;  ///< nodes in a part
 
   NodalForces() = default;
-  /// `nodes`: all that may be touched, ascending, each once.
-  explicit NodalForces(std::vector<int> nodes);
+  /// `nodes`: all that may be touched, ascending, each once. `friction`: there may be some.
+  NodalForces(std::vector<int> nodes, bool friction);
   /// From now on the work at `node` is booked on side `side` (0, where all begin, or 1).
   void set_side(int node, unsigned char side) { side_[index_[node]] = side; }
 
   const std::vector<int>& nodes() const { return nodes_; }
-  /// Where a node stands in nodes().
+  /// Where a node stands in nodes(), of which it is one.
   int place(int node) const { return index_[node]; }
+  bool has(int node) const { return node < static_cast<int>(index_.size()) && index_[node] >= 0; }
   /// Asks the memory for that.
   void ask_for_place(int node) const { __builtin_prefetch(&index_[node]); }
   std::size_t parts() const { return parts_.size(); }
@@ -61,24 +65,25 @@ class NodalForces {
   /// What was now becomes what was before; now there are no forces.
   void next_cycle();
   void add_to(std::span<Row> force) const;
-  struct Work {
-    std::array<double, 2> of_side{};  ///< of the forces on the nodes of each side [energy]
-    double friction = 0.0;            ///< of the friction on all nodes [energy]
-
-    void add(const Work& more) {
-      for (std::size_t side = 0; side < 2; ++side) of_side[side] += more.of_side[side];
-      friction += more.friction;
-    }
-  };
-  /// Work in the step `dt`: sum of 1/2 (before + now) . v dt, with the velocity `v` in the middle of the step.
-  Work work(double dt, std::span<const Row> v) const;
+  /// Books the work of the step `dt`, 1/2 (before + now) . v dt with the velocity `v` in the middle of the step.
+  void book_work(double dt, std::span<const Row> v);
+  /// What the nodes of each side have given so far, minus the work of all forces on them [energy].
+  std::array<double, 2> energy_of_sides() const;
+  /// What friction has taken, minus its work [energy].
+  double friction_energy() const;
   /// Sum over the nodes that are marked (by node; those beyond its end are not) [force].
   Vec3d sum(std::span<const unsigned char> marked) const;
 
   // The same for one part, to be called side by side.
   void next_cycle(std::size_t part);
   void add_to(std::size_t part, std::span<Row> force) const;
-  Work work(std::size_t part, double dt, std::span<const Row> v) const;
+  void book_work(std::size_t part, double dt, std::span<const Row> v);
+
+  /// A rank of several books the work on nodes that it follows only; `left_out`: the others, by place in nodes().
+  void leave_out(std::vector<char> left_out) { left_out_ = std::move(left_out); }
+  bool left_out(int place) const { return !left_out_.empty() && left_out_[place]; }
+  /// What is kept of a node, on its way to another rank. `forces`: those of this cycle as well.
+  void carry(int place, bool forces, system::Parcel& parcel);
 
   void archive(Archive& a);
 
@@ -104,11 +109,15 @@ class NodalForces {
       place.push_back(at);
       return sum.emplace_back();
     }
-    void archive(Archive& a) { a(place, sum, slot); }
+    /// In the order of places: ranks have come to them in orders of their own.
+    void archive(Archive& a);
   };
   struct Part {
     Touched now, before;
-    void archive(Archive& a) { a(now, before); }
+    void archive(Archive& a) {
+      a(now);
+      a.built(before);
+    }
   };
   void each_part(const std::function<void(std::size_t)>& call) const;
 
@@ -116,6 +125,8 @@ class NodalForces {
   std::vector<int> index_;  // by node: its place in nodes_
   std::vector<unsigned char> side_;
   std::vector<Part> parts_;
+  std::vector<double> work_, friction_work_;  // so far, by place; the latter empty where there is no friction
+  std::vector<char> left_out_;                // by place; empty: none
 };
 
 }  // namespace nugget::contact

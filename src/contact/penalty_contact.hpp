@@ -23,7 +23,18 @@ class PenaltyContact {
   /// See SurfaceContact::apply.
   void apply(const Step& step, std::span<Row> force);
   /// See SurfaceContact::carry.
-  void carry(int rank, int ranks, system::Parcel& parcel) { surface_.carry(rank, ranks, parcel); }
+  void carry(int rank, system::Carried what, system::Parcel& parcel) { surface_.carry(rank, what, parcel); }
+  /// See SurfaceContact::keep_hits_for_results.
+  void keep_hits_for_results() { surface_.keep_hits_for_results(); }
+  /// Calls `visit` with each node that it can press.
+  template <class Visit>
+  void each_node(const Visit& visit) const {
+    for (const int node : surface_.nodes()) visit(node);
+    if (!edges_) return;
+    for (const int node : edges_->nodes()) visit(node);
+  }
+  /// Whether all of several ranks must follow all its nodes: glue and edges are computed by each of them.
+  bool looks_everywhere() const { return edges_ || glue_ || surface_.looks_everywhere(); }
   /// Elements of the surface were deleted.
   void surface_changed();
 

@@ -6,7 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "system/parcel.hpp"
+#include "system/share.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -47,8 +50,8 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
   if (motion != nullptr) motion_ = *motion;
   tracked_.reserve(nodes.size());
   for (int n : nodes) tracked_.push_back({n, kernel::WallAttachment::none, {}});
-  sums_.resize((tracked_.size() + nodes_per_sum - 1) / nodes_per_sum);
-  groups_.resize(sums_.size());
+  groups_.resize((tracked_.size() + nodes_per_sum - 1) / nodes_per_sum);
+  found_.resize(groups_.size());
 }
 
 /// In the step `dt` from `time` on. The curve's time counts from the birth of the wall (keyword manual, BIRTH).
@@ -71,13 +74,13 @@ void RigidWall::press(const contact::Step& step, std::span<Row> f) {
 
 void RigidWall::constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
                           std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip,
-                          double fastest) {
+                          double fastest, const system::Share* share) {
   force_ = {};
   normal_force_ = 0.0;
   touching_ = 0;
   pending_energy_ = power_on_change_ = 0.0;
   const double between_middles = 0.5 * (dt + dt_previous);
-  Step step{dt, between_middles, x, v, f, mass, skip, prescribed_velocity(time, dt), fastest};
+  Step step{dt, between_middles, x, v, f, mass, skip, prescribed_velocity(time, dt), fastest, share};
   const bool active = acts(time);
   if (mass_ > 0.0 && time >= birth_) {
     if (bodies_) velocity_ -= between_middles / mass_ * dot(bodies_->force(), normal_);
@@ -85,23 +88,14 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
     step.wall_velocity = velocity_ * normal_;
   }
   if (active) {
-    std::visit([&](const auto& shape) { stop(shape, step); }, shape_);
-    Sum all;
-    for (const Sum& sum : sums_) {
-      all.impulse += sum.impulse;
-      all.normal += sum.normal;
-      all.opening += sum.opening;
-      all.closing += sum.closing;
-      all.power_on_change += sum.power_on_change;
-      all.touching += sum.touching;
-    }
+    const Sum all = std::visit([&](const auto& shape) { return stop(shape, step); }, shape_);
     force_ = (1.0 / between_middles) * all.impulse;
     normal_force_ = all.normal / between_middles;
     impulse_ += all.impulse;
     normal_impulse_ += all.normal;
     energy_ += all.opening + all.closing;
-    const double share = dt_previous / between_middles;
-    pending_energy_ = (1.0 - share) * all.opening + all.closing;
+    const double until_now = dt_previous / between_middles;
+    pending_energy_ = (1.0 - until_now) * all.opening + all.closing;
     touching_ = all.touching;
     power_on_change_ = all.power_on_change;
   }
@@ -118,25 +112,43 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
   origin_ += dt * step.wall_velocity;
 }
 
+/// The nodes that a wall with mass catches up with at its present velocity, of all ranks, in the order of the wall.
+template <class Shape>
+std::vector<RigidWall::Caught> RigidWall::find_caught(const Shape& shape, const Step& step) const {
+  std::vector<Caught> caught;
+  for (std::size_t i = 0; i < tracked_.size(); ++i) {
+    const Tracked& t = tracked_[i];
+    if (!step.skip.empty() && step.skip[t.node]) continue;
+    if (step.share != nullptr && step.share->answering(t.node) != step.share->ranks().rank()) continue;
+    const Vec3d from = vec(step.x[t.node]) - origin_, v = vec(step.v[t.node]);
+    if (push(shape, from, from + step.dt * (v - step.wall_velocity), t.attachment).touching)
+      caught.push_back({static_cast<int>(i), t.attachment, step.mass[t.node], from, v});
+  }
+  if (step.share == nullptr) return caught;
+  caught = gather_lists(step.share->ranks(), caught);
+  std::ranges::sort(caught, {}, &Caught::tracked);
+  return caught;
+}
+
 /// The velocity of a wall with mass after a plastic collision with all nodes that it catches up with:
 /// M (V_old - V) = sum m_i (V - w_i), w_i the node's normal velocity plus what closes its gap in this step. Nodes that
 /// the slowed wall no longer reaches drop out, until none does.
 template <class Shape>
 void RigidWall::collide(const Shape& shape, Step& step) {
   const double before = velocity_;
-  std::size_t caught_before = tracked_.size() + 1;
+  step.wall_velocity = velocity_ * normal_;
+  const std::vector<Caught> reached = find_caught(shape, step);
+  std::size_t caught_before = reached.size() + 1;
   for (bool converged = false; !converged;) {
     step.wall_velocity = velocity_ * normal_;
     double momentum = mass_ * before, total = mass_;
     std::size_t caught = 0;
-    for (const Tracked& t : tracked_) {
-      if (!step.skip.empty() && step.skip[t.node]) continue;
-      const Vec3d from = vec(step.x[t.node]) - origin_, v = vec(step.v[t.node]);
-      const kernel::WallPush p = push(shape, from, from + step.dt * (v - step.wall_velocity), t.attachment);
+    for (const Caught& c : reached) {
+      const kernel::WallPush p = push(shape, c.from, c.from + step.dt * (c.v - step.wall_velocity), c.attachment);
       if (!p.touching) continue;
-      const double gap = t.attachment == kernel::WallAttachment::welded ? 0.0 : std::max(0.0, dot(from, normal_));
-      momentum += step.mass[t.node] * (dot(v, normal_) + gap / step.dt);
-      total += step.mass[t.node];
+      const double gap = c.attachment == kernel::WallAttachment::welded ? 0.0 : std::max(0.0, dot(c.from, normal_));
+      momentum += c.mass * (dot(c.v, normal_) + gap / step.dt);
+      total += c.mass;
       ++caught;
     }
     velocity_ = caught > 0 ? momentum / total : before;
@@ -152,8 +164,18 @@ Vec3d RigidWall::friction(const Vec3d& slip, double normal_change) const {
   return kernel::friction_change(slip, friction_, normal_change);
 }
 
+void RigidWall::Sum::add(const Sum& more) {
+  impulse += more.impulse;
+  normal += more.normal;
+  opening += more.opening;
+  closing += more.closing;
+  power_on_change += more.power_on_change;
+  touching += more.touching;
+}
+
+/// Stops the nodes; returns what that is in all, on all ranks.
 template <class Shape>
-void RigidWall::stop(const Shape& shape, const Step& step) {
+RigidWall::Sum RigidWall::stop(const Shape& shape, const Step& step) {
   const double way = step.dt * (step.fastest + norm(step.wall_velocity));
   if (std::isfinite(travelled_ + way)) {
     travelled_ += way;
@@ -161,35 +183,48 @@ void RigidWall::stop(const Shape& shape, const Step& step) {
     for (Group& group : groups_) group.asleep_until = 0.0;
     travelled_ = 0.0;
   }
-  parallel_for(groups_.size(), 1, [this, &shape, way, &step](std::size_t begin, std::size_t end) {
-    for (std::size_t g = begin; g < end; ++g) stop(shape, g, way, step);
+  parallel_for(groups_.size(), 1, [this, &shape, &step](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) look_at_group(shape, g, step);
   });
+  if (step.share != nullptr) share_found(*step.share);
+  Sum all;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (groups_[g].slept) continue;
+    const Found& found = found_[g];
+    const bool far = !found.attached && found.clear > steps_of_sleep * way;
+    groups_[g].asleep_until = far ? travelled_ - way + 0.5 * found.clear : 0.0;
+    Sum of_group;
+    for (const Stopped& stopped : found.stopped) of_group.add(stopped.sum);
+    all.add(of_group);
+  }
+  return all;
 }
 
 template <class Shape>
-void RigidWall::stop(const Shape& shape, std::size_t g, double way, const Step& step) {
+void RigidWall::look_at_group(const Shape& shape, std::size_t g, const Step& step) {
   Group& group = groups_[g];
-  sums_[g] = {};
   const bool slept = std::exchange(group.slept, group.asleep_until > travelled_);
   if (group.slept) return;
-  double clear = std::numeric_limits<double>::infinity();
-  bool attached = false;
+  Found& found = found_[g];
+  found.clear = std::numeric_limits<double>::infinity();
+  found.attached = false;
+  found.stopped.clear();
   for (std::size_t i = g * nodes_per_sum; i < std::min(tracked_.size(), (g + 1) * nodes_per_sum); ++i) {
     // The nodes of a wall are in the order of the deck, not of memory: not asked for ahead, each is waited for.
     const int soon = tracked_[std::min(i + nodes_ahead, tracked_.size() - 1)].node;
     __builtin_prefetch(&step.x[soon]);
     __builtin_prefetch(&step.v[soon], 1);
-    stop(shape, tracked_[i], slept, step, sums_[g]);
+    if (step.share != nullptr && !step.share->follows(tracked_[i].node)) continue;
+    stop(shape, static_cast<int>(i), slept, step, found.stopped);
     const double free = clearance(shape, vec(step.x[tracked_[i].node]) - origin_);
-    if (!(free >= clear)) clear = free;
-    attached = attached || tracked_[i].attachment != kernel::WallAttachment::none;
+    if (!(free >= found.clear)) found.clear = free;
+    found.attached = found.attached || tracked_[i].attachment != kernel::WallAttachment::none;
   }
-  const bool far = !attached && clear > steps_of_sleep * way;
-  group.asleep_until = far ? travelled_ - way + 0.5 * clear : 0.0;
 }
 
 template <class Shape>
-void RigidWall::stop(const Shape& shape, Tracked& tracked, bool slept, const Step& step, Sum& sum) const {
+void RigidWall::stop(const Shape& shape, int index, bool slept, const Step& step, std::vector<Stopped>& stopped) {
+  Tracked& tracked = tracked_[index];
   if (!step.skip.empty() && step.skip[tracked.node]) {
     tracked.attachment = kernel::WallAttachment::none;
     return;
@@ -226,12 +261,44 @@ void RigidWall::stop(const Shape& shape, Tracked& tracked, bool slept, const Ste
   const Vec3d impulse = step.mass[tracked.node] * (after - free);
   tracked.last = after;
   set(step.v[tracked.node], after);
-  sum.impulse += impulse;
-  sum.normal += dot(impulse, p.normal);
-  sum.opening -= 0.5 * dot(impulse, before);
-  sum.closing -= 0.5 * dot(impulse, after);
-  sum.power_on_change += dot(vec(step.f[tracked.node]), after - free);
-  ++sum.touching;
+  stopped.push_back({index,
+                     {impulse, dot(impulse, p.normal), -0.5 * dot(impulse, before), -0.5 * dot(impulse, after),
+                      dot(vec(step.f[tracked.node]), after - free), 1}});
+}
+
+/// What all ranks have found in the groups that are awake takes the place of what this one has.
+void RigidWall::share_found(const system::Share& share) {
+  Ranks& ranks = share.ranks();
+  struct Near {
+    double clear, attached;
+  };
+  std::vector<std::size_t> awake;
+  std::vector<Near> own;
+  std::vector<Stopped> stopped;
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    if (groups_[g].slept) continue;
+    awake.push_back(g);
+    own.push_back({found_[g].clear, found_[g].attached ? 1.0 : 0.0});
+    for (const Stopped& s : found_[g].stopped)
+      if (share.answering(tracked_[s.tracked].node) == ranks.rank()) stopped.push_back(s);
+    found_[g].stopped.clear();
+  }
+  if (awake.empty()) return;
+  std::vector<Near> of_all(own.size() * at(ranks.count()));
+  ranks.gather(std::as_bytes(std::span(own)), std::as_writable_bytes(std::span(of_all)));
+  for (std::size_t i = 0; i < of_all.size(); ++i) {
+    Found& found = found_[awake[i % awake.size()]];
+    if (!(of_all[i].clear >= found.clear)) found.clear = of_all[i].clear;
+    found.attached = found.attached || of_all[i].attached != 0.0;
+  }
+  stopped = gather_lists(ranks, stopped);
+  std::ranges::sort(stopped, {}, &Stopped::tracked);
+  for (const Stopped& s : stopped) found_[at(s.tracked) / nodes_per_sum].stopped.push_back(s);
+}
+
+void RigidWall::carry(int rank, const system::Share& share, system::Parcel& parcel) {
+  for (Tracked& t : tracked_)
+    if (!share.followers(t.node).empty() && share.answering(t.node) == rank) parcel(&t, 1);
 }
 
 std::size_t RigidWall::awake() const {
@@ -252,7 +319,7 @@ void RigidWall::archive(Archive& a) {
     energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_);
   if (bodies_) a(*bodies_);
   a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
-          birth_, death_, sums_);
+          birth_, death_, found_);
 }
 
 }  // namespace nugget::contact

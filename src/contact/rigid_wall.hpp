@@ -15,6 +15,11 @@
 #include "kernel/contact/wall.hpp"
 #include "model/loads.hpp"
 
+namespace nugget::system {
+class Share;
+class Parcel;
+}  // namespace nugget::system
+
 namespace nugget::contact {
 
 /// *RIGIDWALL_PLANAR and _GEOMETRIC_FLAT, _PRISM, _CYLINDER, _SPHERE: stops nodes by changing their velocities,
@@ -49,10 +54,13 @@ class RigidWall {
   /// at `time`. `dt_previous`: the step that led to `time`; forces are impulses over the time between the two middles,
   /// (dt + dt_previous)/2. `skip` (by node; may be empty) marks nodes that the wall leaves alone: dependent ones, and
   /// those of rigid bodies. `f`: the other forces on the nodes at `time`. `fastest`: a speed that no node exceeds;
-  /// nodes that cannot reach the wall for a while are then not looked at.
+  /// nodes that cannot reach the wall for a while are then not looked at. `share`: in a run over several ranks, of which
+  /// each looks at nodes that it follows.
   void constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
                  std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip,
-                 double fastest = std::numeric_limits<double>::infinity());
+                 double fastest = std::numeric_limits<double>::infinity(), const system::Share* share = nullptr);
+  /// Over several ranks: what is known of the nodes for which one answers, on its way to another one.
+  void carry(int rank, const system::Share& share, system::Parcel& parcel);
   std::size_t tracked() const { return tracked_.size(); }  ///< nodes
   std::size_t awake() const;                               ///< of these, those that the last step looked at
 
@@ -100,6 +108,19 @@ class RigidWall {
     double opening = 0.0, closing = 0.0;  // halves of the energy: with the velocities before and after
     double power_on_change = 0.0;
     int touching = 0;
+    void add(const Sum& more);
+  };
+  /// A node that a wall with mass catches up with.
+  struct Caught {
+    int tracked = 0;
+    kernel::WallAttachment attachment = kernel::WallAttachment::none;
+    double mass = 0.0;
+    Vec3d from, v;  ///< its place off the reference point, its velocity
+  };
+  /// What the wall does to one node in a step.
+  struct Stopped {
+    int tracked = 0;
+    Sum sum;
   };
   struct Step {
     double dt;
@@ -111,6 +132,7 @@ class RigidWall {
     std::span<const unsigned char> skip;
     Vec3d wall_velocity;
     double fastest;  ///< of the nodes
+    const system::Share* share;  ///< null: one process
   };
   /// Tracked nodes side by side in the list, whose impulses are summed up together.
   struct Group {
@@ -118,16 +140,25 @@ class RigidWall {
     bool slept = false;         ///< was not looked at in the step before
     void archive(Archive& a) { a(asleep_until, slept); }
   };
+  /// What a step finds in a group that is awake.
+  struct Found {
+    double clear = std::numeric_limits<double>::infinity();  ///< way that all of its nodes have to the wall [length]
+    bool attached = false;
+    std::vector<Stopped> stopped;
+  };
 
   Vec3d prescribed_velocity(double time, double dt) const;
   template <class Shape>
   void collide(const Shape& shape, Step& step);
   template <class Shape>
-  void stop(const Shape& shape, const Step& step);
+  std::vector<Caught> find_caught(const Shape& shape, const Step& step) const;
   template <class Shape>
-  void stop(const Shape& shape, std::size_t group, double way, const Step& step);
+  Sum stop(const Shape& shape, const Step& step);
   template <class Shape>
-  void stop(const Shape& shape, Tracked& tracked, bool slept, const Step& step, Sum& sum) const;
+  void look_at_group(const Shape& shape, std::size_t group, const Step& step);
+  template <class Shape>
+  void stop(const Shape& shape, int index, bool slept, const Step& step, std::vector<Stopped>& stopped);
+  void share_found(const system::Share& share);
   Vec3d friction(const Vec3d& slip, double normal_change) const;
 
   bool acts(double time) const { return time >= birth_ && time < death_; }
@@ -143,8 +174,8 @@ class RigidWall {
   double birth_ = 0.0, death_ = 0.0;
 
   std::vector<Tracked> tracked_;
-  std::vector<Sum> sums_;      // by group of tracked nodes
-  std::vector<Group> groups_;  // these
+  std::vector<Group> groups_;  // of tracked nodes
+  std::vector<Found> found_;   // by group
   double travelled_ = 0.0;     // by how much a node can have come closer to the wall since the start, at most
   bool started_ = false;       // `last` holds
   std::optional<WallPenalty> bodies_;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface contact over several ranks: each looks at every so many-th block of tracked nodes. What a block has found
-// goes to all, so that every rank adds up the same forces in the order of blocks and hits.
+// A surface contact over several ranks (docs/decisions/0115): each looks at blocks of tracked nodes that it mostly
+// follows, at places that other ranks send where it follows not, and sends hits to the ranks that follow their nodes.
 #include <algorithm>
 #include <cstring>
 
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
 #include "system/parcel.hpp"
+#include "system/share.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -14,15 +15,9 @@ namespace {
 /// Before the hits of a block in a message.
 struct BlockHead {
   int block = 0, hits = 0;
-  ContactEnergies energies;
 };
 
-bool has_any(const ContactEnergies& e) {
-  return e.springs != 0.0 || e.friction != 0.0 || e.damping != 0.0 || e.deleted != 0.0 || e.drops.count != 0;
-}
-
 void append(std::vector<std::byte>& data, const void* from, std::size_t size) {
-  if (size == 0) return;
   const std::size_t place = data.size();
   data.resize(place + size);
   std::memcpy(data.data() + place, from, size);
@@ -38,50 +33,128 @@ void carry_list(system::Parcel& parcel, std::vector<T>& list) {
 
 }  // namespace
 
-void SurfaceContact::exchange_hits(Ranks& ranks) {
-  std::vector<std::byte> found;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    Block& block = blocks_[b];
-    if (!computes(b, &ranks)) {
-      block.hits.clear();
-      block.shares.clear();
-      block.parts.clear();
-      block.resultant = {};
-      block.deepest = 0.0;
-      continue;
-    }
-    // Of a block that has no pairs any more the hits are those of a cycle before.
-    const std::size_t hits = block.pairs.empty() ? 0 : block.hits.size();
-    if (hits == 0 && !has_any(block.energies)) continue;
-    const BlockHead head{static_cast<int>(b), static_cast<int>(hits), block.energies};
-    append(found, &head, sizeof head);
-    append(found, block.hits.data(), hits * sizeof(Hit));
+/// A block goes to the rank that answers for most of its nodes; one of nodes that all follow, to the next in turn.
+void SurfaceContact::take_share(const SharedNodes& shared) {
+  if (share_ == &shared.share) return;
+  share_ = &shared.share;
+  const int count = share_->ranks().count();
+  rank_ = share_->ranks().rank();
+  rank_of_block_.clear();
+  std::vector<int> nodes_of(at(count));
+  for (const Block& block : blocks_) {
+    std::ranges::fill(nodes_of, 0);
+    for (int t = block.begin; t < block.end; ++t)
+      if (const std::span<const int> some = share_->followers(nodes_[t].node); !some.empty()) ++nodes_of[some.front()];
+    const auto most = std::ranges::max_element(nodes_of);
+    rank_of_block_.push_back(*most > 0 ? static_cast<int>(most - nodes_of.begin())
+                                       : static_cast<int>(rank_of_block_.size() % at(count)));
   }
-  const std::vector<std::byte> all = gather_lists(ranks, found);
-  with_hits_.clear();
-  for (std::size_t place = 0; place < all.size();) {
-    BlockHead head;
-    std::memcpy(static_cast<void*>(&head), all.data() + place, sizeof head);
-    place += sizeof head;
-    Block& block = blocks_[head.block];
-    if (!computes(at(head.block), &ranks)) {
-      block.energies = head.energies;
-      block.hits.resize(at(head.hits));
-      if (head.hits > 0)
-        std::memcpy(static_cast<void*>(block.hits.data()), all.data() + place, block.hits.size() * sizeof(Hit));
-      sum_up(block);
-      share_out(block, work_of_thread().shares);
-    }
-    place += at(head.hits) * sizeof(Hit);
-    if (head.hits > 0) with_hits_.push_back(head.block);
-  }
-  std::sort(with_hits_.begin(), with_hits_.end());
+  std::vector<char> left_out;
+  for (const int node : forces_.nodes()) left_out.push_back(!share_->follows(node));
+  forces_.leave_out(std::move(left_out));
+  list_followed_nodes();
+  if (searched_) ask_for_ghosts();
 }
 
-void SurfaceContact::carry(int rank, int ranks, system::Parcel& parcel) {
+void SurfaceContact::list_followed_nodes() {
+  followed_.clear();
+  for (std::size_t i = 0; i < active_nodes_.size(); ++i)
+    if (share_->follows(active_nodes_[i])) followed_.push_back(static_cast<int>(i));
+}
+
+/// The pairs of a block look at the tracked node, the corners of the segment, and at all segments at any of these.
+void SurfaceContact::ask_for_ghosts() {
+  std::vector<char> corner(forces_.nodes().size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (static_cast<int>(b % at(ranks)) != rank) continue;
+    const Block& block = blocks_[b];
+    if (!computes(b) || block.pairs.empty()) continue;
+    for (int t = block.begin; t < block.end; ++t) corner[forces_.place(nodes_[t].node)] = 1;
+    for (const Pair& pair : block.pairs)
+      for (const int n : faces_[pair.segment].node) corner[forces_.place(n)] = 1;
+  }
+  std::vector<char> wanted = corner;
+  for (const Face& face : faces_)
+    if (std::ranges::any_of(face.node, [&](int n) { return corner[forces_.place(n)] != 0; }))
+      for (const int n : face.node) wanted[forces_.place(n)] = 1;
+  std::vector<int> nodes;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i] != 0 && forces_.left_out(static_cast<int>(i))) nodes.push_back(forces_.nodes()[i]);
+  ghosts_.ask_for(*share_, std::move(nodes));
+}
+
+Box SurfaceContact::over_all_ranks(const Box& own) const {
+  Box all;
+  for (const Box& of_rank : gather(share_->ranks(), own))
+    if (of_rank.low.x <= of_rank.high.x) all.add(of_rank);  // a rank may follow none
+  return all;
+}
+
+/// Hits go to the ranks that follow one of their nodes, and there to the same place in the order of blocks and hits.
+void SurfaceContact::exchange_hits() {
+  Ranks& ranks = share_->ranks();
+  const int count = ranks.count();
+  std::vector<std::vector<std::byte>> out(at(count)), in(at(count));
+  std::vector<std::vector<int>> hits_for(at(count));  // of a block
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Block& block = blocks_[b];
+    if (!computes(b)) {
+      block.clear_hits();
+      continue;
+    }
+    for (std::vector<int>& hits : hits_for) hits.clear();
+    for (std::size_t h = 0; h < block.hits.size(); ++h) {
+      const int hit = static_cast<int>(h);
+      const auto give = [&](int rank) {
+        if (rank != rank_ && (hits_for[rank].empty() || hits_for[rank].back() != hit)) hits_for[rank].push_back(hit);
+      };
+      const auto give_followers = [&](int node) {
+        const std::span<const int> some = share_->followers(node);
+        for (const int rank : some) give(rank);
+        for (int rank = 0; some.empty() && rank < count; ++rank) give(rank);
+      };
+      give_followers(nodes_[block.hits[h].tracked].node);
+      for (const int n : faces_[block.hits[h].segment].node) give_followers(n);
+    }
+    for (int r = 0; r < count; ++r) {
+      if (hits_for[r].empty()) continue;
+      const BlockHead head{static_cast<int>(b), static_cast<int>(hits_for[r].size())};
+      append(out[r], &head, sizeof head);
+      for (const int hit : hits_for[r]) append(out[r], &block.hits[hit], sizeof(Hit));
+    }
+  }
+  std::vector<std::uint64_t> sizes(at(count)), of_all(at(count) * at(count));
+  for (int r = 0; r < count; ++r) sizes[r] = out[r].size();
+  ranks.gather(std::as_bytes(std::span(sizes)), std::as_writable_bytes(std::span(of_all)));
+  for (int r = 0; r < count; ++r) {
+    in[r].resize(of_all[at(r) * at(count) + at(rank_)]);
+    if (!in[r].empty()) ranks.receive(r, in[r]);
+    if (!out[r].empty()) ranks.send(r, out[r]);
+  }
+  ranks.finish();
+  for (const std::vector<std::byte>& data : in)
+    for (std::size_t place = 0; place < data.size();) {
+      BlockHead head;
+      std::memcpy(&head, data.data() + place, sizeof head);
+      place += sizeof head;
+      Block& block = blocks_[head.block];
+      block.hits.resize(at(head.hits));
+      std::memcpy(static_cast<void*>(block.hits.data()), data.data() + place, block.hits.size() * sizeof(Hit));
+      place += at(head.hits) * sizeof(Hit);
+      share_out(block, work_of_thread().shares);
+    }
+}
+
+void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parcel) {
+  if (share_ == nullptr) return;  // before the first forces of several ranks everyone has everything
+  const bool whole = what == system::Carried::whole;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (rank_of_block_[b] != rank) continue;
+    Block& block = blocks_[b];
+    parcel(&block.energies, 1);
+    parcel(&block.resultant, 1);
+    parcel(&block.deepest, 1);
+    if (whole || results_need_hits_) carry_list(parcel, block.hits);
+    if (!whole) continue;
     parcel(&block.asleep_until, 1);
     carry_list(parcel, block.first);
     carry_list(parcel, block.next_check_travel);
@@ -90,9 +163,12 @@ void SurfaceContact::carry(int rank, int ranks, system::Parcel& parcel) {
     carry_list(parcel, block.touches);
     carry_list(parcel, block.free);
   }
-  active_blocks_.clear();
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (!blocks_[b].pairs.empty()) active_blocks_.push_back(static_cast<int>(b));
+  for (const int node : share_->reported_by(rank))
+    if (forces_.has(node)) forces_.carry(forces_.place(node), whole, parcel);
+  for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i) {
+    const std::span<const int> some = share_->followers(active_nodes_[i]);
+    if (!some.empty() && some.front() == rank) parcel(&seen_at_[i], 1);
+  }
 }
 
 }  // namespace nugget::contact

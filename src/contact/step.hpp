@@ -3,10 +3,20 @@
 
 #include <span>
 
-#include "base/ranks.hpp"
 #include "base/row.hpp"
 
+namespace nugget::system {
+class Share;
+}  // namespace nugget::system
+
 namespace nugget::contact {
+
+/// Over several ranks each follows nodes of its own: who follows which, and the rows behind those of a Step, into which
+/// those of other nodes are put when they are asked for.
+struct SharedNodes {
+  const system::Share& share;
+  std::span<Row> x, v;
+};
 
 /// The step at whose end contact forces are found. Spans are by node, but `element_alive` (see Segment::element; empty:
 /// all are active).
@@ -21,7 +31,7 @@ struct Step {
   std::span<const Row> v;  ///< velocities in its middle
   std::span<const double> mass;
   std::span<const unsigned char> element_alive;
-  Ranks* ranks = nullptr;  ///< that compute the contact together; null: this process alone
+  const SharedNodes* shared = nullptr;  ///< null: one process
 };
 
 }  // namespace nugget::contact

@@ -38,9 +38,8 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
       death_(setup.death),
       edges_meet_(setup.edges_meet),
       around_(setup.segments),
-      forces_(surface_nodes(setup)),
-      sources_(forces_.parts()),
-      work_(forces_.parts()) {
+      forces_(surface_nodes(setup), setup.law.friction.any()),
+      sources_(forces_.parts()) {
   const bool by_segment_masses = law_.stiffness == kernel::PenaltyStiffness::segment_masses;
   faces_.reserve(setup.segments.size());
   for (const Segment& s : setup.segments) {
@@ -102,18 +101,23 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
 }
 
 void SurfaceContact::apply(const Step& step, std::span<Row> force) {
-  const bool active = !faces_.empty() && step.time >= birth_ && step.time < death_;
-  if (active) {
-    if (moved_too_far(step.x) || !searched_) search(step.x, step.element_alive, step.ranks);
-    own_active_.clear();
-    for (const int b : active_blocks_)
-      if (computes(at(b), step.ranks)) own_active_.push_back(b);
-    parallel_for(own_active_.size(), 4,
+  acts_ = !faces_.empty() && step.time >= birth_ && step.time < death_;
+  if (acts_) {
+    if (step.shared != nullptr) take_share(*step.shared);
+    if (moved_too_far(step.x) || !searched_) search(step);
+    if (share_ != nullptr) ghosts_.fetch(*share_, step.shared->x, step.shared->v);
+    list_active_blocks();
+    parallel_for(active_blocks_.size(), 4,
                  [this, &step](std::size_t begin, std::size_t end) { look_at(begin, end, work_of_thread(), step); });
-    if (step.ranks != nullptr) exchange_hits(*step.ranks);
+    if (share_ != nullptr) exchange_hits();
   }
-  shared_ = step.ranks != nullptr;
-  add_forces(step, force, active);
+  add_forces(step, force);
+}
+
+void SurfaceContact::list_active_blocks() {
+  active_blocks_.clear();
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (computes(b) && !blocks_[b].pairs.empty()) active_blocks_.push_back(static_cast<int>(b));
 }
 
 std::size_t SurfaceContact::listed() const {
@@ -154,25 +158,30 @@ SurfaceContact::Touch& SurfaceContact::Block::touch(Pair& pair) {
   return touches[pair.touch] = {};
 }
 
+void SurfaceContact::Block::clear_hits() {
+  hits.clear();
+  shares.clear();
+  parts.clear();
+  resultant = {};
+  deepest = 0.0;
+}
+
 /// Works on some of the active blocks. A body has more pairs and segments than a cache holds: the pairs of the block
 /// after the next, and the segments of the next, are on their way meanwhile.
 void SurfaceContact::look_at(std::size_t begin, std::size_t end, Work& work, const Step& step) {
-  wake(blocks_[own_active_[begin]], work.next);
+  wake(blocks_[active_blocks_[begin]], work.next);
   for (std::size_t b = begin; b < end; ++b) {
-    if (b + 4 < end) ask_for_lines(&blocks_[own_active_[b + 4]], sizeof(Block));
-    if (b + 2 < end) ask_for(blocks_[own_active_[b + 2]]);
+    if (b + 4 < end) ask_for_lines(&blocks_[active_blocks_[b + 4]], sizeof(Block));
+    if (b + 2 < end) ask_for(blocks_[active_blocks_[b + 2]]);
     std::swap(work.awake, work.next);
-    if (b + 1 < end) wake(blocks_[own_active_[b + 1]], work.next);
-    look_at(blocks_[own_active_[b]], work, step);
+    if (b + 1 < end) wake(blocks_[active_blocks_[b + 1]], work.next);
+    look_at(blocks_[active_blocks_[b]], work, step);
   }
 }
 
 void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
-  block.hits.clear();
-  block.shares.clear();
-  block.parts.clear();
-  block.resultant = {};
-  block.deepest = 0.0;
+  block.clear_hits();
+  block.energies.springs = 0.0;
   if (work.awake.nodes.empty()) return;
   project(block, work, step);
   std::size_t first = 0;
@@ -574,16 +583,18 @@ void SurfaceContact::sum_up(Block& block) const {
   }
 }
 
-/// Lists what of the hits goes to which node, by parts of these; parts in the order in which they are met. `shares`:
-/// room for the same in the order of the hits.
+/// Lists what of the hits goes to which node, by parts of these; parts in the order in which they are met. Nodes that
+/// other ranks follow are left out. `shares`: room for the same in the order of the hits.
 void SurfaceContact::share_out(Block& block, std::vector<Share>& shares) const {
   shares.clear();
   for (std::size_t h = 0; h < block.hits.size(); ++h) {
     const Face& face = faces_[block.hits[h].segment];
-    const int hit = static_cast<int>(h);
-    shares.push_back({forces_.place(nodes_[block.hits[h].tracked].node), hit, the_node});
-    for (int c = 0; c < face.corners(); ++c)
-      shares.push_back({forces_.place(face.node[c]), hit, static_cast<signed char>(c)});
+    const auto add = [&](int node, signed char corner) {
+      const int place = forces_.place(node);
+      if (!forces_.left_out(place)) shares.push_back({place, static_cast<int>(h), corner});
+    };
+    add(nodes_[block.hits[h].tracked].node, the_node);
+    for (int c = 0; c < face.corners(); ++c) add(face.node[c], static_cast<signed char>(c));
   }
   const auto shares_of = [&block](const Share& share) -> Shares& {
     const int part = share.place / NodalForces::part_size;
@@ -636,38 +647,62 @@ void SurfaceContact::spread(std::size_t part, const Step& step) {
   }
 }
 
-/// Sums up what the blocks found, if the contact is `active`, and books the work of the step.
-void SurfaceContact::add_forces(const Step& step, std::span<Row> force, bool active) {
-  resultant_ = {};
-  touching_ = 0;
-  deepest_ = 0.0;
+/// Sums up what the blocks found, and books the work of the step.
+void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
   for (std::vector<Source>& sources : sources_) sources.clear();
-  if (active) {
-    for (const int b : step.ranks != nullptr ? with_hits_ : active_blocks_) {
-      const Block& block = blocks_[b];
-      resultant_ += block.resultant;
-      deepest_ = std::max(deepest_, block.deepest);
-      touching_ += static_cast<int>(block.hits.size());
-      for (std::size_t i = 0; i < block.parts.size(); ++i) {
-        const int end = i + 1 < block.parts.size() ? block.parts[i + 1].begin : static_cast<int>(block.shares.size());
-        sources_[block.parts[i].part].push_back({b, block.parts[i].begin, end});
-      }
+  for (std::size_t b = 0; acts_ && b < blocks_.size(); ++b) {
+    const Block& block = blocks_[b];
+    for (std::size_t i = 0; i < block.parts.size(); ++i) {
+      const int end = i + 1 < block.parts.size() ? block.parts[i + 1].begin : static_cast<int>(block.shares.size());
+      sources_[block.parts[i].part].push_back({static_cast<int>(b), block.parts[i].begin, end});
     }
-    energies_.springs = 0.0;
-    for (Block& block : blocks_) energies_.add(std::exchange(block.energies, {}));
   }
   parallel_for(forces_.parts(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       forces_.next_cycle(p);
       spread(p, step);
       forces_.add_to(p, force);
-      work_[p] = forces_.work(p, step.dt, step.v);
+      forces_.book_work(p, step.dt, step.v);
     }
   });
-  NodalForces::Work work;
-  for (const NodalForces::Work& of_part : work_) work.add(of_part);
-  for (std::size_t side = 0; side < 2; ++side) energy_[side] -= work.of_side[side];
-  if (law_.friction.any()) energies_.friction -= work.friction;
+}
+
+ContactEnergies SurfaceContact::energies() const {
+  ContactEnergies all;
+  for (const Block& block : blocks_) all.add(block.energies);
+  all.friction = forces_.friction_energy();
+  return all;
+}
+
+Vec3d SurfaceContact::resultant() const {
+  Vec3d sum;
+  for (std::size_t b = 0; acts_ && b < blocks_.size(); ++b) sum += blocks_[b].resultant;
+  return sum;
+}
+
+int SurfaceContact::touching() const {
+  int count = 0;
+  each_hit([&count](const Hit&) { ++count; });
+  return count;
+}
+
+double SurfaceContact::deepest() const {
+  double deepest = 0.0;
+  for (std::size_t b = 0; acts_ && b < blocks_.size(); ++b) deepest = std::max(deepest, blocks_[b].deepest);
+  return deepest;
+}
+
+Vec3d SurfaceContact::force_on(std::span<const unsigned char> marked) const {
+  if (law_.balances_friction) return forces_.sum(marked);  // the corners have more than the hits tell
+  const auto is_marked = [marked](int node) { return at(node) < marked.size() && marked[node] != 0; };
+  Vec3d sum;
+  each_hit([&](const Hit& hit) {
+    const Face& face = faces_[hit.segment];
+    if (is_marked(nodes_[hit.tracked].node)) sum += hit.force;
+    for (int c = 0; c < face.corners(); ++c)
+      if (is_marked(face.node[c])) sum -= hit.weight[c] * hit.force;
+  });
+  return sum;
 }
 
 Vec3d SurfaceContact::force_between(const TwoBodies& bodies) const {
@@ -679,18 +714,18 @@ Vec3d SurfaceContact::force_between(const TwoBodies& bodies) const {
 }
 
 void SurfaceContact::Block::archive(Archive& a) {
-  a(asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, shares, parts);
-  a.built(begin, end, resultant, deepest, energies);
+  a(asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, resultant, deepest, energies);
+  a.built(begin, end, shares, parts);
 }
 
 /// With the search lists: a pair remembers on which side it stands, and a search at another cycle would give other
 /// last digits.
 void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
-  a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, moved_,
-    active_segments_, blocks_, active_blocks_, energy_, resultant_, touching_, deepest_, energies_);
+  a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, blocks_, acts_);
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, excluded_,
-          stays_active_, thickest_segment_, pressing_, margin_, sources_, work_, shared_, own_active_, with_hits_);
+          stays_active_, thickest_segment_, pressing_, margin_, moved_, active_segments_, active_blocks_, sources_,
+          results_need_hits_, share_, rank_, rank_of_block_, followed_, ghosts_);
 }
 
 }  // namespace nugget::contact

@@ -13,6 +13,7 @@
 #include "contact/step.hpp"
 #include "contact/surface.hpp"
 #include "kernel/contact/penalty.hpp"
+#include "system/ghost_nodes.hpp"
 #include "system/parcel.hpp"
 
 namespace nugget::contact {
@@ -118,8 +119,15 @@ class SurfaceContact {
   /// force; the solver's a = (force - internal)/m).
   void apply(const Step& step, std::span<Row> force);
 
-  /// Over several ranks (Step::ranks): what this class remembers of the pairs of a rank, on its way to another one.
-  void carry(int rank, int ranks, system::Parcel& parcel);
+  /// Over several ranks (Step::shared): what others need of the blocks of a rank and of the nodes for which it answers,
+  /// for results or for all that is to come, on its way to another one.
+  void carry(int rank, system::Carried what, system::Parcel& parcel);
+  /// Results are to show force_on() or force_between(): of several ranks the first one gets the hits of all.
+  void keep_hits_for_results() { results_need_hits_ = true; }
+
+  /// Whether all of several ranks must follow all its nodes: couples of friction look at places of all.
+  bool looks_everywhere() const { return law_.balances_friction; }
+  const std::vector<int>& nodes() const { return forces_.nodes(); }  ///< all that it can press
 
   /// Tracked nodes (in the order of the setup) that something else holds are not looked at while their entry is not 0;
   /// the vector must outlive the contact.
@@ -130,28 +138,28 @@ class SurfaceContact {
   /// Sliding energy: stored in the penalty springs and dissipated by damping [energy]. It is minus the work of the
   /// contact forces, sum over steps of 1/2 (f_n + f_n+1) . v_n+1/2 dt, exactly what they take from the nodes' energy
   /// balance.
-  double energy() const { return energy_[0] + energy_[1]; }
+  double energy() const { return energy_of_sides()[0] + energy_of_sides()[1]; }
   /// Its shares: what the tracked side (SURFA) and what the reference side gave. In a single surface contact all is of
   /// the first.
-  const std::array<double, 2>& energy_of_sides() const { return energy_; }
+  std::array<double, 2> energy_of_sides() const { return forces_.energy_of_sides(); }
   /// What became of it.
-  const ContactEnergies& energies() const { return energies_; }
+  ContactEnergies energies() const;
   /// Force on the tracked side (SURFA) as a whole. In a single surface contact, where that is zero: the sum over the
   /// tracked nodes as such, without the reactions on segments [force].
-  const Vec3d& resultant() const { return resultant_; }
+  Vec3d resultant() const;
   /// Sum of the forces on the nodes that are marked (by node; nodes beyond its end are not) [force].
-  Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
+  Vec3d force_on(std::span<const unsigned char> marked) const;
   /// Force on the first body by the second: the sum over those pairs that have one side in each [force].
   Vec3d force_between(const TwoBodies& bodies) const;
-  int touching() const { return touching_; }  ///< pairs that carry force
+  int touching() const;  ///< pairs that carry force
   /// Visits the hits of this step, by tracked node and segment.
   template <class Visit>
   void each_hit(const Visit& visit) const {
-    if (touching_ == 0) return;
-    for (int b : shared_ ? with_hits_ : active_blocks_)
-      for (const Hit& hit : blocks_[b].hits) visit(hit);
+    if (!acts_) return;
+    for (const Block& block : blocks_)
+      for (const Hit& hit : block.hits) visit(hit);
   }
-  double deepest() const { return deepest_; }  ///< largest depth that counts in a force [length]
+  double deepest() const;                      ///< largest depth that counts in a force [length]
   long searches() const { return searches_; }  ///< how often the lists were made
   std::size_t listed() const;                  ///< pairs in the lists
 
@@ -263,12 +271,13 @@ class SurfaceContact {
     // Of the hits: their sum as it stands in rcforc, the deepest.
     Vec3d resultant;
     double deepest = 0.0;
-    ContactEnergies energies;  // what this cycle adds; of springs: what they hold
+    ContactEnergies energies;  // so far; of springs: what they hold now; that of friction stands with the nodes
 
     const Touch* touch_of(const Pair& pair) const { return pair.touch == none ? nullptr : &touches[pair.touch]; }
     bool pressed(const Pair& pair) const { return pair.touch != none && touches[pair.touch].pressed(); }
     void release(Pair& pair);
     Touch& touch(Pair& pair);
+    void clear_hits();
     void archive(Archive& a);
   };
   static constexpr double side_change_cosine = 0.5;  // cosine from the side that is remembered, over an edge
@@ -289,16 +298,21 @@ class SurfaceContact {
     return 0.5 * (nodes_[tracked].thickness + faces_[segment].thickness);
   }
 
+  void take_share(const SharedNodes& shared);
+  Box over_all_ranks(const Box& own) const;
+  void list_followed_nodes();
+  void ask_for_ghosts();
+  void list_active_blocks();
   bool moved_too_far(std::span<const Row> x);
   bool lists_are_good_for(std::span<const Row> x);
   template <class Displacement>
   double approach(const Displacement& displacement);
   double widest(int tracked) const { return 0.5 * (nodes_[tracked].thickness + thickest_segment_); }
-  void search(std::span<const Row> x, std::span<const unsigned char> element_alive, const Ranks* ranks);
-  static bool computes(std::size_t block, const Ranks* ranks) {
-    return ranks == nullptr || static_cast<int>(block % at(ranks->count())) == ranks->rank();
-  }
-  void exchange_hits(Ranks& ranks);
+  void search(const Step& step);
+  Box box_of_own_blocks(std::span<const Row> x) const;
+  /// Whether this process looks at a block.
+  bool computes(std::size_t block) const { return rank_of_block_.empty() || rank_of_block_[block] == rank_; }
+  void exchange_hits();
   void list_neighbours(Block& block, const BoxTree& tree, Work& work, std::span<const Row> x,
                        std::span<const unsigned char> element_alive) const;
   Box around(const Block& block, int tracked, const Vec3d& p) const;
@@ -354,7 +368,7 @@ class SurfaceContact {
   void sum_up(Block& block) const;
   void share_out(Block& block, std::vector<Share>& shares) const;
   void spread(std::size_t part, const Step& step);
-  void add_forces(const Step& step, std::span<Row> force, bool active);
+  void add_forces(const Step& step, std::span<Row> force);
 
   kernel::PenaltyLaw law_;
   double deepest_allowed_ = 0.0, birth_ = 0.0, death_ = 0.0;
@@ -379,19 +393,16 @@ class SurfaceContact {
   std::vector<Box> moved_;            // displacements of active_nodes_, by group of nodes
   std::vector<int> active_segments_;  // active segments at the last search
   std::vector<Block> blocks_;
-  std::vector<int> active_blocks_;  // blocks that have pairs
-  // Over several ranks, of which each looks at some of the blocks:
-  bool shared_ = false;                       // the last forces were found so
-  std::vector<int> own_active_;               // those of active_blocks_ that this rank looks at
-  std::vector<int> with_hits_;                // blocks of all ranks that have hits
+  std::vector<int> active_blocks_;            // blocks that have pairs and that this process looks at
   std::vector<std::vector<Source>> sources_;  // of forces, by part of the nodes
-  std::vector<NodalForces::Work> work_;       // by part of the nodes
-
-  std::array<double, 2> energy_{};
-  ContactEnergies energies_;
-  Vec3d resultant_;
-  int touching_ = 0;
-  double deepest_ = 0.0;
+  bool acts_ = false;                         // in the last cycle, by birth and death
+  bool results_need_hits_ = false;
+  // Over several ranks, of which each looks at some of the blocks:
+  const system::Share* share_ = nullptr;  // null: one process
+  int rank_ = 0;
+  std::vector<int> rank_of_block_;
+  std::vector<int> followed_;  // places in active_nodes_ of nodes that this rank follows
+  system::GhostNodes ghosts_;
 };
 
 }  // namespace nugget::contact

@@ -20,9 +20,10 @@ bool any_bricks(const SurfaceContactSetup& setup) {
 /// The overlaps of a contact that has not been applied yet. The lists of the last call stay, where no nodes have moved
 /// too far for them; what is found is the same.
 std::vector<Penetration> SurfaceContact::penetrations(std::span<const Row> x) {
-  if (!searched_ || !lists_are_good_for(x)) search(x, {}, nullptr);
   Step step;
   step.x = x;
+  if (!searched_ || !lists_are_good_for(x)) search(step);
+  list_active_blocks();
   std::vector<std::vector<Penetration>> found(active_blocks_.size());
   parallel_for(active_blocks_.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) find_overlaps(blocks_[active_blocks_[b]], step, found[b]);

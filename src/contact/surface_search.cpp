@@ -6,6 +6,7 @@
 #include "base/parallel.hpp"
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
+#include "system/share.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -19,17 +20,20 @@ constexpr double nodes_close_together = 16.0;  // side of their box, in margins:
 /// no more than the diagonal of the box of all displacements, whatever the surface does as a whole.
 template <class Displacement>
 double SurfaceContact::approach(const Displacement& displacement) {
-  parallel_for(moved_.size(), 1, [this, &displacement](std::size_t begin, std::size_t end) {
+  if (active_nodes_.empty()) return 0.0;
+  const std::size_t count = share_ != nullptr ? followed_.size() : active_nodes_.size();
+  moved_.resize((count + nodes_per_group - 1) / nodes_per_group);
+  parallel_for(moved_.size(), 1, [this, count, &displacement](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
       Box box;
-      for (std::size_t i = g * nodes_per_group; i < std::min(active_nodes_.size(), (g + 1) * nodes_per_group); ++i)
-        box.add(displacement(i));
+      for (std::size_t i = g * nodes_per_group; i < std::min(count, (g + 1) * nodes_per_group); ++i)
+        box.add(displacement(share_ != nullptr ? at(followed_[i]) : i));
       moved_[g] = box;
     }
   });
-  if (moved_.empty()) return 0.0;
   Box all;
   for (const Box& box : moved_) all.add(box);
+  if (share_ != nullptr) all = over_all_ranks(all);
   return norm(all.high - all.low);
 }
 
@@ -48,7 +52,10 @@ bool SurfaceContact::lists_are_good_for(std::span<const Row> x) {
   return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - vec(searched_at_[i]); }) <= margin_;
 }
 
-void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned char> element_alive, const Ranks* ranks) {
+void SurfaceContact::search(const Step& step) {
+  if (share_ != nullptr) share_->spread(step.shared->x);
+  const std::span<const Row> x = step.x;
+  const std::span<const unsigned char> element_alive = step.element_alive;
   active_nodes_.clear();
   active_nodes_.reserve(forces_.nodes().size());
   searched_at_.clear();
@@ -59,8 +66,8 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
     searched_at_.push_back(x[n]);
   }
   seen_at_ = searched_at_;
-  moved_.resize((active_nodes_.size() + nodes_per_group - 1) / nodes_per_group);
 
+  const Box within = box_of_own_blocks(x);
   active_segments_.clear();
   active_segments_.reserve(faces_.size());
   std::vector<Box> boxes;
@@ -69,20 +76,23 @@ void SurfaceContact::search(std::span<const Row> x, std::span<const unsigned cha
     const Face& face = faces_[s];
     const bool whole = std::all_of(face.node.begin(), face.node.end(), [&](int n) { return finite(x[n]); });
     if (!whole || !(face.side & pressing_) || !alive(static_cast<int>(s), element_alive)) continue;
+    const Box box = box_of(face, x);
+    if (share_ != nullptr && !box.overlaps(within)) continue;
     active_segments_.push_back(static_cast<int>(s));
-    boxes.push_back(box_of(face, x));
+    boxes.push_back(box);
   }
   const BoxTree tree = BoxTree(boxes);
   boxes = {};
 
-  const auto list = [this, &tree, &x, &element_alive, ranks](std::size_t begin, std::size_t end) {
+  const auto list = [this, &tree, &x, &element_alive](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
-      if (computes(b, ranks)) list_neighbours(blocks_[b], tree, work_of_thread(), x, element_alive);
+      if (computes(b)) list_neighbours(blocks_[b], tree, work_of_thread(), x, element_alive);
   };
   parallel_for(blocks_.size(), 4, list);
-  active_blocks_.clear();
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (!blocks_[b].pairs.empty()) active_blocks_.push_back(static_cast<int>(b));
+  if (share_ != nullptr) {
+    list_followed_nodes();
+    ask_for_ghosts();
+  }
   searched_ = true;
   searched_when_ = travelled_;
   ++searches_;
@@ -151,8 +161,24 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
   }
   block.first.back() = static_cast<int>(listed.size());
   block.pairs.assign(listed.begin(), listed.end());
+  if (listed.empty()) {
+    block.clear_hits();
+    block.energies.springs = 0.0;
+  }
   std::fill(block.next_check_travel.begin(), block.next_check_travel.end(), 0.0);
   block.asleep_until = 0.0;
+}
+
+/// All that is within reach of the nodes of blocks that this process looks at.
+Box SurfaceContact::box_of_own_blocks(std::span<const Row> x) const {
+  Box all;
+  if (share_ == nullptr) return all;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!computes(b)) continue;
+    for (int t = blocks_[b].begin; t < blocks_[b].end; ++t)
+      if (finite(x[nodes_[t].node])) all.add(around(blocks_[b], t, vec(x[nodes_[t].node])));
+  }
+  return all;
 }
 
 /// All that is within reach of a node at `p`.

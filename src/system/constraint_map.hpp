@@ -61,6 +61,13 @@ class ConstraintMap {
   /// The terms of a dependent node's row; their nodes may be dependent.
   std::span<const Term> terms(int node) const;
   std::span<Term> terms(int node);
+  /// Calls `visit` with each dependent node and each node that its row names.
+  template <class Visit>
+  void each_node(const Visit& visit) const {
+    for (const RowHead& row : rows_) visit(row.dependent);
+    for (const Term& term : terms_) visit(term.node);
+    for (const Corner& corner : corners_) visit(corner.node);
+  }
   bool rotations(int node) const { return rows_[row_of_[node]].rotations; }
   std::size_t size() const { return rows_.size(); }
 

@@ -131,6 +131,13 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   for (int k = 0; k < static_cast<int>(system.nodes); ++k)
     if (!everyone_follows(k)) reported_[owners[k].ranks.front()].push_back(k);
   follows_everything_ = std::ranges::all_of(reported_, &std::vector<int>::empty);
+  followers_.first.reserve(system.nodes + 1);
+  for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
+    followers_.first.push_back(static_cast<std::uint32_t>(followers_.ranks.size()));
+    if (!everyone_follows(k))
+      followers_.ranks.insert(followers_.ranks.end(), owners[k].ranks.begin(), owners[k].ranks.end());
+  }
+  followers_.first.push_back(static_cast<std::uint32_t>(followers_.ranks.size()));
   summed_ = ranges_of(system.nodes, [&](int k) { return follows(k) && (!sum_travels(k) || owners[k].only(own)); });
 
   for (const bool border : {true, false}) {
@@ -220,6 +227,22 @@ void Share::report(std::span<double> of_nodes) {
   ranks_.finish();
   for (int r = 1; own == 0 && r < ranks_.count(); ++r)
     for (std::size_t i = 0; i < numbers[r].size(); ++i) of_nodes[reported_[r][i]] = numbers[r][i];
+}
+
+void Share::spread(std::span<Row> of_nodes) const {
+  const int own = ranks_.rank();
+  std::vector<std::vector<Row>> rows(at(ranks_.count()));
+  for (int r = 0; r < ranks_.count(); ++r) {
+    rows[r].resize(reported_[r].size());
+    if (r != own && !rows[r].empty()) ranks_.receive(r, std::as_writable_bytes(std::span(rows[r])));
+  }
+  for (std::size_t i = 0; i < rows[own].size(); ++i) rows[own][i] = of_nodes[reported_[own][i]];
+  if (!rows[own].empty())
+    for (int r = 0; r < ranks_.count(); ++r)
+      if (r != own) ranks_.send(r, std::as_bytes(std::span<const Row>(rows[own])));
+  ranks_.finish();
+  for (int r = 0; r < ranks_.count(); ++r)
+    for (std::size_t i = 0; r != own && i < rows[r].size(); ++i) of_nodes[reported_[r][i]] = rows[r][i];
 }
 
 std::size_t Share::bytes_of_step() const {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -55,11 +57,22 @@ class Share {
 
   /// Whether all ranks follow all nodes.
   bool follows_everything() const { return follows_everything_; }
+  /// Whether this rank follows a node.
+  bool follows(int node) const { return followers_.of(node, ranks_.rank()); }
+  /// The ranks that follow a node, rising; none stand for all of them.
+  std::span<const int> followers(int node) const { return followers_.at(node); }
+  /// The rank that answers for a node: the first of its followers, of those that all follow the first one.
+  int answering(int node) const {
+    const std::span<const int> some = followers_.at(node);
+    return some.empty() ? 0 : some.front();
+  }
   /// Nodes that not all ranks follow, by the rank that answers for them: the first one of those whose elements they
   /// have.
   const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
   /// The numbers of these nodes come to the first rank.
   void report(std::span<double> of_nodes);
+  /// The rows of these nodes come to all ranks.
+  void spread(std::span<Row> of_nodes) const;
 
   /// Numbers that a step sends from here, of all kinds, in bytes.
   std::size_t bytes_of_step() const;
@@ -80,7 +93,21 @@ class Share {
     std::vector<char> turns;  ///< by node: a moment follows
     std::vector<Row3> data;
   };
-  void start(const Message& message);
+  /// The ranks that follow each node.
+  struct Followers {
+    std::vector<std::uint32_t> first;
+    std::vector<int> ranks;
+
+    std::span<const int> at(int node) const {
+      const auto k = static_cast<std::size_t>(node);
+      if (k + 1 >= first.size()) return {};  // virtual
+      return std::span(ranks).subspan(first[k], first[k + 1] - first[k]);
+    }
+    bool of(int node, int rank) const {
+      const std::span<const int> some = at(node);
+      return some.empty() || std::ranges::binary_search(some, rank);
+    }
+  };
 
   Ranks& ranks_;
   Partition partition_;
@@ -89,6 +116,7 @@ class Share {
   std::vector<Message> out_, in_;
   std::vector<Sums> sums_;  ///< by rank
   std::vector<Range> summed_, followed_;
+  Followers followers_;
   std::vector<std::vector<int>> reported_;  ///< by rank
   bool follows_everything_ = true;
 };

@@ -136,7 +136,7 @@ void System::collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
     carry(rank, what, parcel);
     for (std::vector<Row>* rows : of_nodes)
       for (const int k : share_->reported_by(rank)) parcel(&(*rows)[k], 1);
-    more({rank, count, [&](int group, std::size_t e) { return share_->partition().of_element(group, e) == rank; }},
+    more({rank, *share_, [&](int group, std::size_t e) { return share_->partition().of_element(group, e) == rank; }},
          parcel);
   };
   Ranks& ranks = share_->ranks();

@@ -193,7 +193,8 @@ class System {
   /// `more(of, parcel)` puts into each parcel, or takes out of it, what others keep of the elements for which
   /// `of(group, element)` is true. With the elements go the rows `of_nodes` of nodes that not all ranks follow.
   struct Computed {
-    int rank = 0, ranks = 1;  ///< whose parcel it is
+    int rank = 0;  ///< whose parcel it is
+    const Share& share;
     std::function<bool(int group, std::size_t element)> element;
     bool operator()(int group, std::size_t e) const { return element(group, e); }
   };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "impact/contact/contact_setup.hpp"
@@ -42,6 +43,9 @@ Contacts::Contacts(const system::System& system, std::span<const Row> x, Finding
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, x);
     if (card.glue) report_tiebreak(card, *contacts_.back().glue(), findings);
   }
+  const auto is_transducer = [](const model::Contact& card) { return card.kind == model::Contact::Kind::transducer; };
+  if (std::ranges::any_of(system.model.contacts, is_transducer))
+    for (contact::PenaltyContact& c : contacts_) c.keep_hits_for_results();
 }
 
 void Contacts::apply(const contact::Step& step, std::span<Row> force) {

@@ -33,10 +33,9 @@ class Contacts {
   std::vector<std::string> drop_summary(const system::System& system) const;
 
   void add_energy(Energy& energy) const;
-  /// Over several ranks: what contacts remember of the pairs of one on its way to another.
+  /// Over several ranks: see contact::SurfaceContact::carry.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
-    if (what != system::Carried::whole) return;
-    for (contact::PenaltyContact& contact : contacts_) contact.carry(of.rank, of.ranks, parcel);
+    for (contact::PenaltyContact& contact : contacts_) contact.carry(of.rank, what, parcel);
   }
   void archive(Archive& a) { a(contacts_); }
 

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "base/parallel.hpp"
+#include "system/parcel.hpp"
+#include "system/share.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -28,21 +30,22 @@ void report_constrained_nodes(const model::RigidWall& wall, const std::vector<in
                               constrained, wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
 }
 
-/// Of any of the rows, infinite where one is no number.
-double largest_speed(std::span<const Row> v) {
-  constexpr std::size_t rows = 4096;
-  std::vector<double> found((v.size() + rows - 1) / rows);
-  parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      double largest = 0.0;
-      for (const Row& r : v.subspan(i * rows, std::min(rows, v.size() - i * rows))) {
-        const double square = r.x * r.x + r.y * r.y + r.z * r.z;
-        largest = square <= largest ? largest : square <= std::numeric_limits<double>::max() ? square : infinity;
-      }
-      found[i] = largest;
+/// Of any node, infinite where one is no number; the same on all ranks.
+double largest_speed(const system::System& system, std::span<const Row> v) {
+  std::atomic<double> found{0.0};
+  system.for_each_node(4096, [&](std::size_t begin, std::size_t end) {
+    double largest = 0.0;
+    for (const Row& r : v.subspan(begin, end - begin)) {
+      const double square = r.x * r.x + r.y * r.y + r.z * r.z;
+      largest = square <= largest ? largest : square <= std::numeric_limits<double>::max() ? square : infinity;
+    }
+    for (double now = found; now < largest && !found.compare_exchange_weak(now, largest);) {
     }
   });
-  return found.empty() ? 0.0 : std::sqrt(*std::max_element(found.begin(), found.end()));
+  double largest = found;
+  if (const system::Share* share = system.share())
+    for (const double of_rank : gather(share->ranks(), largest)) largest = std::max(largest, of_rank);
+  return std::sqrt(largest);
 }
 
 }  // namespace
@@ -72,7 +75,7 @@ void Walls::constrain(const system::System& system, system::State& state, std::s
   // Worth while where walls look at most nodes.
   std::size_t tracked = 0;
   for (const contact::RigidWall& w : walls_) tracked += w.tracked();
-  const double fastest = 2 * tracked > state.v.size() ? largest_speed(state.v) : infinity;
+  const double fastest = 2 * tracked > state.v.size() ? largest_speed(system, state.v) : infinity;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const model::RigidWall& card = model.walls[w];
     double time = state.time;
@@ -81,10 +84,16 @@ void Walls::constrain(const system::System& system, system::State& state, std::s
     if (card.motion_curve != model::none && model.control.end_time > 0.0 && time >= model.control.end_time &&
         std::abs(model.curves[card.motion_curve].x.back() + card.birth - time) <= 1e-6 * state.dt)
       time -= state.dt;
-    walls_[w].constrain(time, state.dt, state.dt_previous, state.x, state.v, state.f, system.mass, dependent, fastest);
+    walls_[w].constrain(time, state.dt, state.dt_previous, state.x, state.v, state.f, system.mass, dependent, fastest,
+                        system.share());
     power_on_change += walls_[w].power_on_change();
     if (state.period > 1) walls_[w].average(system::time_of_mean(state), state.begins_period());
   }
+}
+
+void Walls::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
+  if (what != system::Carried::whole) return;
+  for (contact::RigidWall& w : walls_) w.carry(of.rank, of.share, parcel);
 }
 
 void Walls::press(const contact::Step& step, std::span<Row> force) {

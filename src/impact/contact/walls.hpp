@@ -22,6 +22,8 @@ class Walls {
   /// Adds the penalty forces on rigid bodies.
   void press(const contact::Step& step, std::span<Row> force);
 
+  /// Over several ranks: see contact::RigidWall::carry.
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   const std::vector<contact::RigidWall>& all() const { return walls_; }
 
   void add_energy(Energy& energy) const;

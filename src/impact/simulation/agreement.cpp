@@ -41,17 +41,19 @@ struct Balance {
 
 }  // namespace
 
-std::vector<std::string> Simulation::computed_by_all() const {
+Simulation::ComputedByAll Simulation::computed_by_all() const {
   const model::Model& model = system_.model;
   const model::Control& control = model.control;
   const Components& c = components_;
-  std::vector<std::string> whole;
-  const auto add = [&](bool there, const char* name) {
-    if (there) whole.emplace_back(name);
+  ComputedByAll whole;
+  const auto add = [&](bool there, const char* name, bool looks_everywhere = false) {
+    if (!there) return;
+    whole.names.emplace_back(name);
+    whole.every_node |= looks_everywhere;
   };
-  add(!c.contacts.all().empty(), "contact (but for its pairs of nodes and segments)");
+  const auto looks_everywhere = [](const contact::PenaltyContact& contact) { return contact.looks_everywhere(); };
+  add(std::ranges::any_of(c.contacts.all(), looks_everywhere), "contact of edges, glue and FTORQ");
   add(!c.interiors.all().empty(), "interior contact");
-  add(!c.walls.all().empty(), "rigid walls");
   add(!system_.bodies.empty(), "rigid bodies");
   add(!system_.ties.ties.empty() || !model.interpolations.empty() || !model.hanging_nodes.empty(), "ties");
   add(!c.joints.empty(), "joints");
@@ -59,14 +61,11 @@ std::vector<std::string> Simulation::computed_by_all() const {
   add(!model.discretes.empty(), "springs");
   add(!model.accelerometers.empty(), "accelerometers");
   add(!model.control_volumes.empty(), "gas in volumes");
-  add(!model.body_loads.empty(), "body loads");
-  add(!c.damping.empty(), "damping");
-  add(control.relaxation.on(), "dynamic relaxation");
-  add(control.distorted_shells > 1 || control.distorted_full_shells > 1, "deletion of distorted shells");
-  add(system_.looks_at_neighbours(), "nodal pressures of tetrahedra");
-  const bool depends =
-      system_.all_nodes() != system_.nodes || std::ranges::count(dependent_, 0) != std::ssize(dependent_);
-  add(whole.empty() && depends, "nodes that follow others");
+  add(!model.body_loads.empty(), "body loads", true);
+  add(!c.damping.empty(), "damping", true);
+  add(control.relaxation.on(), "dynamic relaxation", true);
+  add(control.distorted_shells > 1 || control.distorted_full_shells > 1, "deletion of distorted shells", true);
+  add(system_.looks_at_neighbours(), "nodal pressures of tetrahedra", true);
   return whole;
 }
 
@@ -76,29 +75,40 @@ system::Partition Simulation::partition(int ranks) const {
   return {system_, ranks, read};
 }
 
-/// Nodes that all ranks follow, by node: where forces or motions are computed by all of them, whole. What acts only
-/// through elements, loads and supports leaves the others to the ranks whose elements have them.
+/// Nodes that all ranks follow, by node: of all that each of them computes whole, of loads and supports, and those that
+/// somebody looks at between results. The others are left to the ranks whose elements have them.
 std::vector<char> Simulation::followed_by_all() const {
   const model::Model& model = system_.model;
   const Components& c = components_;
-  const bool everywhere = !computed_by_all().empty();
+  const bool everywhere = computed_by_all().every_node;
   std::vector<char> followed(system_.nodes, everywhere);
   if (everywhere) return followed;
+  const auto follow_place = [&](int node) {
+    if (at(node) < system_.nodes) followed[node] = 1;  // virtual ones everyone has
+  };
   const auto follow = [&](model::Index n) {
     if (n != model::none) followed[system_.node_of[n]] = 1;
   };
+  const auto follow_segments = [&](const std::vector<model::Segment>& segments) {
+    for (const model::Segment& s : segments) std::ranges::for_each(s, follow);
+  };
+  system_.map.each_node(follow_place);
+  for (const weld::Tie& tie : system_.ties.ties) follow(tie.node);
+  for (std::size_t i = 0; i < c.rivets.size(); ++i) std::ranges::for_each(c.rivets.rivet(i).nodes, follow);
+  for (const contact::PenaltyContact& contact : c.contacts.all())
+    if (contact.looks_everywhere()) contact.each_node(follow_place);
+  for (const contact::InteriorContact& contact : c.interiors.all()) std::ranges::for_each(contact.nodes(), follow_place);
+  for (const model::Accelerometer& a : model.accelerometers) std::ranges::for_each(a.node, follow);
+  for (const model::ControlVolume& volume : model.control_volumes) follow_segments(volume.segments);
   for (const Supports::Reaction& r : c.supports.spc_reactions()) followed[r.node] = 1;
   for (const Supports::Reaction& r : c.supports.motion_reactions()) followed[r.node] = 1;
   for (const model::NodalLoad& load : model.nodal_loads) {
     std::ranges::for_each(load.nodes, follow);
     std::ranges::for_each(load.follower_nodes, follow);
   }
-  for (const model::PressureLoad& load : model.pressure_loads)
-    for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
-  for (const model::TractionLoad& load : model.traction_loads)
-    for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
-  for (const model::BlastLoad& load : model.blast_loads)
-    for (const model::Segment& s : load.segments) std::ranges::for_each(s, follow);
+  for (const model::PressureLoad& load : model.pressure_loads) follow_segments(load.segments);
+  for (const model::TractionLoad& load : model.traction_loads) follow_segments(load.segments);
+  for (const model::BlastLoad& load : model.blast_loads) follow_segments(load.segments);
   for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
   for (const model::Sensor& sensor : model.run_ends.sensors) std::ranges::for_each(sensor.node, follow);
   for (const model::RunEnd& end : model.run_ends.ends) follow(end.node);

@@ -484,7 +484,7 @@ void Simulation::accelerate() {
   } else {
     node_power_.resize(system_.nodes);
     system_.for_each_node(block, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) node_power_[k] = accelerate(k);
+      for (std::size_t k = first; k < std::min(last, system_.nodes); ++k) node_power_[k] = accelerate(k);
     });
     // At a constant step nobody asks for the power.
     block_power_.clear();
@@ -520,7 +520,12 @@ void Simulation::contact_forces() {
   if (state_.cycle % period != 0) return;
   longest_step_ = std::max(longest_step_, period * stable_step_);
   contact::Step step{state_.time, period * state_.dt, period * stable_step_,           longest_step_, state_.x,
-                     state_.v,    contact_mass_,      components_.element_alive.all(), ranks_};
+                     state_.v,    contact_mass_,      components_.element_alive.all(), nullptr};
+  if (ranks_ != nullptr) {
+    const contact::SharedNodes shared{*system_.share(), state_.x, state_.v};
+    step.shared = &shared;
+    return apply_contacts(step, state_.f);
+  }
   if (period == 1) {
     apply_contacts(step, state_.f);
     return;

@@ -57,9 +57,13 @@ class Simulation {
     double busy = 0.0, waiting = 0.0;    ///< seconds
   };
   const std::vector<RankReport>& rank_reports() const { return rank_reports_; }
-  /// What several ranks do not share out: every one of them computes it whole, and follows all nodes for that. Empty:
-  /// ranks follow the nodes of their elements, and those of supports and loads.
-  std::vector<std::string> computed_by_all() const;
+  /// What several ranks do not share out: every one of them computes it whole, and follows its nodes besides those of
+  /// its own elements, of supports and of loads.
+  struct ComputedByAll {
+    std::vector<std::string> names;
+    bool every_node = false;  ///< some of it looks at all nodes, so that every rank follows them
+  };
+  ComputedByAll computed_by_all() const;
   /// How so many ranks would share out the elements.
   system::Partition partition(int ranks) const;
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/row.hpp"
+
+namespace nugget::system {
+
+class Share;
+
+/// Nodes at which a rank looks without following them: their rows come from ranks that do, the first of their
+/// followers. All ranks call these functions together.
+class GhostNodes {
+ public:
+  /// `nodes`: at which this rank looks, in any order; those that it follows are left out.
+  void ask_for(const Share& share, std::vector<int> nodes);
+  /// Rows of the nodes asked for, as the ranks that follow them have them.
+  void fetch(const Share& share, std::span<Row> x, std::span<Row> v);
+  std::size_t size() const;  ///< nodes of others that this rank asked for
+
+ private:
+  struct Three {
+    double x, y, z;
+  };
+  /// What one other rank wants of this one, or gives it.
+  struct Between {
+    std::vector<int> nodes;
+    std::vector<Three> data;  ///< a place and a velocity each
+  };
+  std::vector<Between> wanted_, given_;  ///< by rank: from it, to it
+};
+
+}  // namespace nugget::system
