@@ -99,6 +99,10 @@ bool System::looks_at_neighbours() const {
   });
 }
 
+bool System::follows(std::size_t node) const {
+  return !share_ || share_->follows(static_cast<int>(node));
+}
+
 bool System::computes(ElementLocation location) const {
   return !share_ || share_->computes(location.group, at(location.element));
 }

@@ -200,6 +200,8 @@ class System {
   };
   void collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
                const std::function<void(const Computed& of, Parcel&)>& more);
+  /// Whether this process follows a node: always, where it is alone.
+  bool follows(std::size_t node) const;
   /// Whether this process computes an element: always, where it is alone.
   bool computes(ElementLocation location) const;
   /// Whether elements look at places of nodes that are not their own (BeforeCycle).

@@ -5,11 +5,13 @@
 #include <map>
 
 #include "base/index.hpp"
+#include "base/parallel.hpp"
+#include "system/share.hpp"
 
 namespace nugget::impact {
 
 ActingLoad<model::BodyLoad>::ActingLoad(const model::BodyLoad& load, const system::System& system)
-    : load_(load), system_(system), last_force_(load.centrifugal ? system.all_nodes() : 0) {
+    : load_(load), system_(system), last_force_(load.centrifugal ? system.all_nodes() : 0), work_of_node_(system.all_nodes()) {
   update_masses();
 }
 
@@ -129,34 +131,46 @@ double ActingLoad<model::BodyLoad>::motion(const system::State& state) const {
   return load_.scale * load_value(system_.model.curves[load_.curve], state.time, state);
 }
 
-void ActingLoad<model::BodyLoad>::apply(system::State& state, double dt, double& work) {
-  if (load_.centrifugal) return apply_centrifugal(state, dt, motion(state), work);
+void ActingLoad<model::BodyLoad>::apply(system::State& state, double dt, double&) {
+  if (load_.centrifugal) return apply_centrifugal(state, dt, motion(state));
   // Base acceleration: the structure feels -m a.
   const double a = -motion(state);
-  double momentum = 0.0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto k = at(nodes_[i]);
-    momentum += mass_[i] * dot(load_.direction, vec(state.v[k]));
+    if (!system_.follows(k)) continue;
+    work_of_node_[k] += 0.5 * dt * (last_ + a) * mass_[i] * dot(load_.direction, vec(state.v[k]));
     add(state.f[k], (a * mass_[i]) * load_.direction);
   }
-  work += 0.5 * dt * (last_ + a) * momentum;
   last_ = a;
 }
 
-void ActingLoad<model::BodyLoad>::apply_centrifugal(system::State& state, double dt, double omega, double& work) {
+void ActingLoad<model::BodyLoad>::apply_centrifugal(system::State& state, double dt, double omega) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto k = at(nodes_[i]);
+    if (!system_.follows(k)) continue;
     const Vec3d arm = vec(state.x[k]) - load_.center;
     const Vec3d outwards = arm - dot(arm, load_.direction) * load_.direction;
     const Vec3d force = (mass_[i] * omega * omega) * outwards;
-    work += 0.5 * dt * dot(last_force_[k] + force, vec(state.v[k]));
+    work_of_node_[k] += 0.5 * dt * dot(last_force_[k] + force, vec(state.v[k]));
     add(state.f[k], force);
     last_force_[k] = force;
   }
 }
 
+double ActingLoad<model::BodyLoad>::work() const {
+  return ordered_sum(work_of_node_.size(), [this](std::size_t k) { return work_of_node_[k]; });
+}
+
+void ActingLoad<model::BodyLoad>::carry(system::Carried what, const system::System::Computed& of,
+                                        system::Parcel& parcel) {
+  for (const int k : of.share.reported_by(of.rank)) {
+    parcel(&work_of_node_[k], 1);
+    if (what == system::Carried::whole && !last_force_.empty()) parcel(&last_force_[k], 1);
+  }
+}
+
 void ActingLoad<model::BodyLoad>::archive(Archive& a) {
-  a(last_, last_force_, nodes_, mass_);
+  a(last_, last_force_, work_of_node_, nodes_, mass_);
   a.built(load_, system_);
 }
 

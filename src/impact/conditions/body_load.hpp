@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "impact/conditions/acting_load.hpp"
@@ -11,14 +12,18 @@ template <>
 class ActingLoad<model::BodyLoad> {
  public:
   ActingLoad(const model::BodyLoad& load, const system::System& system);
+  /// Its work is booked by node, none of it in `work`.
   void apply(system::State& state, double dt, double& work);
+  double work() const;
+  void reset_work() { std::fill(work_of_node_.begin(), work_of_node_.end(), 0.0); }
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   /// Takes the masses that it acts on from the system, of what mass scaling added the share EMSCL.
   void update_masses();
   void archive(Archive& a);
 
  private:
   double motion(const system::State& state) const;
-  void apply_centrifugal(system::State& state, double dt, double omega, double& work);
+  void apply_centrifugal(system::State& state, double dt, double omega);
   std::vector<double> nodes_without_weight() const;
   void load_nodes();
   void load_everything();
@@ -30,6 +35,7 @@ class ActingLoad<model::BodyLoad> {
   std::vector<double> mass_;       ///< of `nodes_` [mass]
   double last_ = 0.0;              ///< acceleration of the last cycle [length/time^2]
   std::vector<Vec3d> last_force_;  ///< by node of the system, of a centrifugal load [force]
+  std::vector<double> work_of_node_;  ///< so far [energy]
 };
 
 }  // namespace nugget::impact

@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "system/share.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -129,6 +130,7 @@ Damping::Damping(system::System& system) : system_(system), deforming_of_(system
     }
   if (mass_.empty() && range_.empty() && relative_.empty() && system.damping_slots.empty()) return;
   for (auto* rows : {&force_, &moment_, &last_force_, &last_moment_}) rows->resize(system.all_nodes());
+  energy_of_node_.resize(system.all_nodes());
 }
 
 std::vector<Damping::Member> Damping::everything() const {
@@ -186,7 +188,7 @@ void Damping::apply(system::State& state, double dt) {
   last_force_.swap(force_);
   last_moment_.swap(moment_);
   if (system_.damping_slots.empty()) {
-    parallel_for(force_.size(), nodes_per_range, [this](std::size_t begin, std::size_t end) {
+    system_.for_each_node(nodes_per_range, [this](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) force_[k] = moment_[k] = Row{};
     });
   } else {
@@ -196,16 +198,24 @@ void Damping::apply(system::State& state, double dt) {
   for (const ByMass& d : mass_) add(d, state);
   for (ByRange& d : range_) add(d, state, dt);
   for (const Relative& d : relative_) add(d, state);
-  energy_ -= 0.5 * dt * ordered_sum(force_.size(), [&](std::size_t k) {
-               return dot(vec(last_force_[k]) + vec(force_[k]), vec(state.v[k])) +
-                      dot(vec(last_moment_[k]) + vec(moment_[k]), vec(state.w[k]));
-             });
-  parallel_for(force_.size(), nodes_per_range, [&](std::size_t begin, std::size_t end) {
+  system_.for_each_node(nodes_per_range, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
+      energy_of_node_[k] -= 0.5 * dt *
+                            (dot(vec(last_force_[k]) + vec(force_[k]), vec(state.v[k])) +
+                             dot(vec(last_moment_[k]) + vec(moment_[k]), vec(state.w[k])));
       nugget::add(state.f[k], vec(force_[k]));
       nugget::add(state.m[k], vec(moment_[k]));
     }
   });
+}
+
+double Damping::energy() const {
+  return ordered_sum(energy_of_node_.size(), [this](std::size_t k) { return energy_of_node_[k]; });
+}
+
+bool Damping::looks_everywhere() const {
+  return !relative_.empty() ||
+         std::ranges::any_of(range_, [](const ByRange& d) { return d.card->relative_to != model::none; });
 }
 
 void Damping::add(const ByMass& damping, const system::State& state) {
@@ -224,8 +234,8 @@ void Damping::add(const ByMass& damping, const system::State& state) {
     nugget::add(moment_[k], -d * times(card.rotary_scale, body.angular_momentum));
   };
   if (card.everything) {
-    parallel_for(system_.nodes, nodes_per_range, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) one(k, system_.mass[k], system_.inertia[k]);
+    system_.for_each_node(nodes_per_range, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) one(k, system_.mass[k], system_.inertia[k]);
     });
     for (const system::RigidBody& body : system_.bodies) whole_body(body);
     return;
@@ -233,7 +243,7 @@ void Damping::add(const ByMass& damping, const system::State& state) {
   for (const Member& m : damping.members) {
     if (m.body >= 0)
       whole_body(system_.bodies[m.body]);
-    else
+    else if (system_.follows(m.node))
       one(m.node, m.mass, m.inertia);
   }
 }
@@ -246,6 +256,7 @@ void Damping::add(ByRange& damping, const system::State& state, double dt) {
   const auto some = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Member& m = damping.members[i];
+      if (!system_.follows(m.node)) continue;
       const Vec3d v = vec(state.v[m.node]) - carried(body, vec(state.x[m.node]), state), w = vec(state.w[m.node]);
       Vec3d force{}, moment{};
       for (std::size_t f = 0; f < count; ++f) {
@@ -354,7 +365,20 @@ void Damping::add(const Relative& damping, const system::State& state) {
 }
 
 void Damping::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
+  if (force_.empty()) return;
+  const std::vector<int>& nodes = of.share.reported_by(of.rank);
+  for (const int k : nodes) parcel(&energy_of_node_[k], 1);
   if (what != system::Carried::whole) return;
+  for (std::vector<Row>* rows : {&force_, &moment_})
+    for (const int k : nodes) parcel(&(*rows)[k], 1);
+  for (ByRange& d : range_)
+    for (std::size_t i = 0; i < d.members.size(); ++i) {
+      const auto node = static_cast<int>(d.members[i].node);
+      if (of.share.followers(node).empty() || of.share.answering(node) != of.rank) continue;
+      const std::size_t count = d.filters.corner.size();
+      parcel(&d.v[i * count], count);
+      parcel(&d.w[i * count], count);
+    }
   for (Deforming& d : deforming_) {
     const std::size_t elements = system_.groups[d.group]->size(),
                       numbers = d.passed.size() / std::max<std::size_t>(1, elements);
@@ -377,8 +401,8 @@ void Damping::Deforming::archive(Archive& a) {
 }
 
 void Damping::archive(Archive& a) {
-  a(range_, deforming_, force_, moment_, last_force_, last_moment_, energy_);
-  a.built(system_, mass_, deform_, relative_, deforming_of_);
+  a(range_, deforming_, force_, moment_, energy_of_node_);
+  a.built(last_force_, last_moment_, system_, mass_, deform_, relative_, deforming_of_);
 }
 
 }  // namespace nugget::impact

@@ -41,16 +41,18 @@ class Damping {
   /// Adds the forces at state.time to state.f and state.m and books their work over the step that ends there
   /// (velocities of that step in `state`, length `dt`; 0 at the start).
   void apply(system::State& state, double dt);
-  double energy() const { return energy_; }
+  double energy() const;
   /// Before the first `apply` of a relaxation, or of the run after it: velocities begin anew, and so does the energy.
   void reset() {
-    energy_ = 0.0;
+    std::fill(energy_of_node_.begin(), energy_of_node_.end(), 0.0);
     for (ByRange& d : range_) d.started = false;
   }
 
   bool empty() const { return force_.empty(); }
-  void add_energy(Energy& energy) const { energy.damping += energy_; }
-  /// Over several ranks: filtered forces of elements on their way to another one.
+  /// Over several ranks: forces depend on motions of others than the node's own elements.
+  bool looks_everywhere() const;
+  void add_energy(Energy& energy) const { energy.damping += this->energy(); }
+  /// Over several ranks: what is kept of nodes and elements on its way to another one.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   void archive(Archive& a);
 
@@ -111,7 +113,7 @@ class Damping {
   std::vector<Relative> relative_;
   std::vector<int> deforming_of_;                               ///< by group: in `deforming_`, or -1
   std::vector<Row> force_, moment_, last_force_, last_moment_;  ///< by node, bodies included; empty without damping
-  double energy_ = 0.0;
+  std::vector<double> energy_of_node_;  ///< taken out so far, as `force_`
 };
 
 }  // namespace nugget::impact

@@ -14,11 +14,32 @@ double load_value(const Curve& curve, double time, const system::State& state) {
 Loads::Loads(const system::System& system) : loads_(acting(system.model.kinds(), system)) {}
 
 void Loads::apply(system::State& state, double dt) {
-  for_each([&](auto& load) { load.apply(state, dt, work_); });
+  for_each(*this, [&](auto& load) { load.apply(state, dt, work_); });
+}
+
+double Loads::work() const {
+  double work = work_;
+  for_each(*this, [&work](const auto& load) {
+    if constexpr (requires { load.work(); }) work += load.work();
+  });
+  return work;
+}
+
+void Loads::reset_work() {
+  work_ = 0.0;
+  for_each(*this, [](auto& load) {
+    if constexpr (requires { load.reset_work(); }) load.reset_work();
+  });
+}
+
+void Loads::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
+  for_each(*this, [&](auto& load) {
+    if constexpr (requires { load.carry(what, of, parcel); }) load.carry(what, of, parcel);
+  });
 }
 
 void Loads::update_masses() {
-  for_each([](auto& load) {
+  for_each(*this, [](auto& load) {
     if constexpr (requires { load.update_masses(); }) load.update_masses();
   });
 }

@@ -24,10 +24,12 @@ class Loads {
   /// Adds the loads at state.time to state.f and state.m, and books their work over the step that ends there
   /// (velocities of that step in `state`, length `dt`; 0 at the start).
   void apply(system::State& state, double dt);
-  double work() const { return work_; }
+  double work() const;
   /// As that of the supports; the gas in volumes keeps what it has given.
-  void add_energy(Energy& energy) const { energy.external += work_; }
-  void reset_work() { work_ = 0.0; }
+  void add_energy(Energy& energy) const { energy.external += work(); }
+  void reset_work();
+  /// Over several ranks: what loads keep by node, on its way to another one.
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   /// To be called when masses have changed.
   void update_masses();
 
@@ -50,16 +52,16 @@ class Loads {
     };
     return {each(std::get<const std::vector<Load>&>(kinds))...};
   }
-  template <class Visit>
-  void for_each(Visit visit) {
+  template <class Self, class Visit>
+  static void for_each(Self& self, Visit visit) {
     const auto each = [&](auto& list) {
       for (auto& load : list) visit(load);
     };
-    std::apply([&](auto&... list) { (each(list), ...); }, loads_);
+    std::apply([&](auto&... list) { (each(list), ...); }, self.loads_);
   }
 
   decltype(acting(model::LoadLists{}.kinds(), std::declval<const system::System&>())) loads_;
-  double work_ = 0.0;
+  double work_ = 0.0;  ///< of those that do not book theirs by node
 };
 
 }  // namespace nugget::impact

@@ -61,8 +61,7 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   add(!model.discretes.empty(), "springs");
   add(!model.accelerometers.empty(), "accelerometers");
   add(!model.control_volumes.empty(), "gas in volumes");
-  add(!model.body_loads.empty(), "body loads", true);
-  add(!c.damping.empty(), "damping", true);
+  add(c.damping.looks_everywhere(), "damping of motion relative to a body", true);
   add(control.relaxation.on(), "dynamic relaxation", true);
   add(control.distorted_shells > 1 || control.distorted_full_shells > 1, "deletion of distorted shells", true);
   add(system_.looks_at_neighbours(), "nodal pressures of tetrahedra", true);
