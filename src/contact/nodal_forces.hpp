@@ -50,7 +50,6 @@ class NodalForces {
   const std::vector<int>& nodes() const { return nodes_; }
   /// Where a node stands in nodes(), of which it is one.
   int place(int node) const { return index_[node]; }
-  bool has(int node) const { return node < static_cast<int>(index_.size()) && index_[node] >= 0; }
   /// Asks the memory for that.
   void ask_for_place(int node) const { __builtin_prefetch(&index_[node]); }
   std::size_t parts() const { return parts_.size(); }

@@ -12,6 +12,7 @@ PenaltyContact::PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeCo
   can_expose_faces_ =
       std::any_of(surface.segments.begin(), surface.segments.end(), [](const Segment& s) { return s.covered_by >= 0; });
   if (edges) edges_.emplace(std::move(*edges), x);
+  if (edges_ || glue) surface_.look_everywhere();
   if (!glue) return;
   glue_ = std::make_unique<Glue>(surface, std::move(*glue), x);
   surface_.exclude(glue_->bonded());

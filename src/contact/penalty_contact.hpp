@@ -34,7 +34,7 @@ class PenaltyContact {
     for (const int node : edges_->nodes()) visit(node);
   }
   /// Whether all of several ranks must follow all its nodes: glue and edges are computed by each of them.
-  bool looks_everywhere() const { return edges_ || glue_ || surface_.looks_everywhere(); }
+  bool looks_everywhere() const { return surface_.looks_everywhere(); }
   /// Elements of the surface were deleted.
   void surface_changed();
 

@@ -298,7 +298,7 @@ void RigidWall::share_found(const system::Share& share) {
 
 void RigidWall::carry(int rank, const system::Share& share, system::Parcel& parcel) {
   for (Tracked& t : tracked_)
-    if (!share.followers(t.node).empty() && share.answering(t.node) == rank) parcel(&t, 1);
+    if (!share.everyone_follows(t.node) && share.answering(t.node) == rank) parcel(&t, 1);
 }
 
 std::size_t RigidWall::awake() const {

@@ -33,7 +33,8 @@ void carry_list(system::Parcel& parcel, std::vector<T>& list) {
 
 }  // namespace
 
-/// A block goes to the rank that answers for most of its nodes; one of nodes that all follow, to the next in turn.
+/// A block goes to the rank that adds up the forces on most of its nodes; one of nodes that all add up, to the next in
+/// turn.
 void SurfaceContact::take_share(const SharedNodes& shared) {
   if (share_ == &shared.share) return;
   share_ = &shared.share;
@@ -44,13 +45,18 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
   for (const Block& block : blocks_) {
     std::ranges::fill(nodes_of, 0);
     for (int t = block.begin; t < block.end; ++t)
-      if (const std::span<const int> some = share_->followers(nodes_[t].node); !some.empty()) ++nodes_of[some.front()];
+      if (const std::span<const int> some = share_->adding(nodes_[t].node); !some.empty()) ++nodes_of[some.front()];
     const auto most = std::ranges::max_element(nodes_of);
     rank_of_block_.push_back(*most > 0 ? static_cast<int>(most - nodes_of.begin())
                                        : static_cast<int>(rank_of_block_.size() % at(count)));
   }
   std::vector<char> left_out;
-  for (const int node : forces_.nodes()) left_out.push_back(!share_->follows(node));
+  others_add_.clear();
+  for (const int node : forces_.nodes()) {
+    const std::span<const int> adding = share_->adding(node);
+    left_out.push_back(!looks_everywhere_ && !share_->adds_up(node));
+    others_add_.push_back(looks_everywhere_ || adding.size() != 1 || adding.front() != rank_);
+  }
   forces_.leave_out(std::move(left_out));
   list_followed_nodes();
   if (searched_) ask_for_ghosts();
@@ -78,7 +84,7 @@ void SurfaceContact::ask_for_ghosts() {
       for (const int n : face.node) wanted[forces_.place(n)] = 1;
   std::vector<int> nodes;
   for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (wanted[i] != 0 && forces_.left_out(static_cast<int>(i))) nodes.push_back(forces_.nodes()[i]);
+    if (wanted[i] != 0) nodes.push_back(forces_.nodes()[i]);
   ghosts_.ask_for(*share_, std::move(nodes));
 }
 
@@ -89,59 +95,67 @@ Box SurfaceContact::over_all_ranks(const Box& own) const {
   return all;
 }
 
-/// Hits go to the ranks that follow one of their nodes, and there to the same place in the order of blocks and hits.
+/// Hits go to the ranks that add up the forces on one of their nodes, and there to the same place in the order of blocks
+/// and hits.
 void SurfaceContact::exchange_hits() {
   Ranks& ranks = share_->ranks();
   const int count = ranks.count();
-  std::vector<std::vector<std::byte>> out(at(count)), in(at(count));
-  std::vector<std::vector<int>> hits_for(at(count));  // of a block
+  out_.resize(at(count));
+  in_.resize(at(count));
+  for (Message& message : out_) message.data.clear();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    Block& block = blocks_[b];
-    if (!computes(b)) {
-      block.clear_hits();
-      continue;
-    }
-    for (std::vector<int>& hits : hits_for) hits.clear();
-    for (std::size_t h = 0; h < block.hits.size(); ++h) {
-      const int hit = static_cast<int>(h);
-      const auto give = [&](int rank) {
-        if (rank != rank_ && (hits_for[rank].empty() || hits_for[rank].back() != hit)) hits_for[rank].push_back(hit);
-      };
-      const auto give_followers = [&](int node) {
-        const std::span<const int> some = share_->followers(node);
-        for (const int rank : some) give(rank);
-        for (int rank = 0; some.empty() && rank < count; ++rank) give(rank);
-      };
-      give_followers(nodes_[block.hits[h].tracked].node);
-      for (const int n : faces_[block.hits[h].segment].node) give_followers(n);
-    }
-    for (int r = 0; r < count; ++r) {
-      if (hits_for[r].empty()) continue;
-      const BlockHead head{static_cast<int>(b), static_cast<int>(hits_for[r].size())};
-      append(out[r], &head, sizeof head);
-      for (const int hit : hits_for[r]) append(out[r], &block.hits[hit], sizeof(Hit));
-    }
+    if (computes(b))
+      put_hits(static_cast<int>(b));
+    else
+      blocks_[b].clear_hits();
   }
   std::vector<std::uint64_t> sizes(at(count)), of_all(at(count) * at(count));
-  for (int r = 0; r < count; ++r) sizes[r] = out[r].size();
+  for (int r = 0; r < count; ++r) sizes[r] = out_[r].data.size();
   ranks.gather(std::as_bytes(std::span(sizes)), std::as_writable_bytes(std::span(of_all)));
   for (int r = 0; r < count; ++r) {
-    in[r].resize(of_all[at(r) * at(count) + at(rank_)]);
-    if (!in[r].empty()) ranks.receive(r, in[r]);
-    if (!out[r].empty()) ranks.send(r, out[r]);
+    in_[r].data.resize(of_all[at(r) * at(count) + at(rank_)]);
+    if (!in_[r].data.empty()) ranks.receive(r, in_[r].data);
+    if (!out_[r].data.empty()) ranks.send(r, out_[r].data);
   }
   ranks.finish();
-  for (const std::vector<std::byte>& data : in)
-    for (std::size_t place = 0; place < data.size();) {
+  for (const Message& message : in_)
+    for (std::size_t place = 0; place < message.data.size();) {
       BlockHead head;
-      std::memcpy(&head, data.data() + place, sizeof head);
+      std::memcpy(&head, message.data.data() + place, sizeof head);
       place += sizeof head;
       Block& block = blocks_[head.block];
       block.hits.resize(at(head.hits));
-      std::memcpy(static_cast<void*>(block.hits.data()), data.data() + place, block.hits.size() * sizeof(Hit));
-      place += at(head.hits) * sizeof(Hit);
+      std::memcpy(static_cast<void*>(block.hits.data()), message.data.data() + place, block.hits.size() * sizeof(Hit));
+      place += block.hits.size() * sizeof(Hit);
       share_out(block, work_of_thread().shares);
     }
+}
+
+/// Puts the hits of a block into the messages to those who add up the forces on one of their nodes.
+void SurfaceContact::put_hits(int b) {
+  const Block& block = blocks_[b];
+  for (Message& message : out_) message.hits.clear();
+  for (std::size_t h = 0; h < block.hits.size(); ++h) {
+    const int hit = static_cast<int>(h);
+    const auto give = [&](int rank) {
+      std::vector<int>& hits = out_[rank].hits;
+      if (rank != rank_ && (hits.empty() || hits.back() != hit)) hits.push_back(hit);
+    };
+    const auto give_for = [&](int node) {
+      if (others_add_[forces_.place(node)] == 0) return;
+      const std::span<const int> some = looks_everywhere_ ? std::span<const int>() : share_->adding(node);
+      for (const int rank : some) give(rank);
+      for (int rank = 0; some.empty() && rank < static_cast<int>(out_.size()); ++rank) give(rank);
+    };
+    give_for(nodes_[block.hits[h].tracked].node);
+    for (const int n : faces_[block.hits[h].segment].node) give_for(n);
+  }
+  for (Message& message : out_) {
+    if (message.hits.empty()) continue;
+    const BlockHead head{b, static_cast<int>(message.hits.size())};
+    append(message.data, &head, sizeof head);
+    for (const int hit : message.hits) append(message.data, &block.hits[hit], sizeof(Hit));
+  }
 }
 
 void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parcel) {
@@ -163,12 +177,11 @@ void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parce
     carry_list(parcel, block.touches);
     carry_list(parcel, block.free);
   }
-  for (const int node : share_->reported_by(rank))
-    if (forces_.has(node)) forces_.carry(forces_.place(node), whole, parcel);
-  for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i) {
-    const std::span<const int> some = share_->followers(active_nodes_[i]);
-    if (!some.empty() && some.front() == rank) parcel(&seen_at_[i], 1);
-  }
+  const auto of_rank = [this, rank](int node) { return !share_->adding(node).empty() && share_->answering(node) == rank; };
+  for (std::size_t i = 0; i < forces_.nodes().size(); ++i)
+    if (of_rank(forces_.nodes()[i])) forces_.carry(static_cast<int>(i), whole, parcel);
+  for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i)
+    if (of_rank(active_nodes_[i])) parcel(&seen_at_[i], 1);
 }
 
 }  // namespace nugget::contact

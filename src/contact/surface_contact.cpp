@@ -83,6 +83,7 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     if (t.stays_active) stays_active_[t.node] = 1;
   }
   assign_sides(forces_, around_, setup.segments);
+  looks_everywhere_ = law_.balances_friction;  // couples look at places of all corners
 
   // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
   margin_ = 0.25 * mean_edge(setup.segments, x);
@@ -725,7 +726,8 @@ void SurfaceContact::archive(Archive& a) {
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, blocks_, acts_);
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, excluded_,
           stays_active_, thickest_segment_, pressing_, margin_, moved_, active_segments_, active_blocks_, sources_,
-          results_need_hits_, share_, rank_, rank_of_block_, followed_, ghosts_);
+          results_need_hits_, share_, rank_, rank_of_block_, looks_everywhere_, others_add_, followed_,
+          ghosts_, out_, in_);
 }
 
 }  // namespace nugget::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -125,8 +126,9 @@ class SurfaceContact {
   /// Results are to show force_on() or force_between(): of several ranks the first one gets the hits of all.
   void keep_hits_for_results() { results_need_hits_ = true; }
 
-  /// Whether all of several ranks must follow all its nodes: couples of friction look at places of all.
-  bool looks_everywhere() const { return law_.balances_friction; }
+  /// Over several ranks all add up all forces of this contact, and follow all its nodes: something else looks at them.
+  void look_everywhere() { looks_everywhere_ = true; }
+  bool looks_everywhere() const { return looks_everywhere_; }
   const std::vector<int>& nodes() const { return forces_.nodes(); }  ///< all that it can press
 
   /// Tracked nodes (in the order of the setup) that something else holds are not looked at while their entry is not 0;
@@ -313,6 +315,7 @@ class SurfaceContact {
   /// Whether this process looks at a block.
   bool computes(std::size_t block) const { return rank_of_block_.empty() || rank_of_block_[block] == rank_; }
   void exchange_hits();
+  void put_hits(int block);
   void list_neighbours(Block& block, const BoxTree& tree, Work& work, std::span<const Row> x,
                        std::span<const unsigned char> element_alive) const;
   Box around(const Block& block, int tracked, const Vec3d& p) const;
@@ -401,8 +404,16 @@ class SurfaceContact {
   const system::Share* share_ = nullptr;  // null: one process
   int rank_ = 0;
   std::vector<int> rank_of_block_;
-  std::vector<int> followed_;  // places in active_nodes_ of nodes that this rank follows
+  bool looks_everywhere_ = false;
+  std::vector<char> others_add_;  // by place in forces_: other ranks add up the forces on the node
+  std::vector<int> followed_;     // places in active_nodes_ of nodes that this rank follows
   system::GhostNodes ghosts_;
+  /// Hits for, and of, another rank. They keep their room from cycle to cycle.
+  struct Message {
+    std::vector<std::byte> data;
+    std::vector<int> hits;  ///< of the block that is looked at, those that go there
+  };
+  std::vector<Message> out_, in_;  // by rank
 };
 
 }  // namespace nugget::contact

@@ -16,7 +16,7 @@ void GhostNodes::ask_for(const Share& share, std::vector<int> nodes) {
   std::ranges::sort(nodes);
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   for (const int node : nodes)
-    if (!share.follows(node)) wanted_[share.followers(node).front()].nodes.push_back(node);
+    if (!share.follows(node)) wanted_[share.answering(node)].nodes.push_back(node);
 
   std::vector<int> sizes(at(count)), of_all(at(count) * at(count));
   for (int r = 0; r < count; ++r) sizes[r] = static_cast<int>(wanted_[r].nodes.size());

@@ -10,8 +10,8 @@ namespace nugget::system {
 
 class Share;
 
-/// Nodes at which a rank looks without following them: their rows come from ranks that do, the first of their
-/// followers. All ranks call these functions together.
+/// Nodes at which a rank looks without following them: their rows come from the ranks that answer for
+/// them. All ranks call these functions together.
 class GhostNodes {
  public:
   /// `nodes`: at which this rank looks, in any order; those that it follows are left out.

@@ -68,11 +68,11 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   const int count = ranks.count(), own = ranks.rank();
   const std::vector<NodeOwners> owners = owners_of_nodes(system, partition_);
   // A node without elements moves by what acts on it: nobody's share, so everyone's.
-  const auto everyone_follows = [&](int k) {
+  const auto for_all = [&](int k) {
     return for_everyone[k] != 0 || owners[k].everyone || owners[k].ranks.empty();
   };
   const auto sum_travels = [&](int k) {
-    return everyone_follows(k) && !owners[k].everyone && owners[k].ranks.size() == 1;
+    return for_all(k) && !owners[k].everyone && owners[k].ranks.size() == 1;
   };
 
   // Slots travel to everyone, and to single ranks.
@@ -89,10 +89,10 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
       message.rows.push_back(row);
       if (group.rotational) message.rows.push_back(row + 1);
     };
-    bool travels = everyone_follows(node);
+    bool travels = for_all(node);
     if (travels) add(to_all[from]);
     for (const int to : of.ranks) {
-      if (to == from || everyone_follows(node) || (from != own && to != own)) continue;
+      if (to == from || for_all(node) || (from != own && to != own)) continue;
       add(between[from][to]);
       travels = true;
     }
@@ -123,21 +123,22 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   }
   for (Sums& sums : sums_)
     sums.data.resize(sums.nodes.size() + at(static_cast<int>(std::count(sums.turns.begin(), sums.turns.end(), 1))));
-  const auto follows = [&](int k) { return everyone_follows(k) || owners[k].has(own); };
+  const auto follows = [&](int k) { return for_all(k) || owners[k].has(own); };
   followed_ = ranges_of(system.nodes, follows);
   for (int k = static_cast<int>(system.nodes); k < static_cast<int>(system.all_nodes()); k += longest_range)
     followed_.push_back({k, std::min(static_cast<int>(system.all_nodes()), k + longest_range)});
   reported_.resize(at(count));
   for (int k = 0; k < static_cast<int>(system.nodes); ++k)
-    if (!everyone_follows(k)) reported_[owners[k].ranks.front()].push_back(k);
+    if (!for_all(k)) reported_[owners[k].ranks.front()].push_back(k);
   follows_everything_ = std::ranges::all_of(reported_, &std::vector<int>::empty);
-  followers_.first.reserve(system.nodes + 1);
+  first_adding_.reserve(system.nodes + 1);
   for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
-    followers_.first.push_back(static_cast<std::uint32_t>(followers_.ranks.size()));
-    if (!everyone_follows(k))
-      followers_.ranks.insert(followers_.ranks.end(), owners[k].ranks.begin(), owners[k].ranks.end());
+    first_adding_.push_back(static_cast<std::uint32_t>(adding_.size()));
+    everyone_follows_.push_back(for_all(k));
+    if (!for_all(k) || sum_travels(k))
+      adding_.insert(adding_.end(), owners[k].ranks.begin(), owners[k].ranks.end());
   }
-  followers_.first.push_back(static_cast<std::uint32_t>(followers_.ranks.size()));
+  first_adding_.push_back(static_cast<std::uint32_t>(adding_.size()));
   summed_ = ranges_of(system.nodes, [&](int k) { return follows(k) && (!sum_travels(k) || owners[k].only(own)); });
 
   for (const bool border : {true, false}) {

@@ -57,15 +57,22 @@ class Share {
 
   /// Whether all ranks follow all nodes.
   bool follows_everything() const { return follows_everything_; }
+  bool everyone_follows(int node) const { return node >= nodes() || everyone_follows_[node] != 0; }
   /// Whether this rank follows a node.
-  bool follows(int node) const { return followers_.of(node, ranks_.rank()); }
-  /// The ranks that follow a node, rising; none stand for all of them.
-  std::span<const int> followers(int node) const { return followers_.at(node); }
-  /// The rank that answers for a node: the first of its followers, of those that all follow the first one.
-  int answering(int node) const {
-    const std::span<const int> some = followers_.at(node);
-    return some.empty() ? 0 : some.front();
+  bool follows(int node) const { return everyone_follows(node) || adds_up(node); }
+  /// The ranks that add up the forces on a node, rising: those that follow it; of a node that everyone follows the one
+  /// whose sum travels. None stand for all of them.
+  std::span<const int> adding(int node) const {
+    if (node >= nodes()) return {};
+    return std::span(adding_).subspan(first_adding_[node], first_adding_[node + 1] - first_adding_[node]);
   }
+  /// Whether this rank is one of them.
+  bool adds_up(int node) const {
+    const std::span<const int> some = adding(node);
+    return some.empty() || std::ranges::binary_search(some, ranks_.rank());
+  }
+  /// The first of them, who answers for the node.
+  int answering(int node) const { return adding(node).empty() ? 0 : adding(node).front(); }
   /// Nodes that not all ranks follow, by the rank that answers for them: the first one of those whose elements they
   /// have.
   const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
@@ -93,21 +100,7 @@ class Share {
     std::vector<char> turns;  ///< by node: a moment follows
     std::vector<Row3> data;
   };
-  /// The ranks that follow each node.
-  struct Followers {
-    std::vector<std::uint32_t> first;
-    std::vector<int> ranks;
-
-    std::span<const int> at(int node) const {
-      const auto k = static_cast<std::size_t>(node);
-      if (k + 1 >= first.size()) return {};  // virtual
-      return std::span(ranks).subspan(first[k], first[k + 1] - first[k]);
-    }
-    bool of(int node, int rank) const {
-      const std::span<const int> some = at(node);
-      return some.empty() || std::ranges::binary_search(some, rank);
-    }
-  };
+  int nodes() const { return static_cast<int>(everyone_follows_.size()); }
 
   Ranks& ranks_;
   Partition partition_;
@@ -116,7 +109,9 @@ class Share {
   std::vector<Message> out_, in_;
   std::vector<Sums> sums_;  ///< by rank
   std::vector<Range> summed_, followed_;
-  Followers followers_;
+  std::vector<char> everyone_follows_;  ///< by node; virtual ones all follow
+  std::vector<std::uint32_t> first_adding_;
+  std::vector<int> adding_;  ///< ranks, from `first_adding_` on of each node
   std::vector<std::vector<int>> reported_;  ///< by rank
   bool follows_everything_ = true;
 };

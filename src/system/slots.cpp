@@ -97,7 +97,10 @@ void System::internal_force(State& state) {
   share_->receive(slots_, single_slots_);
   exchange_news();
   add_up_slots(slots_, single_slots_, state.f, state.m);
-  share_->exchange_sums(state.f, state.m);
+}
+
+void System::exchange_sums(State& state) {
+  if (share_) share_->exchange_sums(state.f, state.m);
 }
 
 void for_each_block(std::span<const std::pair<int, std::size_t>> blocks,

@@ -374,7 +374,7 @@ void Damping::carry(system::Carried what, const system::System::Computed& of, sy
   for (ByRange& d : range_)
     for (std::size_t i = 0; i < d.members.size(); ++i) {
       const auto node = static_cast<int>(d.members[i].node);
-      if (of.share.followers(node).empty() || of.share.answering(node) != of.rank) continue;
+      if (of.share.everyone_follows(node) || of.share.answering(node) != of.rank) continue;
       const std::size_t count = d.filters.corner.size();
       parcel(&d.v[i * count], count);
       parcel(&d.w[i * count], count);

@@ -524,7 +524,8 @@ void Simulation::contact_forces() {
   if (ranks_ != nullptr) {
     const contact::SharedNodes shared{*system_.share(), state_.x, state_.v};
     step.shared = &shared;
-    return apply_contacts(step, state_.f);
+    apply_contacts(step, state_.f);
+    return system_.exchange_sums(state_);
   }
   if (period == 1) {
     apply_contacts(step, state_.f);
