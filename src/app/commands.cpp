@@ -108,7 +108,7 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.ranks = nvh::ranks();
   for (const impact::Simulation::RankReport& r : run.rank_reports())
     s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.nodes), static_cast<long>(r.shared_nodes),
-                      static_cast<long>(r.neighbours), r.cost, r.messages, r.bytes, r.busy, r.waiting});
+                      static_cast<long>(r.neighbours), r.cost, r.contact, r.messages, r.bytes, r.busy, r.waiting});
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);

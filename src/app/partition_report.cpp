@@ -49,13 +49,13 @@ void write_picture(const std::filesystem::path& path, const system::System& syst
 
 }  // namespace
 
-std::string report_partition(const std::filesystem::path& directory, const impact::Simulation& run, int ranks) {
+std::string report_partition(const std::filesystem::path& directory, impact::Simulation& run, int ranks) {
   const system::System& system = run.system();
   const system::Partition partition = run.partition(ranks);
   std::string s = fmt::format("Elements on {} ranks (partition.vtu shows them)\n\n", ranks) + log_computed_by_all(run);
   if (const std::size_t all = partition.elements_of_everyone(system); all > 0)
     s += fmt::format(" {} elements are computed by every rank: springs, and those that welds look at\n\n", all);
-  s += " rank  elements     nodes    shared  expected load  neighbours\n";
+  s += " rank  elements     nodes    shared  expected load  of contact  neighbours\n";
   const std::vector<system::Partition::Share> shares = partition.shares(system);
   const auto listed = [](const std::vector<int>& neighbours) {
     constexpr std::size_t on_a_line = 12;
@@ -63,8 +63,8 @@ std::string report_partition(const std::filesystem::path& directory, const impac
                                          : fmt::format("{}", fmt::join(neighbours, " "));
   };
   for (std::size_t r = 0; r < shares.size(); ++r)
-    s += fmt::format(" {:>4} {:>9} {:>9} {:>9} {:>14.3f}  {}\n", r, shares[r].elements, shares[r].nodes,
-                     shares[r].shared_nodes, shares[r].cost, listed(shares[r].neighbours));
+    s += fmt::format(" {:>4} {:>9} {:>9} {:>9} {:>14.3f} {:>11.3f}  {}\n", r, shares[r].elements, shares[r].nodes,
+                     shares[r].shared_nodes, shares[r].cost, shares[r].contact, listed(shares[r].neighbours));
   write_picture(directory / "partition.vtu", system, partition);
   return s + "\n";
 }

@@ -10,6 +10,6 @@ namespace nugget::app {
 
 /// How so many ranks would share out the elements: a table, and partition.vtu with the rank of each element (-1: every
 /// rank computes it). Throws WriteError.
-std::string report_partition(const std::filesystem::path& directory, const impact::Simulation& run, int ranks);
+std::string report_partition(const std::filesystem::path& directory, impact::Simulation& run, int ranks);
 
 }  // namespace nugget::app

@@ -68,15 +68,20 @@ void SurfaceContact::list_followed_nodes() {
     if (share_->follows(active_nodes_[i])) followed_.push_back(static_cast<int>(i));
 }
 
-/// The pairs of a block look at the tracked node, the corners of the segment, and at all segments at any of these.
+/// The pairs of a block look at the tracked node, the corners of the segment, and at all segments at any of these. At
+/// the start and after each search.
 void SurfaceContact::ask_for_ghosts() {
   std::vector<char> corner(forces_.nodes().size());
+  at_border_.assign(blocks_.size(), 0);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Block& block = blocks_[b];
     if (!computes(b) || block.pairs.empty()) continue;
-    for (int t = block.begin; t < block.end; ++t) corner[forces_.place(nodes_[t].node)] = 1;
-    for (const Pair& pair : block.pairs)
-      for (const int n : faces_[pair.segment].node) corner[forces_.place(n)] = 1;
+    const auto look_at = [&](int node) {
+      corner[forces_.place(node)] = 1;
+      at_border_[b] = at_border_[b] | others_add_[forces_.place(node)];
+    };
+    for (int t = block.begin; t < block.end; ++t) look_at(nodes_[t].node);
+    for (const Pair& pair : block.pairs) std::ranges::for_each(faces_[pair.segment].node, look_at);
   }
   std::vector<char> wanted = corner;
   for (const Face& face : faces_)
@@ -86,6 +91,28 @@ void SurfaceContact::ask_for_ghosts() {
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (wanted[i] != 0) nodes.push_back(forces_.nodes()[i]);
   ghosts_.ask_for(*share_, std::move(nodes));
+}
+
+void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& costs) {
+  constexpr double awake = 8.0, node = 1.0;
+  if (faces_.empty() || birth_ > 0.0) return;
+  costs.of_node.resize(x.size());
+  if (!searched_) {
+    Step step;
+    step.x = x;
+    search(step);
+  }
+  for (const Block& block : blocks_)
+    for (int t = block.begin; t < block.end; ++t) {
+      double& cost = costs.of_node[at(nodes_[t].node)];
+      cost += node;
+      for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
+        const Pair& pair = block.pairs[i];
+        const bool is_awake = pair.next_check_travel <= travelled_;
+        cost += is_awake ? awake : 1.0;
+        if (is_awake) costs.together.push_back({nodes_[t].node, faces_[pair.segment].node[0]});
+      }
+    }
 }
 
 Box SurfaceContact::over_all_ranks(const Box& own) const {
@@ -104,10 +131,10 @@ void SurfaceContact::exchange_hits() {
   in_.resize(at(count));
   for (Message& message : out_) message.data.clear();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (computes(b))
-      put_hits(static_cast<int>(b));
-    else
+    if (!computes(b))
       blocks_[b].clear_hits();
+    else if (at_border_[b])
+      put_hits(static_cast<int>(b));
   }
   std::vector<std::uint64_t> sizes(at(count)), of_all(at(count) * at(count));
   for (int r = 0; r < count; ++r) sizes[r] = out_[r].data.size();

@@ -17,6 +17,10 @@
 #include "system/ghost_nodes.hpp"
 #include "system/parcel.hpp"
 
+namespace nugget::system {
+struct ContactCosts;
+}  // namespace nugget::system
+
 namespace nugget::contact {
 
 /// What a penalty *CONTACT says, on plain arrays. Node numbers are positions in the arrays of `apply`. In a single
@@ -120,6 +124,9 @@ class SurfaceContact {
   /// force; the solver's a = (force - internal)/m).
   void apply(const Step& step, std::span<Row> force);
 
+  /// Adds about what each node costs in a cycle, in pairs that rest; by the lists, which are made at the places `x` where
+  /// there are none yet. A contact that is born later costs nothing.
+  void add_costs(std::span<const Row> x, system::ContactCosts& costs);
   /// Over several ranks (Step::shared): what others need of the blocks of a rank and of the nodes for which it answers,
   /// for results or for all that is to come, on its way to another one.
   void carry(int rank, system::Carried what, system::Parcel& parcel);
@@ -406,6 +413,7 @@ class SurfaceContact {
   std::vector<int> rank_of_block_;
   bool looks_everywhere_ = false;
   std::vector<char> others_add_;  // by place in forces_: other ranks add up the forces on the node
+  std::vector<char> at_border_;   // by block: some of its pairs touch such nodes
   std::vector<int> followed_;     // places in active_nodes_ of nodes that this rank follows
   system::GhostNodes ghosts_;
   /// Hits for, and of, another rank. They keep their room from cycle to cycle.

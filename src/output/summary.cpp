@@ -140,6 +140,7 @@ Json to_json(const Summary& s) {
                             {"shared_nodes", r.shared_nodes},
                             {"neighbours", r.neighbours},
                             {"expected_load", r.expected_load},
+                            {"expected_contact_load", r.expected_contact_load},
                             {"messages_per_cycle", r.messages},
                             {"bytes_per_cycle", r.bytes},
                             {"busy", r.busy},

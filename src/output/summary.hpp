@@ -151,7 +151,8 @@ struct Summary {
   /// A rank of an explicit run over several.
   struct Rank {
     long elements = 0, nodes = 0, shared_nodes = 0, neighbours = 0;
-    double expected_load = 0.0;          ///< over the mean of all
+    double expected_load = 0.0;          ///< of elements, over the mean of all
+    double expected_contact_load = 0.0;  ///< of contact, likewise; 0 where there is none
     double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
     double busy = 0.0, waiting = 0.0;    ///< seconds
   };

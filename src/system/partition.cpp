@@ -17,10 +17,36 @@ namespace {
 /// Units that are shared out, and which share nodes with which (METIS: compressed rows).
 struct UnitGraph {
   std::vector<std::pair<int, std::size_t>> unit;  ///< group and unit of each vertex
-  std::vector<idx_t> start{0}, neighbour, shared_nodes, cost;
+  std::vector<idx_t> start{0}, neighbour, shared_nodes;
+  std::vector<double> elements, contact;  ///< what they cost
 };
 
-UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& rank) {
+/// Calls `visit` with pairs of nodes that belong together though no element that is shared out has both: of elements that
+/// everyone computes, and of what is tied, each in place of the dependent node the first one of its row.
+template <class Visit>
+void each_joined(const System& system, const std::vector<std::vector<int>>& rank, const Visit& visit) {
+  const auto stand_in = [&](int node) {
+    for (int k = 0; k < 4 && node >= 0 && at(node) < system.nodes && system.map.dependent(node); ++k)
+      node = system.map.terms(node).front().node;
+    return node;
+  };
+  const auto join = [&](int a, int b) {
+    if (a >= 0 && b >= 0 && a != b && at(a) < system.nodes && at(b) < system.nodes) visit(a, b);
+  };
+  for (int k = 0; k < static_cast<int>(system.nodes); ++k)
+    if (system.map.dependent(k)) join(k, stand_in(k));
+  for (std::size_t g = 0; g < rank.size(); ++g) {
+    const ElementGroup& group = *system.groups[g];
+    for (std::size_t e = 0; e < group.size(); ++e) {
+      if (rank[g][e / Partition::unit_size(group)] != Partition::everyone) continue;
+      const ElementNodes nodes = group.nodes(e);
+      for (int a = 1; a < group.nodes_per_element; ++a) join(stand_in(nodes[0]), stand_in(nodes[a]));
+    }
+  }
+}
+
+/// What a node costs in contact goes to the units at it in equal shares.
+UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& rank, const ContactCosts& contact) {
   UnitGraph graph;
   std::vector<std::vector<std::size_t>> vertex_of(system.groups.size());
   for (std::size_t g = 0; g < rank.size(); ++g) {
@@ -45,9 +71,23 @@ UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& ra
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const int n : nodes) vertices_at[n].push_back(v);
-    graph.cost.push_back(static_cast<idx_t>(
-        std::max(1.0, std::round(element_cost(system, group) * static_cast<double>(end - u * size)))));
+    graph.elements.push_back(element_cost(system, group) * static_cast<double>(end - u * size));
   }
+  for (std::size_t v = 0; !contact.of_node.empty() && v < nodes_of.size(); ++v) {
+    double sum = 0.0;
+    for (const int n : nodes_of[v]) sum += contact.of_node[at(n)] / static_cast<double>(vertices_at[n].size());
+    graph.contact.push_back(sum);
+  }
+  std::vector<std::vector<std::size_t>> joined(graph.unit.size());
+  const auto join = [&](int a, int b, std::size_t weight) {
+    if (vertices_at[at(a)].empty() || vertices_at[at(b)].empty()) return;
+    const std::size_t v = vertices_at[at(a)].front(), w = vertices_at[at(b)].front();
+    joined[v].insert(joined[v].end(), weight, w);
+    joined[w].insert(joined[w].end(), weight, v);
+  };
+  constexpr std::size_t of_joint = 4;  // as much as a side of an element and its neighbours
+  each_joined(system, rank, [&](int a, int b) { join(a, b, of_joint); });
+  for (const auto& [a, b] : contact.together) join(a, b, 1);
   std::vector<idx_t> common(graph.unit.size(), 0);
   std::vector<std::size_t> found;
   for (std::size_t v = 0; v < graph.unit.size(); ++v) {
@@ -55,6 +95,8 @@ UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& ra
     for (const int n : nodes_of[v])
       for (const std::size_t other : vertices_at[n])
         if (other != v && common[other]++ == 0) found.push_back(other);
+    for (const std::size_t other : joined[v])
+      if (other != v && common[other]++ == 0) found.push_back(other);
     std::sort(found.begin(), found.end());
     for (const std::size_t other : found) {
       graph.neighbour.push_back(static_cast<idx_t>(other));
@@ -79,11 +121,20 @@ std::vector<idx_t> cut(UnitGraph& graph, int ranks) {
   METIS_SetDefaultOptions(options.data());
   options[METIS_OPTION_SEED] = 1;
   options[METIS_OPTION_UFACTOR] = 10;  // thousandths by which a rank may have more than the mean
-  idx_t constraints = 1, parts = ranks, edge_cut = 0;
+  const bool two = !graph.contact.empty();
+  std::vector<idx_t> cost;
+  const double contact = std::accumulate(graph.contact.begin(), graph.contact.end(), 0.0);
+  for (std::size_t v = 0; v < graph.unit.size(); ++v) {
+    cost.push_back(static_cast<idx_t>(std::max(1.0, std::round(graph.elements[v]))));
+    // All of it is a thousand a vertex in the mean: METIS adds whole numbers.
+    if (two) cost.push_back(static_cast<idx_t>(1e3 * static_cast<double>(vertices) * graph.contact[v] / contact));
+  }
+  std::array<real_t, 2> uneven{1.01f, 1.03f};
+  idx_t constraints = two ? 2 : 1, parts = ranks, edge_cut = 0;
   const auto method = ranks <= 8 ? METIS_PartGraphRecursive : METIS_PartGraphKway;
   const int status =
-      method(&vertices, &constraints, graph.start.data(), graph.neighbour.data(), graph.cost.data(), nullptr,
-             graph.shared_nodes.data(), &parts, nullptr, nullptr, options.data(), &edge_cut, rank.data());
+      method(&vertices, &constraints, graph.start.data(), graph.neighbour.data(), cost.data(), nullptr,
+             graph.shared_nodes.data(), &parts, nullptr, two ? uneven.data() : nullptr, options.data(), &edge_cut, rank.data());
   if (status != METIS_OK) throw std::runtime_error("METIS cannot cut the graph of the elements");
   return rank;
 }
@@ -108,7 +159,8 @@ std::vector<std::vector<int>> ranks_at_nodes(const System& system, const Partiti
 
 }  // namespace
 
-Partition::Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone)
+Partition::Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
+                     const ContactCosts& contact)
     : ranks_(ranks) {
   for (const auto& group : system.groups) {
     const std::size_t size = unit_size(*group);
@@ -119,7 +171,10 @@ Partition::Partition(const System& system, int ranks, std::span<const System::El
   }
   for (const System::ElementLocation& one : for_everyone)
     if (one.group >= 0) rank_[one.group][at(one.element) / unit_[one.group]] = everyone;
-  UnitGraph graph = graph_of(system, rank_);
+  UnitGraph graph = graph_of(system, rank_, contact);
+  for (std::size_t g = 0; !contact.of_node.empty() && g < rank_.size(); ++g) contact_.emplace_back(rank_[g].size(), 0.0);
+  for (std::size_t v = 0; v < graph.contact.size(); ++v)
+    contact_[graph.unit[v].first][graph.unit[v].second] = graph.contact[v];
   const std::vector<idx_t> rank = cut(graph, ranks);
   for (std::size_t v = 0; v < rank.size(); ++v)
     rank_[graph.unit[v].first][graph.unit[v].second] = static_cast<int>(rank[v]);
@@ -151,6 +206,13 @@ std::vector<Partition::Share> Partition::shares(const System& system) const {
       }
     }
   }
+  double all_contact = 0.0;
+  for (std::size_t g = 0; g < contact_.size(); ++g)
+    for (std::size_t u = 0; u < contact_[g].size(); ++u) {
+      if (rank_[g][u] == everyone) continue;
+      all[at(rank_[g][u])].contact += contact_[g][u];
+      all_contact += contact_[g][u];
+    }
   std::size_t of_everyone = 0;  // nodes
   for (const std::vector<int>& here : ranks_at_nodes(system, *this)) {
     if (std::find(here.begin(), here.end(), everyone) != here.end()) {
@@ -177,6 +239,7 @@ std::vector<Partition::Share> Partition::shares(const System& system) const {
   }
   for (Share& share : all) {
     if (whole > 0.0) share.cost *= ranks_ / whole;
+    if (all_contact > 0.0) share.contact *= ranks_ / all_contact;
     std::sort(share.neighbours.begin(), share.neighbours.end());
   }
   return all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -9,16 +10,24 @@
 
 namespace nugget::system {
 
+/// What contact costs at the start, for a partition.
+struct ContactCosts {
+  std::vector<double> of_node;               ///< in any measure; empty: there is no contact
+  std::vector<std::array<int, 2>> together;  ///< nodes that look at each other
+};
+
 /// Which rank computes which elements. Elements go to ranks by units, so many as the widest block of their group holds,
 /// whatever the width of this machine's: the partition is the same everywhere.
 class Partition {
  public:
   static constexpr int everyone = -1;  ///< in place of a rank: all of them compute the unit
 
-  /// Cuts the graph of units that share nodes by METIS so that all ranks have about the same cost (`element_cost`) and
-  /// few nodes lie on several. `for_everyone`: elements whose state is looked at by what is computed on all ranks; so
-  /// are all springs.
-  Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone);
+  /// Cuts the graph of units that share nodes by METIS so that all ranks have about the same cost (`element_cost`),
+  /// about the same in contact, and few nodes lie on several. `for_everyone`: elements whose state is looked at by what
+  /// is computed on all ranks; so are all springs. As ranks wait for each other between elements and contact, both must
+  /// be even on their own. What is joined by welds, springs and ties, or rests on each other, is kept together.
+  Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
+            const ContactCosts& contact = {});
 
   /// All ranks take that of the first one: METIS of another machine may cut in another way.
   void take_from_first(Ranks& ranks);
@@ -37,6 +46,7 @@ class Partition {
     std::size_t shared_nodes = 0;  ///< of them, those that other ranks have too
     std::vector<int> neighbours;   ///< these ranks
     double cost = 0.0;             ///< of its elements, as a share of the mean
+    double contact = 0.0;          ///< the same of what its nodes cost in contact; 0 where none does
   };
   std::vector<Share> shares(const System& system) const;
   /// How many elements everyone computes.
@@ -45,7 +55,8 @@ class Partition {
  private:
   int ranks_;
   std::vector<std::size_t> unit_;       ///< elements of a unit, by group
-  std::vector<std::vector<int>> rank_;  ///< by group and unit
+  std::vector<std::vector<int>> rank_;        ///< by group and unit
+  std::vector<std::vector<double>> contact_;  ///< cost in contact, likewise; empty where nothing has any
 };
 
 /// What a cycle of one element costs on one machine [ns]: only ratios matter. A table of kinds, formulations, layers

@@ -7,6 +7,7 @@
 
 #include "contact/penalty_contact.hpp"
 #include "impact/energy/energy.hpp"
+#include "system/partition.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -33,6 +34,10 @@ class Contacts {
   std::vector<std::string> drop_summary(const system::System& system) const;
 
   void add_energy(Energy& energy) const;
+  /// Adds what the contacts cost that act at the start, see contact::SurfaceContact::add_costs.
+  void add_costs(std::span<const Row> x, system::ContactCosts& costs) {
+    for (contact::PenaltyContact& contact : contacts_) contact.add_costs(x, costs);
+  }
   /// Over several ranks: see contact::SurfaceContact::carry.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
     for (contact::PenaltyContact& contact : contacts_) contact.carry(of.rank, what, parcel);

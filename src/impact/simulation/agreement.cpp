@@ -68,10 +68,12 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   return whole;
 }
 
-system::Partition Simulation::partition(int ranks) const {
+system::Partition Simulation::partition(int ranks) {
   std::vector<system::System::ElementLocation> read;
   components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
-  return {system_, ranks, read};
+  system::ContactCosts contact;
+  components_.contacts.add_costs(state_.x, contact);
+  return {system_, ranks, read, contact};
 }
 
 /// Nodes that all ranks follow, by node: of all that each of them computes whole, of loads and supports, and those that
@@ -142,6 +144,7 @@ void Simulation::report_ranks() {
   own.shared_nodes = share.shared_nodes;
   own.neighbours = share.neighbours.size();
   own.cost = share.cost;
+  own.contact = share.contact;
   rank_reports_ = gather(*ranks_, own);
 }
 

@@ -52,7 +52,8 @@ class Simulation {
   /// What a rank of the run did; of a run by one process there is none.
   struct RankReport {
     std::size_t elements = 0, nodes = 0, shared_nodes = 0, neighbours = 0;
-    double cost = 0.0;  ///< of its elements, over the mean of all ranks, as expected by system::element_cost
+    double cost = 0.0;     ///< of its elements, over the mean of all ranks, as expected by system::element_cost
+    double contact = 0.0;  ///< of what its nodes cost in contact, likewise; 0: there is none
     double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
     double busy = 0.0, waiting = 0.0;    ///< seconds
   };
@@ -65,7 +66,7 @@ class Simulation {
   };
   ComputedByAll computed_by_all() const;
   /// How so many ranks would share out the elements.
-  system::Partition partition(int ranks) const;
+  system::Partition partition(int ranks);
 
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt(const char* by = "the user");
