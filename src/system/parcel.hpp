@@ -7,8 +7,9 @@
 
 namespace nugget::system {
 
-/// What of elements goes to other ranks.
+/// What goes to other ranks, each with what stands before it.
 enum class Carried {
+  histories,  ///< what histories of nodes and contacts show, nothing of elements
   energies,  ///< what energies are summed up from
   results,   ///< states and forces, for result files
   whole      ///< stable steps as well: a run could go on from it

@@ -108,6 +108,7 @@ bool System::computes(ElementLocation location) const {
 }
 
 void System::carry(int rank, Carried what, Parcel& parcel) {
+  if (what == Carried::histories) return;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     ElementGroup& group = *groups[g];
     const std::size_t width = group.block_width(), blocks = group.blocks();

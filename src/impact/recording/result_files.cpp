@@ -43,10 +43,12 @@ double next_on_curve(const model::Request& request, const Curve& curve, double l
   return std::max(last + curve.clamped(low), from);
 }
 
-/// Histories that take energies, forces on nodes and motions, and nothing from elements.
+/// Histories that take energies, forces on nodes and motions, and nothing from elements but those that every rank
+/// computes: welds and springs.
 bool of_sums_and_nodes(std::string_view name) {
-  constexpr std::array<std::string_view, 8> names{"glstat", "matsum", "nodout", "spcforc",
-                                                  "rwforc", "rcforc", "bndout", "rbdout"};
+  constexpr std::array<std::string_view, 14> names{"glstat", "matsum",  "nodout", "spcforc", "rwforc",
+                                                   "rcforc", "bndout",  "rbdout", "swforc",  "dcfail",
+                                                   "deforc", "jntforc", "sleout", "abstat"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -140,6 +142,7 @@ Recorder::Marks ResultFiles::next_marks() const {
   for (const Channel& c : channels_) {
     marks.any = std::min(marks.any, c.next);
     if (c.of_elements) marks.of_elements = std::min(marks.of_elements, c.next);
+    if (c.of_energies) marks.of_energies = std::min(marks.of_energies, c.next);
   }
   return marks;
 }

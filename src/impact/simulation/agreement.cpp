@@ -158,6 +158,7 @@ void Simulation::report_power() {
 
 void Simulation::collect(system::Carried what) {
   std::vector<std::vector<Row>*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
+  if (what == system::Carried::histories) rows.clear();  // all follow the nodes that histories show
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
   system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {
     components_.for_each([&](auto& component) {
@@ -195,7 +196,7 @@ void Simulation::agree(const Options& options) {
       all.not_finite = std::min(all.not_finite, w.not_finite);
     }
     if (all.stop && !own.stop) interrupt("a signal to another rank");
-    if (all.state) next_marks_.any = next_marks_.of_elements = -std::numeric_limits<double>::infinity();
+    if (all.state) next_marks_.any = next_marks_.of_elements = next_marks_.of_energies = -std::numeric_limits<double>::infinity();
     own = all;
     controlling_ = {own.step, own.group, own.element};
   }
@@ -227,6 +228,30 @@ bool Simulation::results_due(Recorder& recorder) const {
 
 bool Simulation::elements_due() const {
   return state_.time + state_.dt > next_marks_.of_elements + 1e-9 * state_.dt;
+}
+
+bool Simulation::balance_due(Recorder& recorder) const {
+  const model::Control& control = system_.model.control;
+  // Limits of energy and mass are watched with whatever is written.
+  if (control.energy_limit > 0.0 || control.added_mass_limit < model::Control{}.added_mass_limit) return true;
+  if (on_first_rank()) return recorder.energies_due(state_);
+  return state_.time + state_.dt > next_marks_.of_energies + 1e-9 * state_.dt;
+}
+
+/// No energy is beyond what the result files hold while no velocity is anywhere near.
+bool Simulation::runs_away() const {
+  constexpr double far = 1e12;
+  std::atomic<bool> found{false};
+  system_.for_each_node(4096, [&](std::size_t begin, std::size_t end) {
+    bool bounded = true;  // and a number
+    for (std::size_t k = begin; k < end; ++k)
+      for (const Row* r : {&state_.v[k], &state_.w[k]})
+        bounded = bounded && std::abs(r->x) < far && std::abs(r->y) < far && std::abs(r->z) < far;
+    if (!bounded) found = true;
+  });
+  if (ranks_ == nullptr) return found;
+  const std::vector<char> of_all = gather(*ranks_, static_cast<char>(found));
+  return std::ranges::count(of_all, 0) != std::ssize(of_all);
 }
 
 void Simulation::pass_on_balance(const Recorder& recorder) {

@@ -158,10 +158,13 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (record || balance) store_velocities();
     update_velocities();
     if (record || balance) {
-      collect(last || elements_due() ? system::Carried::results : system::Carried::energies);
       // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
       system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
-      if (on_first_rank() && (balance || runs_away())) {
+      const bool energies = balance || runs_away();
+      collect(last || elements_due() ? system::Carried::results
+              : energies             ? system::Carried::energies
+                                     : system::Carried::histories);
+      if (on_first_rank() && energies) {
         update_energy_balance();
         if (record) masses_ = system_.masses();
       }
@@ -596,27 +599,6 @@ std::string Simulation::describe_instability() const {
                             : fmt::format(", most of it in part {}",
                                           system_.model.parts[static_cast<std::size_t>(worst - parts_.begin())].id),
       advised_scale_ > 0.0 ? advised_scale_ : 0.75 * step_factor_ * system_.model.control.step_scale);
-}
-
-/// Limits of energy and mass are watched with whatever is written.
-bool Simulation::balance_due(Recorder& recorder) const {
-  const model::Control& control = system_.model.control;
-  return control.energy_limit > 0.0 || control.added_mass_limit < model::Control{}.added_mass_limit ||
-         !on_first_rank() || recorder.energies_due(state_);
-}
-
-/// No energy is beyond what the result files hold while no velocity is anywhere near.
-bool Simulation::runs_away() const {
-  constexpr double far = 1e12;
-  std::atomic<bool> found{false};
-  parallel_for(state_.v.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    bool bounded = true;  // and a number
-    for (std::size_t k = begin; k < end; ++k)
-      for (const Row* r : {&state_.v[k], &state_.w[k]})
-        bounded = bounded && std::abs(r->x) < far && std::abs(r->y) < far && std::abs(r->z) < far;
-    if (!bounded) found = true;
-  });
-  return found;
 }
 
 void Simulation::update_energy_balance() {
