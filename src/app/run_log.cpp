@@ -239,17 +239,18 @@ std::string log_computed_by_all(const impact::Simulation& run) {
 /// Of a run over several ranks: what each had, sent and waited for.
 std::string log_ranks(const impact::Simulation& run, const output::Summary& summary) {
   if (summary.rank.empty()) return {};
-  std::string s =
-      "Ranks\n\n" + log_computed_by_all(run) +
-      " rank  elements     nodes    shared  neighbours  expected load  of contact  messages a cycle  bytes a cycle  busy s  "
-      "waiting\n";
+  std::string s = "Ranks\n\n" + log_computed_by_all(run) +
+                  " rank  elements     nodes    shared  neighbours  expected load  of contact  messages a cycle  bytes "
+                  "a cycle  busy s  "
+                  "waiting\n";
   double most = 0.0, mean = 0.0;
   for (std::size_t r = 0; r < summary.rank.size(); ++r) {
     const output::Summary::Rank& rank = summary.rank[r];
     const double seconds = rank.busy + rank.waiting;
     s += fmt::format(" {:>4} {:>9} {:>9} {:>9} {:>11} {:>14.3f} {:>11.3f} {:>17.1f} {:>14.0f} {:>7.2f} {:>7.1f} %\n", r,
                      rank.elements, rank.nodes, rank.shared_nodes, rank.neighbours, rank.expected_load,
-                     rank.expected_contact_load, rank.messages, rank.bytes, rank.busy, seconds > 0.0 ? 100.0 * rank.waiting / seconds : 0.0);
+                     rank.expected_contact_load, rank.messages, rank.bytes, rank.busy,
+                     seconds > 0.0 ? 100.0 * rank.waiting / seconds : 0.0);
     most = std::max(most, rank.busy);
     mean += rank.busy / static_cast<double>(summary.rank.size());
   }

@@ -55,7 +55,7 @@ class Glue {
 
   std::array<double, 2> energy_of_sides() const { return forces_.energy_of_sides(); }
   double friction_energy() const { return forces_.friction_energy(); }  ///< as ContactEnergies::friction
-  const Vec3d& resultant() const { return resultant_; }        ///< force on the tracked side [force]
+  const Vec3d& resultant() const { return resultant_; }                 ///< force on the tracked side [force]
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
   /// As SurfaceContact::force_between.
   Vec3d force_between(const TwoBodies& bodies) const;

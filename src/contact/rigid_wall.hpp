@@ -54,8 +54,8 @@ class RigidWall {
   /// at `time`. `dt_previous`: the step that led to `time`; forces are impulses over the time between the two middles,
   /// (dt + dt_previous)/2. `skip` (by node; may be empty) marks nodes that the wall leaves alone: dependent ones, and
   /// those of rigid bodies. `f`: the other forces on the nodes at `time`. `fastest`: a speed that no node exceeds;
-  /// nodes that cannot reach the wall for a while are then not looked at. `share`: in a run over several ranks, of which
-  /// each looks at nodes that it follows.
+  /// nodes that cannot reach the wall for a while are then not looked at. `share`: in a run over several ranks, of
+  /// which each looks at nodes that it follows.
   void constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
                  std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip,
                  double fastest = std::numeric_limits<double>::infinity(), const system::Share* share = nullptr);
@@ -131,7 +131,7 @@ class RigidWall {
     std::span<const double> mass;
     std::span<const unsigned char> skip;
     Vec3d wall_velocity;
-    double fastest;  ///< of the nodes
+    double fastest;              ///< of the nodes
     const system::Share* share;  ///< null: one process
   };
   /// Tracked nodes side by side in the list, whose impulses are summed up together.

@@ -122,8 +122,8 @@ Box SurfaceContact::over_all_ranks(const Box& own) const {
   return all;
 }
 
-/// Hits go to the ranks that add up the forces on one of their nodes, and there to the same place in the order of blocks
-/// and hits.
+/// Hits go to the ranks that add up the forces on one of their nodes, and there to the same place in the order of
+/// blocks and hits.
 void SurfaceContact::exchange_hits() {
   Ranks& ranks = share_->ranks();
   const int count = ranks.count();
@@ -204,7 +204,9 @@ void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parce
     carry_list(parcel, block.touches);
     carry_list(parcel, block.free);
   }
-  const auto of_rank = [this, rank](int node) { return !share_->adding(node).empty() && share_->answering(node) == rank; };
+  const auto of_rank = [this, rank](int node) {
+    return !share_->adding(node).empty() && share_->answering(node) == rank;
+  };
   for (std::size_t i = 0; i < forces_.nodes().size(); ++i)
     if (of_rank(forces_.nodes()[i])) forces_.carry(static_cast<int>(i), whole, parcel);
   for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i)

@@ -124,8 +124,8 @@ class SurfaceContact {
   /// force; the solver's a = (force - internal)/m).
   void apply(const Step& step, std::span<Row> force);
 
-  /// Adds about what each node costs in a cycle, in pairs that rest; by the lists, which are made at the places `x` where
-  /// there are none yet. A contact that is born later costs nothing.
+  /// Adds about what each node costs in a cycle, in pairs that rest; by the lists, which are made at the places `x`
+  /// where there are none yet. A contact that is born later costs nothing.
   void add_costs(std::span<const Row> x, system::ContactCosts& costs);
   /// Over several ranks (Step::shared): what others need of the blocks of a rank and of the nodes for which it answers,
   /// for results or for all that is to come, on its way to another one.

@@ -10,9 +10,9 @@ namespace nugget::system {
 /// What goes to other ranks, each with what stands before it.
 enum class Carried {
   histories,  ///< what histories of nodes and contacts show, nothing of elements
-  energies,  ///< what energies are summed up from
-  results,   ///< states and forces, for result files
-  whole      ///< stable steps as well: a run could go on from it
+  energies,   ///< what energies are summed up from
+  results,    ///< states and forces, for result files
+  whole       ///< stable steps as well: a run could go on from it
 };
 
 /// Numbers on their way to another rank, or, where it reads, from one, in the same order.

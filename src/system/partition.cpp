@@ -21,8 +21,8 @@ struct UnitGraph {
   std::vector<double> elements, contact;  ///< what they cost
 };
 
-/// Calls `visit` with pairs of nodes that belong together though no element that is shared out has both: of elements that
-/// everyone computes, and of what is tied, each in place of the dependent node the first one of its row.
+/// Calls `visit` with pairs of nodes that belong together though no element that is shared out has both: of elements
+/// that everyone computes, and of what is tied, each in place of the dependent node the first one of its row.
 template <class Visit>
 void each_joined(const System& system, const std::vector<std::vector<int>>& rank, const Visit& visit) {
   const auto stand_in = [&](int node) {
@@ -132,9 +132,9 @@ std::vector<idx_t> cut(UnitGraph& graph, int ranks) {
   std::array<real_t, 2> uneven{1.01f, 1.03f};
   idx_t constraints = two ? 2 : 1, parts = ranks, edge_cut = 0;
   const auto method = ranks <= 8 ? METIS_PartGraphRecursive : METIS_PartGraphKway;
-  const int status =
-      method(&vertices, &constraints, graph.start.data(), graph.neighbour.data(), cost.data(), nullptr,
-             graph.shared_nodes.data(), &parts, nullptr, two ? uneven.data() : nullptr, options.data(), &edge_cut, rank.data());
+  const int status = method(&vertices, &constraints, graph.start.data(), graph.neighbour.data(), cost.data(), nullptr,
+                            graph.shared_nodes.data(), &parts, nullptr, two ? uneven.data() : nullptr, options.data(),
+                            &edge_cut, rank.data());
   if (status != METIS_OK) throw std::runtime_error("METIS cannot cut the graph of the elements");
   return rank;
 }
@@ -172,7 +172,8 @@ Partition::Partition(const System& system, int ranks, std::span<const System::El
   for (const System::ElementLocation& one : for_everyone)
     if (one.group >= 0) rank_[one.group][at(one.element) / unit_[one.group]] = everyone;
   UnitGraph graph = graph_of(system, rank_, contact);
-  for (std::size_t g = 0; !contact.of_node.empty() && g < rank_.size(); ++g) contact_.emplace_back(rank_[g].size(), 0.0);
+  for (std::size_t g = 0; !contact.of_node.empty() && g < rank_.size(); ++g)
+    contact_.emplace_back(rank_[g].size(), 0.0);
   for (std::size_t v = 0; v < graph.contact.size(); ++v)
     contact_[graph.unit[v].first][graph.unit[v].second] = graph.contact[v];
   const std::vector<idx_t> rank = cut(graph, ranks);

@@ -54,7 +54,7 @@ class Partition {
 
  private:
   int ranks_;
-  std::vector<std::size_t> unit_;       ///< elements of a unit, by group
+  std::vector<std::size_t> unit_;             ///< elements of a unit, by group
   std::vector<std::vector<int>> rank_;        ///< by group and unit
   std::vector<std::vector<double>> contact_;  ///< cost in contact, likewise; empty where nothing has any
 };

@@ -68,12 +68,8 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   const int count = ranks.count(), own = ranks.rank();
   const std::vector<NodeOwners> owners = owners_of_nodes(system, partition_);
   // A node without elements moves by what acts on it: nobody's share, so everyone's.
-  const auto for_all = [&](int k) {
-    return for_everyone[k] != 0 || owners[k].everyone || owners[k].ranks.empty();
-  };
-  const auto sum_travels = [&](int k) {
-    return for_all(k) && !owners[k].everyone && owners[k].ranks.size() == 1;
-  };
+  const auto for_all = [&](int k) { return for_everyone[k] != 0 || owners[k].everyone || owners[k].ranks.empty(); };
+  const auto sum_travels = [&](int k) { return for_all(k) && !owners[k].everyone && owners[k].ranks.size() == 1; };
 
   // Slots travel to everyone, and to single ranks.
   std::vector<Message> to_all(at(count));
@@ -130,13 +126,11 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   reported_.resize(at(count));
   for (int k = 0; k < static_cast<int>(system.nodes); ++k)
     if (!for_all(k)) reported_[owners[k].ranks.front()].push_back(k);
-  follows_everything_ = std::ranges::all_of(reported_, &std::vector<int>::empty);
   first_adding_.reserve(system.nodes + 1);
   for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
     first_adding_.push_back(static_cast<std::uint32_t>(adding_.size()));
     everyone_follows_.push_back(for_all(k));
-    if (!for_all(k) || sum_travels(k))
-      adding_.insert(adding_.end(), owners[k].ranks.begin(), owners[k].ranks.end());
+    if (!for_all(k) || sum_travels(k)) adding_.insert(adding_.end(), owners[k].ranks.begin(), owners[k].ranks.end());
   }
   first_adding_.push_back(static_cast<std::uint32_t>(adding_.size()));
   summed_ = ranges_of(system.nodes, [&](int k) { return follows(k) && (!sum_travels(k) || owners[k].only(own)); });
@@ -210,24 +204,6 @@ void Share::exchange_sums(std::span<Row> force, std::span<Row> moment) {
       }
     }
   }
-}
-
-void Share::report(std::span<double> of_nodes) {
-  const int own = ranks_.rank();
-  std::vector<std::vector<double>> numbers(at(ranks_.count()));
-  for (int r = 1; r < ranks_.count(); ++r) {
-    if (reported_[r].empty() || (own != 0 && own != r)) continue;
-    numbers[r].resize(reported_[r].size());
-    if (own == 0) {
-      ranks_.receive(r, std::as_writable_bytes(std::span(numbers[r])));
-      continue;
-    }
-    for (std::size_t i = 0; i < numbers[r].size(); ++i) numbers[r][i] = of_nodes[reported_[r][i]];
-    ranks_.send(0, std::as_bytes(std::span<const double>(numbers[r])));
-  }
-  ranks_.finish();
-  for (int r = 1; own == 0 && r < ranks_.count(); ++r)
-    for (std::size_t i = 0; i < numbers[r].size(); ++i) of_nodes[reported_[r][i]] = numbers[r][i];
 }
 
 void Share::spread(std::span<Row> of_nodes) const {

@@ -55,8 +55,6 @@ class Share {
   /// Ranges of nodes that this rank follows, bodies' and anchors' virtual ones included.
   const std::vector<Range>& followed() const { return followed_; }
 
-  /// Whether all ranks follow all nodes.
-  bool follows_everything() const { return follows_everything_; }
   bool everyone_follows(int node) const { return node >= nodes() || everyone_follows_[node] != 0; }
   /// Whether this rank follows a node.
   bool follows(int node) const { return everyone_follows(node) || adds_up(node); }
@@ -76,8 +74,6 @@ class Share {
   /// Nodes that not all ranks follow, by the rank that answers for them: the first one of those whose elements they
   /// have.
   const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
-  /// The numbers of these nodes come to the first rank.
-  void report(std::span<double> of_nodes);
   /// The rows of these nodes come to all ranks.
   void spread(std::span<Row> of_nodes) const;
 
@@ -111,9 +107,8 @@ class Share {
   std::vector<Range> summed_, followed_;
   std::vector<char> everyone_follows_;  ///< by node; virtual ones all follow
   std::vector<std::uint32_t> first_adding_;
-  std::vector<int> adding_;  ///< ranks, from `first_adding_` on of each node
+  std::vector<int> adding_;                 ///< ranks, from `first_adding_` on of each node
   std::vector<std::vector<int>> reported_;  ///< by rank
-  bool follows_everything_ = true;
 };
 
 }  // namespace nugget::system

@@ -120,8 +120,8 @@ class System {
   /// Forces of all elements at the end of a step into state.f and state.m (overwritten); keeps the smallest stable
   /// step.
   void internal_force(State& state);
-  /// Over several ranks, after that and when forces of contacts are there: sums of nodes that everyone follows, but only
-  /// one rank adds up.
+  /// Over several ranks, after that and when forces of contacts are there: sums of nodes that everyone follows, but
+  /// only one rank adds up.
   void exchange_sums(State& state);
   /// Cycles from one time at which all elements have forces to the next; 1 but in sub-cycling.
   int period() const { return subcycles_.period(); }

@@ -12,8 +12,8 @@ namespace nugget::impact {
 ///                                           it has done over the step that ends there (velocities of that step in
 ///                                           the state, length `dt`; 0 at the start)
 ///   archive(Archive&)
-/// and update_masses() where it acts on masses, which mass scaling and erosion change; work(), reset_work() and carry(),
-/// where it books its work by node and several ranks share it out.
+/// and update_masses() where it acts on masses, which mass scaling and erosion change; work(), reset_work() and
+/// carry(), where it books its work by node and several ranks share it out.
 template <class Load>
 class ActingLoad;
 

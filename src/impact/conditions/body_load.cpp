@@ -11,7 +11,10 @@
 namespace nugget::impact {
 
 ActingLoad<model::BodyLoad>::ActingLoad(const model::BodyLoad& load, const system::System& system)
-    : load_(load), system_(system), last_force_(load.centrifugal ? system.all_nodes() : 0), work_of_node_(system.all_nodes()) {
+    : load_(load),
+      system_(system),
+      last_force_(load.centrifugal ? system.all_nodes() : 0),
+      work_of_node_(system.all_nodes()) {
   update_masses();
 }
 

@@ -32,9 +32,9 @@ class ActingLoad<model::BodyLoad> {
   const model::BodyLoad& load_;
   const system::System& system_;
   std::vector<int> nodes_;
-  std::vector<double> mass_;       ///< of `nodes_` [mass]
-  double last_ = 0.0;              ///< acceleration of the last cycle [length/time^2]
-  std::vector<Vec3d> last_force_;  ///< by node of the system, of a centrifugal load [force]
+  std::vector<double> mass_;          ///< of `nodes_` [mass]
+  double last_ = 0.0;                 ///< acceleration of the last cycle [length/time^2]
+  std::vector<Vec3d> last_force_;     ///< by node of the system, of a centrifugal load [force]
   std::vector<double> work_of_node_;  ///< so far [energy]
 };
 

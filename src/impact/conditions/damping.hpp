@@ -113,7 +113,7 @@ class Damping {
   std::vector<Relative> relative_;
   std::vector<int> deforming_of_;                               ///< by group: in `deforming_`, or -1
   std::vector<Row> force_, moment_, last_force_, last_moment_;  ///< by node, bodies included; empty without damping
-  std::vector<double> energy_of_node_;  ///< taken out so far, as `force_`
+  std::vector<double> energy_of_node_;                          ///< taken out so far, as `force_`
 };
 
 }  // namespace nugget::impact

@@ -98,7 +98,8 @@ std::vector<char> Simulation::followed_by_all() const {
   for (std::size_t i = 0; i < c.rivets.size(); ++i) std::ranges::for_each(c.rivets.rivet(i).nodes, follow);
   for (const contact::PenaltyContact& contact : c.contacts.all())
     if (contact.looks_everywhere()) contact.each_node(follow_place);
-  for (const contact::InteriorContact& contact : c.interiors.all()) std::ranges::for_each(contact.nodes(), follow_place);
+  for (const contact::InteriorContact& contact : c.interiors.all())
+    std::ranges::for_each(contact.nodes(), follow_place);
   for (const model::Accelerometer& a : model.accelerometers) std::ranges::for_each(a.node, follow);
   for (const model::ControlVolume& volume : model.control_volumes) follow_segments(volume.segments);
   for (const Supports::Reaction& r : c.supports.spc_reactions()) followed[r.node] = 1;
@@ -148,19 +149,19 @@ void Simulation::report_ranks() {
   rank_reports_ = gather(*ranks_, own);
 }
 
-bool Simulation::follows_every_node() const {
-  return ranks_ == nullptr || system_.share()->follows_everything();
-}
-
-void Simulation::report_power() {
-  system_.share()->report(node_power_);
-}
-
 void Simulation::collect(system::Carried what) {
   std::vector<std::vector<Row>*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
   if (what == system::Carried::histories) rows.clear();  // all follow the nodes that histories show
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
   system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {
+    for (const int k : of.share.reported_by(of.rank)) {
+      if (what == system::Carried::histories || step_change_of_node_.empty()) break;
+      // A run goes on from what is booked; a balance shows what was done up to now.
+      double booked = step_change_of_node_[k];
+      if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
+      parcel(&booked, 1);
+      if (parcel.reading()) step_change_of_node_[k] = booked;
+    }
     components_.for_each([&](auto& component) {
       if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);
     });
@@ -196,7 +197,8 @@ void Simulation::agree(const Options& options) {
       all.not_finite = std::min(all.not_finite, w.not_finite);
     }
     if (all.stop && !own.stop) interrupt("a signal to another rank");
-    if (all.state) next_marks_.any = next_marks_.of_elements = next_marks_.of_energies = -std::numeric_limits<double>::infinity();
+    if (all.state)
+      next_marks_.any = next_marks_.of_elements = next_marks_.of_energies = -std::numeric_limits<double>::infinity();
     own = all;
     controlling_ = {own.step, own.group, own.element};
   }

@@ -387,6 +387,7 @@ Outcome Simulation::relax(const Options& options, Recorder& recorder, const Prog
     if constexpr (requires { component.reset_work(); }) component.reset_work();
   });
   step_change_ = 0.0;
+  std::ranges::fill(step_change_of_node_, 0.0);
   smallest_step_ = std::numeric_limits<double>::infinity();
   return {};
 }
@@ -462,43 +463,35 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
 
 void Simulation::accelerate() {
   const double velocity_interval = 0.5 * (state_.dt + state_.dt_previous);
-  constexpr std::size_t block = 1024;
-  // Gives a node its velocity, and the power of its forces on the change.
-  const auto accelerate = [&](std::size_t k) {
-    const double a = velocity_interval * inverse_mass_[k], b = velocity_interval * inverse_inertia_[k];
-    Row &v = state_.v[k], &w = state_.w[k];
-    const Row &f = state_.f[k], &m = state_.m[k];
-    v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
-    w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
-    return a * (f.x * f.x + f.y * f.y + f.z * f.z) + b * (m.x * m.x + m.y * m.y + m.z * m.z);
-  };
-  const auto sum_blocks = [&](const auto& term) {
-    block_power_.resize((system_.nodes + block - 1) / block);
-    parallel_for(block_power_.size(), 1, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        double power = 0.0;
-        for (std::size_t k = i * block; k < std::min(system_.nodes, (i + 1) * block); ++k) power += term(k);
-        block_power_[i] = power;
-      }
-    });
-  };
-  if (follows_every_node()) {
-    sum_blocks(accelerate);
-  } else {
-    node_power_.resize(system_.nodes);
-    system_.for_each_node(block, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < std::min(last, system_.nodes); ++k) node_power_[k] = accelerate(k);
-    });
-    // At a constant step nobody asks for the power.
-    block_power_.clear();
-    if (state_.dt != state_.dt_previous) {
-      report_power();
-      if (on_first_rank()) sum_blocks([&](std::size_t k) { return node_power_[k]; });
+  const bool step_changes = state_.dt != state_.dt_previous;
+  step_change_of_node_.resize(system_.nodes);
+  system_.for_each_node(1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) {
+      if (step_changes) step_change_of_node_[k] += step_change(k);
+      const double a = velocity_interval * inverse_mass_[k], b = velocity_interval * inverse_inertia_[k];
+      Row &v = state_.v[k], &w = state_.w[k];
+      const Row &f = state_.f[k], &m = state_.m[k];
+      v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
+      w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
     }
-  }
+  });
   power_on_change_ = 0.0;
-  for (double power : block_power_) power_on_change_ += power;
   for (system::RigidBody& body : system_.bodies) power_on_change_ += body.advance(velocity_interval, state_.dt, state_);
+}
+
+/// What a node's forces at t(n) add to Energy::step_change, by their power on the change of velocity that they make
+/// from t(n-1/2) to t(n+1/2).
+double Simulation::step_change(std::size_t node) const {
+  const double velocity_interval = 0.5 * (state_.dt + state_.dt_previous);
+  const Row &f = state_.f[node], &m = state_.m[node];
+  const double power = velocity_interval * inverse_mass_[node] * (f.x * f.x + f.y * f.y + f.z * f.z) +
+                       velocity_interval * inverse_inertia_[node] * (m.x * m.x + m.y * m.y + m.z * m.z);
+  return 0.25 * (state_.dt - state_.dt_previous) * power;
+}
+
+/// What those before t(n) have added.
+double Simulation::step_change_before_now(std::size_t node) const {
+  return step_change_of_node_[node] - step_change(node);
 }
 
 void Simulation::move() {
@@ -609,7 +602,9 @@ void Simulation::update_energy_balance() {
   components_.for_each([&](const auto& component) {
     if constexpr (requires { component.add_energy(energy_); }) component.add_energy(energy_);
   });
-  energy_.step_change = step_change_;
+  energy_.step_change = step_change_ + ordered_sum(system_.nodes, [this](std::size_t k) {
+                          return system_.follows(k) ? step_change_before_now(k) : step_change_of_node_[k];
+                        });
   if (state_.cycle == 0) energy_.initial = energy_.total();
   // Other balances come with the output, which must not change how a run ends.
   if (state_.cycle % 100 == 0) {
@@ -631,14 +626,14 @@ void Simulation::archive(Archive& a) {
   a(energy_, parts_, controlling_);
   a(masses_.physical, masses_.added, masses_.added_to_welds, masses_.added_by_part);
   a(inverse_mass_, inverse_inertia_, contact_mass_, dependent_);
-  a(diverged_, unstable_, relaxation_, step_change_, largest_input_, power_on_change_, first_step_, smallest_step_,
-    stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
+  a(diverged_, unstable_, relaxation_, step_change_, step_change_of_node_, largest_input_, power_on_change_,
+    first_step_, smallest_step_, stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a(v_period_, w_period_);
   a.built(contact_forces_, run_end_);
   a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          block_power_, node_power_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
-          rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
+          not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_, rank_reports_,
+          traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
 }
 
 }  // namespace nugget::impact

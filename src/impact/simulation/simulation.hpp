@@ -88,8 +88,6 @@ class Simulation {
   void report_ranks();
   std::vector<char> followed_by_all() const;
   int first_not_finite() const;
-  bool follows_every_node() const;
-  void report_power();
   bool on_first_rank() const { return ranks_ == nullptr || ranks_->rank() == 0; }
   /// Once a cycle, before it begins: the element that controls the step, and whether the run is to stop, to write a
   /// restart file or a state that is not due. Of several ranks all take the same.
@@ -113,8 +111,11 @@ class Simulation {
   /// As many steps as the time takes from one at which all elements have forces to the next.
   void advance();
   void choose_step(double end_time);
-  /// Gives the free nodes and bodies their velocities at t(n+1/2); `power_on_change_` begins anew.
+  /// Gives the free nodes and bodies their velocities at t(n+1/2), and books `step_change` of the nodes;
+  /// `power_on_change_` begins anew.
   void accelerate();
+  double step_change(std::size_t node) const;
+  double step_change_before_now(std::size_t node) const;
   void move();
   void contact_forces();
   void apply_contacts(const contact::Step& step, std::span<Row> force);
@@ -185,11 +186,10 @@ class Simulation {
   bool diverged_ = false;
   bool unstable_ = false;  ///< energy_is_made at the last cycle that is a multiple of 100
   Relaxation relaxation_;
-  double step_change_ = 0.0;         ///< Energy::step_change so far
-  double largest_input_ = 0.0;       ///< of the energy balances so far: what was there and put in, its size
-  double power_on_change_ = 0.0;     ///< forces at t(n) times the change of velocity from t(n-1/2) to t(n+1/2)
-  std::vector<double> block_power_;  ///< the nodes' part of it, by block
-  std::vector<double> node_power_;   ///< the same by node, where ranks follow nodes of their own
+  double step_change_ = 0.0;                 ///< Energy::step_change so far, but for what free nodes add
+  std::vector<double> step_change_of_node_;  ///< this, with what their forces at t(n) add
+  double largest_input_ = 0.0;               ///< of the energy balances so far: what was there and put in, its size
+  double power_on_change_ = 0.0;  ///< forces at t(n), but on free nodes, times what they change in velocities
 
   Energy energy_;
   std::vector<PartEnergy> parts_;
