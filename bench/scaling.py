@@ -7,10 +7,12 @@
 The body is that of bench/body.py: sheets in one contact with themselves, welds, a wall. `nugget check -n N` partitions it; of partition.vtu are counted,
 for each rank: elements, nodes, nodes that others have too (shared), ranks that have them (neighbours), bytes that it sends in a cycle (6 doubles for each
 element at a shared node, to each other rank that has it), and ghosts: nodes of others within REACH of its own, which contact needs positions and
-velocities of. From these, costs by element (--costs: elements, contact, motion of nodes [ns]) and a network (--latency, --bandwidth) two times of a cycle:
+velocities of; `check` says how many nodes every rank follows. From these, costs by element (--costs: elements, contact, motion of nodes, ties and welds
+[ns]) and a network (--latency, --bandwidth) two times of a cycle:
 
-  built    what runs do today: elements are shared out; of contact the share that two ranks were measured to share out; the rest by each rank
-  shared   elements, contact and nodes shared out, ghosts sent, two collective agreements a cycle; nothing hidden behind anything
+  built    what runs do today: elements, contact and nodes shared out, ghosts sent, eight collective agreements a cycle, in every SEARCH cycles the positions
+           of all nodes; ties and welds by each rank, which gets the forces on all of their nodes
+  shared   the same with ties and welds shared out, two agreements a cycle and positions for a search from neighbours alone
 
 --runs: runs of the deck over so many ranks here. What each needs of the processor is what `built` says; where there are more ranks than cores, they share
 them. Run nothing else meanwhile. --json FILE, --plot FILE.svg keep the table and draw it.
@@ -20,6 +22,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -30,8 +33,11 @@ from vtk.util.numpy_support import vtk_to_numpy
 from body import ROOT, sills, write_crash
 
 REACH = 15.0           # of contact around a node, three elements [mm]
-ROW = 6 * 8            # forces and moments of an element's corner [bytes]
+ROW = 6 * 8            # forces and moments of an element's corner, or of a node [bytes]
 GHOST = 6 * 8          # position and velocity of a node
+PLACE = 4 * 8          # position of a node on its way to all
+SEARCH = 100           # cycles from one search to the next
+SUM = 10e-9            # to put the forces on a node of everyone's into a message and out of it [s]
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
@@ -93,24 +99,23 @@ def count(path, ranks):
             "neighbours": neighbours, "bytes": sent, "ghosts": numpy.maximum(in_reach - nodes, 0.0)}
 
 
-def predict(arguments, all_elements, ranks, counts):
-    """Seconds of a cycle: as built, and with contact and nodes shared out."""
-    element, contact, motion = (1e-9 * cost for cost in arguments.costs)
+def predict(arguments, all_elements, ranks, counts, of_all):
+    """Seconds of a cycle: as built, and with ties and welds shared out; `of_all`: nodes that every rank follows."""
+    element, contact, motion, ties = (1e-9 * cost * all_elements for cost in arguments.costs)
     if ranks == 1:
-        whole = (element + contact + motion) * all_elements
+        whole = element + contact + motion + ties
         return {"built": whole, "shared": whole}
     most = {name: float(values.max()) for name, values in counts.items()}
     latency, bandwidth = 1e-6 * arguments.latency, 1e9 * arguments.bandwidth
-    agreement = 2 * math.ceil(math.log2(ranks)) * latency
+    agreement = math.ceil(math.log2(ranks)) * latency
     forces = most["neighbours"] * latency + most["bytes"] / bandwidth
-    share = most["elements"] / all_elements
-    built = element * most["elements"] + contact * all_elements * (1 - arguments.shared_contact * (1 - share)) + motion * all_elements
     ghosts = most["neighbours"] * latency + GHOST * most["ghosts"] / bandwidth
-    nodes = most["nodes"] / (counts["nodes"].sum() - counts["shared"].sum() / 2)  # as nearly all shared nodes have two ranks
-    shared = element * most["elements"] + (contact + motion) * all_elements * nodes
-    # All hits of a cycle go to all ranks today: a tenth of the nodes press, 88 bytes each.
-    hits = 88 * 0.1 * all_elements
-    return {"built": built + forces + agreement + hits / bandwidth, "shared": shared + forces + ghosts + agreement}
+    all_nodes = counts["nodes"].sum() - counts["shared"].sum() / 2  # as nearly all shared nodes have two ranks
+    nodes = most["nodes"] / all_nodes
+    own = element * most["elements"] / all_elements + contact * nodes + forces + ghosts
+    sums = of_all * (ROW / bandwidth + SUM)
+    places = PLACE * all_nodes / bandwidth / SEARCH
+    return {"built": own + motion * (nodes + of_all / all_nodes) + ties + sums + places + 8 * agreement, "shared": own + (motion + ties) * nodes + 2 * agreement}
 
 
 def run_here(nugget, folder, ranks, cycles):
@@ -150,9 +155,8 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "scaling")
     parser.add_argument("--shells", type=int, nargs="+", default=[500_000])
     parser.add_argument("--ranks", type=int, nargs="+", default=[2, 4, 8, 16, 64, 256, 1024, 4096])
-    parser.add_argument("--costs", type=float, nargs=3, default=[138.0, 165.0, 32.0], metavar="NS",
-                        help="elements, contact, motion, by element (docs/evidence/performance.md, In flanges)")
-    parser.add_argument("--shared-contact", type=float, default=0.3, help="share of contact that ranks share out today (--runs 1 2 measures it)")
+    parser.add_argument("--costs", type=float, nargs=4, default=[75.0, 122.0, 8.2, 5.3], metavar="NS",
+                        help="elements, contact, motion, ties and welds, by element (docs/evidence/performance.md, Explicit runs over ranks)")
     parser.add_argument("--latency", type=float, default=2.0, help="of a message [microseconds]")
     parser.add_argument("--bandwidth", type=float, default=10.0, help="of each rank [GB/s]")
     parser.add_argument("--runs", type=int, nargs="+", default=[])
@@ -168,19 +172,18 @@ def main():
         measured = {ranks: run_here(nugget, folder, ranks, arguments.cycles) for ranks in arguments.runs}
         if 1 in measured:
             phases = measured[1][1]
-            arguments.costs = [1e9 * phases.get(name, 0.0) / elements for name in ("elements", "contact", "motion")]
-            if 2 in measured:  # what two ranks take of a half that would be shared out
-                arguments.shared_contact = max(0.0, min(1.0, 2.0 - 2.0 * measured[2][1]["contact"] / phases["contact"]))
-        print(f"{elements} shells; costs {', '.join(f'{c:.0f}' for c in arguments.costs)} ns, of contact {arguments.shared_contact:.2f} shared out")
+            arguments.costs = [1e9 * phases.get(name, 0.0) / elements for name in ("elements", "contact", "motion", "constraints")]
+        print(f"{elements} shells; costs {', '.join(f'{c:.1f}' for c in arguments.costs)} ns")
         print(f"{'ranks':>6}{'elements':>10}{'nodes':>8}{'shared':>8}{'neighbours':>11}{'ghosts':>8}{'kB sent':>9}"
               f"{'built ms':>11}{'times':>7}{'shared ms':>11}{'times':>7}" + ("   run ms" if measured else ""))
-        whole = predict(arguments, elements, 1, {})["built"]
+        whole = predict(arguments, elements, 1, {}, 0)["built"]
         for ranks in arguments.ranks:
-            counts = {}
+            counts, of_all = {}, 0
             if ranks > 1:
-                subprocess.run([nugget, "check", "crash.k", "-n", str(ranks), "-o", "partition", "-j", "2"], cwd=folder, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                said = subprocess.run([nugget, "check", "crash.k", "-n", str(ranks), "-o", "partition", "-j", "2"], cwd=folder, check=True, capture_output=True, text=True).stdout
                 counts = count(folder / "partition" / "partition.vtu", ranks)
-            time = predict(arguments, elements, ranks, counts)
+                of_all = int(re.search(r"moves (\d+) nodes for it", said)[1])
+            time = predict(arguments, elements, ranks, counts, of_all)
             most = {name: int(values.max()) for name, values in counts.items()}
             row = {"shells": elements, "ranks": ranks, "whole": whole, **{f"most_{name}": value for name, value in most.items()}, **time}
             line = f"{ranks:6}" + "".join(f"{most.get(name, 0):{width}}" for name, width in (("elements", 10), ("nodes", 8), ("shared", 8), ("neighbours", 11), ("ghosts", 8)))

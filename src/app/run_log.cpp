@@ -231,9 +231,12 @@ std::string log_mass(const system::System& system) {
 std::string log_computed_by_all(const impact::Simulation& run) {
   const impact::Simulation::ComputedByAll whole = run.computed_by_all();
   if (whole.names.empty()) return " elements and nodes are shared out\n\n";
-  return fmt::format(" elements{} are shared out; every rank computes whole{}: {}\n\n",
-                     whole.every_node ? "" : " and nodes", whole.every_node ? " and moves all nodes" : "",
-                     fmt::join(whole.names, ", "));
+  if (whole.every_node)
+    return fmt::format(" elements are shared out; every rank moves all nodes and computes whole: {}\n\n",
+                       fmt::join(whole.names, ", "));
+  const std::vector<char> followed = run.followed_by_all();
+  return fmt::format(" elements and nodes are shared out; every rank computes whole, and moves {} nodes for it: {}\n\n",
+                     std::ranges::count(followed, 1), fmt::join(whole.names, ", "));
 }
 
 /// Of a run over several ranks: what each had, sent and waited for.

@@ -239,9 +239,10 @@ class SurfaceContact {
   using Candidates = std::span<Candidate>;
   /// What of a hit goes to one node.
   struct Share {
-    int place = 0;           ///< of the node, see NodalForces
-    int hit = 0;             ///< of the block
-    signed char corner = 0;  ///< of the segment; -1: the tracked node
+    static constexpr signed char the_node = -1;  ///< in place of a corner: the force on the tracked node
+    int place = 0;                               ///< of the node, see NodalForces
+    int hit = 0;                                 ///< of the block
+    signed char corner = 0;                      ///< of the segment, or `the_node`
   };
   /// The pairs of a block that can touch in this cycle.
   struct Awake {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,11 @@
 
 // Included by the .cpp files of SurfaceContact only.
 namespace nugget::contact {
+
+/// Asks the memory for `size` bytes from `data` on.
+inline void ask_for_lines(const void* data, std::size_t size) {
+  for (std::size_t byte = 0; byte < size; byte += 64) __builtin_prefetch(static_cast<const char*>(data) + byte);
+}
 
 /// What a thread needs for the block that it works on. Apart from the class: how many pairs are projected at a time
 /// depends on the program (docs/decisions/0094), what others see of a contact does not.

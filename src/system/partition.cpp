@@ -71,7 +71,9 @@ UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& ra
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const int n : nodes) vertices_at[n].push_back(v);
-    graph.elements.push_back(element_cost(system, group) * static_cast<double>(end - u * size));
+    std::size_t alive = 0;
+    for (std::size_t e = u * size; e < end; ++e) alive += group.alive(e) ? 1 : 0;
+    graph.elements.push_back(element_cost(system, group) * static_cast<double>(alive));
   }
   for (std::size_t v = 0; !contact.of_node.empty() && v < nodes_of.size(); ++v) {
     double sum = 0.0;
@@ -202,6 +204,7 @@ std::vector<Partition::Share> Partition::shares(const System& system) const {
       const int rank = of_element(static_cast<int>(g), e);
       for (int r = rank == everyone ? 0 : rank; r < (rank == everyone ? ranks_ : rank + 1); ++r) {
         ++all[r].elements;
+        if (!group.alive(e)) continue;
         all[r].cost += cost;
         whole += cost;
       }

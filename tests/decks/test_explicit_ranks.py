@@ -8,7 +8,7 @@ import sys
 import time
 import unittest
 
-from few_elements import card
+from few_elements import card, curve
 from lap_joint import deck as lap_joint
 from nugget_command import SOURCE
 from repeated_runs import FOREVER, LANES, RepeatedRuns, with_lanes
@@ -114,7 +114,31 @@ class ExplicitRanks(RepeatedRuns):
         """What is not shared out every rank computes whole."""
         subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
         self.compare_ranks(self.folder / "double_hat.k", "--until", "2.0e-4")
-        self.assertIn("elements and nodes are shared out; every rank computes whole: rigid bodies, ties", self.log("r2_1"))
+        self.assertIn("elements and nodes are shared out; every rank computes whole, and moves ", self.log("r2_1"))
+        self.assertIn(" nodes for it: rigid bodies, ties", self.log("r2_1"))
+
+    def test_what_acts_on_nodes_in_contact(self):
+        """Each rank follows nodes of its own beside a contact with friction, of edges, with a force transducer, a wall with mass and body loads;
+        positions of others come to it. Sabotage: a ghost that is not sent, a hit that does not come to who adds it up, a node left out of a wall's sum."""
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        text = (self.folder / "double_hat.k").read_text(encoding="ascii")
+        smooth, fixed, histories = "       0.0       0.0\n$#    sfsa", "*RIGIDWALL_PLANAR_ID\n", "*DATABASE_RWFORC\n"
+        for line in (smooth, fixed, histories, "AUTOMATIC_SINGLE_SURFACE_ID"):
+            self.assertIn(line, text)
+        rubs = text.replace(smooth, smooth.replace("0.0       0.0", "0.2       0.1"))
+        rubs = rubs.replace(histories, "*DATABASE_RCFORC\n" + card(2.0e-6) + "*DATABASE_SLEOUT\n" + card(2.0e-6) + histories)
+        rubs = rubs.replace("*END", "*CONTACT_FORCE_TRANSDUCER_PENALTY\n" + card(1, 0, 3) + "\n\n*END")
+        loads = "*LOAD_BODY_Z\n" + card(7, 9810.0) + "*LOAD_BODY_RX\n" + card(7, 100.0) + curve(7, (0.0, 1.0), (1.0, 1.0))
+        moves = text.replace(fixed, fixed.replace("PLANAR", "PLANAR_MOVING")).replace("       1.0       1.0\n*DEFINE_BOX", "       1.0       1.0\n" + card(0.02, 500.0) + "*DEFINE_BOX")
+        self.assertIn("MOVING", moves)
+        cases = {"friction and a transducer": rubs, "edges": rubs.replace("AUTOMATIC_SINGLE_SURFACE_ID", "AUTOMATIC_GENERAL_ID"),
+                 "a wall with mass": moves, "body loads": text.replace("*END", loads + "*END")}
+        for name, deck in cases.items():
+            with self.subTest(name):
+                self.compare_ranks(deck, "--until", "1.0e-4", ranks=((3, 1),))
+                self.assertIn("elements and nodes are shared out", self.log("r3_1"))
+        said = self.nugget("check", self.write(cases["edges"]), "-n", 2, "-o", "partition").stdout
+        self.assertIn(" nodes for it: contact of edges, glue and FTORQ, rigid bodies, ties", said)
 
     def test_shells_that_fail_in_contact(self):
         """Every rank must know which shells are deleted: they leave the surface. Sabotage: deletions that are not passed on."""

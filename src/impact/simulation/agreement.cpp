@@ -76,8 +76,8 @@ system::Partition Simulation::partition(int ranks) {
   return {system_, ranks, read, contact};
 }
 
-/// Nodes that all ranks follow, by node: of all that each of them computes whole, of loads and supports, and those that
-/// somebody looks at between results. The others are left to the ranks whose elements have them.
+// Of all that each rank computes whole, of loads and supports, and those that somebody looks at between results. The
+// others are left to the ranks whose elements have them.
 std::vector<char> Simulation::followed_by_all() const {
   const model::Model& model = system_.model;
   const Components& c = components_;

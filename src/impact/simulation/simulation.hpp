@@ -65,6 +65,8 @@ class Simulation {
     bool every_node = false;  ///< some of it looks at all nodes, so that every rank follows them
   };
   ComputedByAll computed_by_all() const;
+  /// Nodes, by system number, that every rank follows: those, and all others that somebody looks at between results.
+  std::vector<char> followed_by_all() const;
   /// How so many ranks would share out the elements.
   system::Partition partition(int ranks);
 
@@ -86,7 +88,6 @@ class Simulation {
   /// From now on several ranks compute the run together.
   void share_out(Ranks& ranks);
   void report_ranks();
-  std::vector<char> followed_by_all() const;
   int first_not_finite() const;
   bool on_first_rank() const { return ranks_ == nullptr || ranks_->rank() == 0; }
   /// Once a cycle, before it begins: the element that controls the step, and whether the run is to stop, to write a

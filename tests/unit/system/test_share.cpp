@@ -15,6 +15,7 @@
 #include "base/index.hpp"
 #include "deck/deck.hpp"
 #include "reading/build.hpp"
+#include "system/ghost_nodes.hpp"
 
 namespace nugget::system {
 namespace {
@@ -70,6 +71,7 @@ struct Sheet {
         for (std::size_t k = begin; k < end; ++k) add(state.x[k], state.dt * vec(state.v[k]));
       });
       system.internal_force(state);
+      system.exchange_sums(state);
     }
   }
 };
@@ -129,8 +131,11 @@ class ThreadRanks final : public Ranks {
   std::vector<std::pair<int, std::span<std::byte>>> expected_;
 };
 
-/// Each rank with a sheet of its own, moved; `look` sees them afterwards, one after the other.
-void over_ranks(int count, bool followed_by_all, const std::function<void(int, Sheet&)>& look) {
+/// Each rank with a sheet of its own, moved, in a thread where `together` is done at last; `look` sees them afterwards,
+/// one after the other.
+void over_ranks(
+    int count, bool followed_by_all, const std::function<void(int, Sheet&)>& look,
+    const std::function<void(int, Sheet&)>& together = [](int, Sheet&) {}) {
   Exchange exchange;
   std::vector<std::unique_ptr<Sheet>> sheets(at(count));
   std::vector<std::unique_ptr<ThreadRanks>> ranks;
@@ -149,6 +154,7 @@ void over_ranks(int count, bool followed_by_all, const std::function<void(int, S
         sheet.system.share_out(*ranks[r], partitions[r], followed);
         sheet.move();
         sheet.system.collect(Carried::results, {}, [](const System::Computed&, Parcel&) {});
+        together(r, sheet);
       });
   }
   for (int r = 0; r < count; ++r) look(r, *sheets[r]);
@@ -178,6 +184,30 @@ TEST(Share, ForcesHaveTheBitsOfOneProcess) {
         EXPECT_LT(std::count_if(followers.begin(), followers.end(), [](int n) { return n > 1; }), 150);
       }
     }
+}
+
+// Each rank looks at every seventh node; what it does not follow has the place and the velocity that its followers give
+// it.
+TEST(Share, GhostsAreWhereTheirFollowersHaveThem) {
+  Sheet alone;
+  alone.move();
+  for (const int count : {2, 3, 5}) {
+    std::vector<std::size_t> ghosts(at(count));
+    const auto look_around = [&](int rank, Sheet& sheet) {
+      const Share& share = *sheet.system.share();
+      std::vector<int> wanted;
+      for (int k = 0; k < static_cast<int>(sheet.system.nodes); k += 7) wanted.push_back(k);
+      GhostNodes nodes;
+      nodes.ask_for(share, wanted);
+      nodes.fetch(share, sheet.state.x, sheet.state.v);
+      ghosts[rank] = nodes.size();
+      for (const int k : wanted)
+        EXPECT_TRUE(same(sheet.state.x[k], alone.state.x[k]) && same(sheet.state.v[k], alone.state.v[k])) << k;
+    };
+    over_ranks(
+        count, false, [](int, Sheet&) {}, look_around);
+    for (const std::size_t n : ghosts) EXPECT_GT(n, 20u);
+  }
 }
 
 TEST(Share, TheFirstRankCollectsWhatOthersComputed) {
@@ -210,6 +240,53 @@ TEST(Partition, CutsASquareInHalves) {
   }
   const Partition again(sheet.system, 2, {});
   for (std::size_t e = 0; e < side * side; ++e) EXPECT_EQ(again.of_element(0, e), halves.of_element(0, e));
+}
+
+// Contact in one quarter of the square: each rank has half of the shells and half of the contact.
+TEST(Partition, BalancesContactAsWell) {
+  const Sheet sheet;
+  ContactCosts contact{std::vector<double>(sheet.system.all_nodes()), {}};
+  for (std::size_t e = 0; e < side * side; ++e)
+    if (e % side < side / 2 && e / side < side / 2)
+      for (const int node : sheet.system.groups[0]->nodes(e)) contact.of_node[at(node)] = 5.0;
+  for (const Partition::Share& share : Partition(sheet.system, 2, {}, contact).shares(sheet.system)) {
+    EXPECT_NEAR(share.cost, 1.0, 0.06);
+    EXPECT_NEAR(share.contact, 1.0, 0.1);
+    EXPECT_LE(share.shared_nodes, 60u);
+  }
+}
+
+// After a restart: the deleted quarter of a sheet costs nothing.
+TEST(Partition, DeletedElementsCostNothing) {
+  Sheet sheet;
+  for (std::size_t e = 0; e < side * side; ++e)
+    if (e % side < side / 2 && e / side < side / 2) sheet.system.groups[0]->remove(e);
+  const Partition partition(sheet.system, 2, {});
+  std::array<int, 2> alive{};
+  for (std::size_t e = 0; e < side * side; ++e)
+    if (sheet.system.groups[0]->alive(e)) ++alive[at(partition.of_element(0, e))];
+  EXPECT_NEAR(alive[0], 0.375 * side * side, 12);
+  EXPECT_NEAR(alive[1], 0.375 * side * side, 12);
+}
+
+// What rests on each other is not parted: with two opposite edges joined the cut runs from the one to the other.
+TEST(Partition, KeepsTogetherWhatRestsOnEachOther) {
+  const Sheet sheet;
+  for (const bool rows : {true, false}) {
+    const auto element = [rows](std::size_t along, std::size_t across) {
+      return rows ? along * side + across : across * side + along;
+    };
+    ContactCosts contact{std::vector<double>(sheet.system.all_nodes(), 1.0), {}};
+    for (std::size_t i = 0; i < side; ++i)
+      for (int k = 0; k < 20; ++k)
+        contact.together.push_back({sheet.system.groups[0]->nodes(element(i, 0))[0],
+                                    sheet.system.groups[0]->nodes(element(i, side - 1))[0]});
+    const Partition partition(sheet.system, 2, {}, contact);
+    std::size_t together = 0;
+    for (std::size_t i = 0; i < side; ++i)
+      together += partition.of_element(0, element(i, 0)) == partition.of_element(0, element(i, side - 1));
+    EXPECT_GE(together, side - 2) << (rows ? "rows" : "columns");
+  }
 }
 
 TEST(Partition, ElementsThatAreLookedAtAreEveryones) {
