@@ -66,8 +66,9 @@ void add_joints(PreparedDeck& p) {
   if (p.model.control.weld_tie != model::WeldTie::joint) return;
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const auto yield = [](double limit) { return limit < kernel::WeldJoint::never ? limit : nothing; };
+  const std::vector<std::optional<weld::Joint>> joints = weld::joints_of(p.model, p.ties);
   for (std::size_t w = 0; w < p.welds.size(); ++w) {
-    const auto joint = weld::joint_of(p.model, p.ties, p.ties.welds[w]);
+    const kernel::WeldJoint* joint = joints[w] ? &joints[w]->law : nullptr;
     const auto limit = joint && joint->flows() ? joint->limits(0.0) : std::array{nothing, nothing, nothing};
     p.welds[w].audit.emplace_back("joint_in_plane", joint ? joint->in_plane() : nothing);
     p.welds[w].audit.emplace_back("joint_bending", joint ? joint->bending() : nothing);

@@ -177,7 +177,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   /// The kernel's forces after a step with unit velocity in one freedom, a freedom a lane. The step is so short that it
   /// moves nothing and meets no yield, and a power of two: what is left is the exact derivative (docs/decisions/0017).
-  void stiffness(std::size_t e, const State& start, std::span<double> k) const override {
+  void own_stiffness(std::size_t e, const State& start, std::span<double> k) const override {
     if constexpr (requires { kernel_.stiffness(reader(e), places(e, start), k); }) {
       kernel_.stiffness(reader(e), places(e, start), k);
       return;
@@ -343,6 +343,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   double stable_step(std::size_t e) const override { return step_[e]; }
   double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }
+  void add_internal_energy(std::size_t e, double work) override { energy_[e] += work; }
   double hourglass_energy(std::size_t e) const override {
     if constexpr (Element::Layout::hourglass_energy < 0) return 0.0;
     return field(e, Element::Layout::hourglass_energy);
