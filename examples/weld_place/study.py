@@ -62,7 +62,8 @@ def mesh(kind, size, place, thickness):
     return nodes, shells, *grips
 
 
-def deck(coupon, kind, size, place, plastic):
+def deck(coupon, kind, size, place, plastic, bricks=0):
+    """`bricks`: 1, 4 or 8 in place of the weld beam."""
     thickness, diameter, first_yield, modulus = COUPONS[coupon]
     nodes, shells, held, pulled = mesh(kind, size, place, thickness)
     nodes[7001], nodes[7002] = (0.0, 0.0, -thickness / 2.0), (0.0, 0.0, thickness / 2.0)
@@ -104,6 +105,9 @@ def deck(coupon, kind, size, place, plastic):
     d.keyword("MAT_SPOTWELD")
     d.card(mid=3, ro=7.85e-9, e=YOUNG, pr=POISSON, sigy=20000.0, eh=1000.0, dt=4.0e-7)
     d.card(efail=0.0)
+    if bricks:
+        d.keyword("CONTROL_SPOTWELD_BEAM")
+        d.card(lct=0, lcs=0, t_ort=0, prtflg=0, t_ors=0, rpbhx=bricks)
     d.keyword("SET_PART_LIST")
     d.card(sid=1)
     d.ids([1, 2])
