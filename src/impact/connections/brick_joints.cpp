@@ -85,8 +85,10 @@ void BrickJoints::open(Moving& joint, system::State& state) {
         slid += ((at_first ? share_of_face : -share_of_face) * (moved[i] - left[i])) * motions.velocity(i, x[n]);
     joint.slid.push_back(slid);
     if (share_of_face == 0.0) continue;
-    add(state.v[joint.nodes[n]], (1.0 / state.dt) * slid);
-    system_.map.slide(joint.nodes[n], slid);
+    // The disc turns it on from the middle of the step to its end.
+    const Vec3d at_end = slid + cross(0.5 * state.dt * (at_first ? first : second).spin, slid);
+    add(state.v[joint.nodes[n]], (1.0 / state.dt) * at_end);
+    system_.map.slide(joint.nodes[n], at_end);
   }
 }
 
@@ -106,6 +108,12 @@ std::vector<BrickJoints::Work> BrickJoints::book() {
     all.push_back(work);
   }
   return all;
+}
+
+double BrickJoints::plastic_work(std::size_t weld) const {
+  for (const Moving& joint : joints_)
+    if (joint.source->weld == weld) return joint.state.work;
+  return 0.0;
 }
 
 void BrickJoints::Moving::archive(Archive& a) {

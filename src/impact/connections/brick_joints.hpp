@@ -29,6 +29,8 @@ class BrickJoints {
     std::array<double, 2> at_end;
   };
   std::vector<Work> book();
+  /// Plastic work of the joint of a weld so far, at rest (kernel::WeldJoint::State); 0 of one without [energy].
+  double plastic_work(std::size_t weld) const;
   void archive(Archive& a);
 
  private:

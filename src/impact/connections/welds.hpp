@@ -23,7 +23,7 @@ class Welds {
 
   /// To be called once a cycle, before nodes move: the joints of welds of bricks.
   void open_joints(system::State& state) { joints_.open(state); }
-  bool bricks_have_joints() const { return !joints_.empty(); }
+  const BrickJoints& joints() const { return joints_; }
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
 
