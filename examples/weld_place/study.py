@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """How much of a weld's stiffness and strength depends on where it stands in the mesh, by each form of tie.
 
-    python3 examples/weld_place/study.py NUGGET FOLDER [COUPON [SIZE ...]]
+    python3 examples/weld_place/study.py NUGGET FOLDER [--bricks N] [COUPON [SIZE ...]]
 
 A lap and a peel coupon, elements of 3 to 10 mm, seven places of the weld in its element, tied by the element under it, by area
 and with a joint (--weld-tie area, joint): stiffness by linear statics, forces beyond yield by explicit runs, over those of solids
 (solids.py, CalculiX); two materials and nuggets (solids.COUPONS). Writes FOLDER/place.csv and FOLDER/place.svg and prints a table.
-Finished runs are not repeated; all take about an hour on two cores.
+--bricks 1, 4 or 8: welds of so many bricks in place of beams. Finished runs are not repeated; all take about an hour on two cores.
 """
 import csv
 import json
@@ -182,14 +182,15 @@ def forces(kind, results):
     return found
 
 
-def study(nugget, folder, coupons, sizes):
+def study(nugget, folder, coupons, sizes, bricks):
     for coupon in coupons:
         for kind in REACH:
             for plastic in (False, True):
                 for size in sizes:
                     for number, place in enumerate(PLACES):
-                        path = folder / f"{coupon}_{kind}_{'plastic' if plastic else 'elastic'}_{size:g}_{number}.k"
-                        deck(coupon, kind, size, place, plastic).write(path)
+                        welds = f"_{bricks}_bricks" if bricks else ""
+                        path = folder / f"{coupon}_{kind}_{'plastic' if plastic else 'elastic'}_{size:g}_{number}{welds}.k"
+                        deck(coupon, kind, size, place, plastic, bricks).write(path)
                         for form in FORMS:
                             results = run(nugget, path, form)
                             values = forces(kind, results) if plastic else [stiffness(results)]
@@ -248,10 +249,12 @@ def draw(rows, path):
     path.write_text("\n".join(out + ["</svg>", ""]), encoding="utf-8")
 
 
-def main(nugget, folder, coupon="", *sizes):
+def main(nugget, folder, *options):
+    bricks = int(options[1]) if options[:1] == ("--bricks",) else 0
+    coupon, *sizes = options[2 if bricks else 0:] or ("",)
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    rows = list(study(nugget, folder, [coupon] if coupon else COUPONS, [float(s) for s in sizes] or SIZES))
+    rows = list(study(nugget, folder, [coupon] if coupon else COUPONS, [float(s) for s in sizes] or SIZES, bricks))
     with open(folder / f"place{coupon}.csv", "w", encoding="ascii", newline="") as file:
         writer = csv.DictWriter(file, rows[0].keys())
         writer.writeheader()

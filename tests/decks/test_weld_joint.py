@@ -16,12 +16,12 @@ PLACES = ((0.5, 0.5), (0.25, 0.25), (0.0, 0.0))
 
 
 class WeldJoint(CommandTest):
-    def over_solids(self, coupon, kind, size, form, plastic):
-        """Least and largest of three places, a pair for each displacement."""
+    def over_solids(self, coupon, kind, size, form, plastic, bricks=0):
+        """Least and largest of three places, a pair for each displacement. `bricks`: in place of the weld beam."""
         found = []
         for number, place in enumerate(PLACES):
-            path = self.folder / f"{coupon}_{kind}_{size:g}_{number}_{plastic}.k"
-            study.deck(coupon, kind, size, place, plastic).write(path)
+            path = self.folder / f"{coupon}_{kind}_{size:g}_{number}_{plastic}_{bricks}.k"
+            study.deck(coupon, kind, size, place, plastic, bricks).write(path)
             results = study.run(NUGGET, path, form)
             stiffness, forces = study.SOLIDS[coupon, kind]
             values = study.forces(kind, results) if plastic else [study.stiffness(results)]
@@ -38,6 +38,16 @@ class WeldJoint(CommandTest):
             with self.subTest(coupon=coupon, size=size):
                 self.assertWithin(self.over_solids(coupon, "lap", size, "joint", False), 0.94, 1.07)
         self.assertGreater(self.over_solids("book", "lap", 8.0, "area", False)[0][1], 1.08)
+
+    def test_welds_of_bricks(self):
+        """One, four and eight bricks, elements of 8 mm; peel too, whose moment goes through the joint."""
+        for bricks in (1, 4, 8):
+            with self.subTest(bricks=bricks):
+                self.assertWithin(self.over_solids("book", "lap", 8.0, "joint", False, bricks), 0.94, 1.07)
+                self.assertWithin(self.over_solids("book", "lap", 8.0, "joint", True, bricks)[1:], 0.9, 1.15)
+                self.assertWithin(self.over_solids("book", "peel", 8.0, "joint", True, bricks)[1:], 0.9, 1.15)
+        self.assertGreater(self.over_solids("book", "lap", 8.0, "area", True, 4)[1][1], 1.3)
+        self.assertGreater(self.over_solids("book", "peel", 8.0, "area", True, 4)[1][1], 1.3)
 
     def test_force_of_laps_beyond_yield(self):
         for coupon in ("book", "mild"):

@@ -12,6 +12,25 @@ CARD = "*NUGGET_WELD_TIE\n         1\n"
 MODES = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         8\n"
 
 
+def clusters(count):
+    """Bricks in place of the weld beam."""
+    return f"*CONTROL_SPOTWELD_BEAM\n         0         0         0         0         0{count:10d}\n"
+
+
+def layers():
+    """The lap joint with a weld of two layers of bricks, 5 x 5 each."""
+    nodes, bricks = [], []
+    for k in range(3):
+        for c, (x, y) in enumerate(((6.5, 6.5), (11.5, 6.5), (11.5, 11.5), (6.5, 11.5))):
+            nodes.append(f"{401 + 4 * k + c:8d}{x:16.4f}{y:16.4f}{0.6 * k:16.4f}")
+    for k in range(2):
+        bricks.append(f"{41 + k:8d}{3:8d}" + "".join(f"{401 + 4 * k + c:8d}" for c in range(8)))
+    text = deck(("*SECTION_BEAM\n         3         9       1.0         2       1.0\n       6.0       6.0       0.0       0.0\n",
+                 "*SECTION_SOLID\n         3         1\n"))
+    beam = text.index("*ELEMENT_BEAM")
+    return text[:beam] + "\n".join(["*NODE", *nodes, "*ELEMENT_SOLID", *bricks, "*END", ""])
+
+
 def with_card(text, card=CARD):
     return edited(text, ("*CONTROL_TERMINATION\n", card + "*CONTROL_TERMINATION\n"))
 
@@ -69,6 +88,40 @@ class WeldTie(CommandTest):
         self.assertTrue(all(joint <= area * (1 + 1e-9) for area, joint in zip(*first)))
         self.assertLess(sum(first[1]), sum(first[0]))
 
+    def test_joints_of_bricks(self):
+        """Softer than the area alone, in runs and modes; check has the numbers of the beam in whose place they stand."""
+        self.write(deck(), "beam.k")
+        self.nugget("check", "beam.k", "-o", "beam", "--weld-tie", "joint")
+        beam = next(csv.DictReader(io.StringIO(self.read("beam/welds.csv"))))
+        for count in (1, 4, 8):
+            with self.subTest(bricks=count):
+                self.write(with_card(deck(), clusters(count)))
+                self.nugget("check", "model.k", "-o", "check", "--weld-tie", "joint")
+                row = next(csv.DictReader(io.StringIO(self.read("check/welds.csv"))))
+                for name in ("joint_in_plane", "joint_bending", "joint_normal_yield", "joint_shear_yield", "joint_moment_yield"):
+                    self.assertAlmostEqual(float(row[name]) / float(beam[name]), 1.0, delta=1e-3, msg=name)
+                for form in ("area", "joint"):
+                    self.nugget("run", "model.k", "-o", form, "--weld-tie", form)
+                    self.assertAlmostEqual(self.json(f"{form}/summary.json")["energy"]["ratio"], 1.0, delta=1e-3)
+                self.assertIn("0 weld beams and 1 welds of bricks have joints", self.read("joint/run.log"))
+                self.assertLess(self.peak("joint"), 0.97 * self.peak("area"))
+        self.write(edited(with_card(deck(), clusters(8)), ("*TITLE\n", MODES + "*TITLE\n")))
+        first = []
+        for form in ("area", "joint"):
+            self.nugget("modes", "model.k", "-o", "modes_" + form, "-n", "4", "--weld-tie", form)
+            first.append([m["frequency_hz"] for m in self.json(f"modes_{form}/summary.json")["modes"]])
+        self.assertTrue(all(joint <= area * (1 + 1e-9) for area, joint in zip(*first)))
+        self.assertLess(sum(first[1]), sum(first[0]))
+
+    def test_bricks_that_get_no_joint(self):
+        self.write(layers())
+        run = self.nugget("run", "model.k", "-o", "layers", "--weld-tie", "joint")
+        self.assertIn("1 weld of bricks, tied by area, without a joint, first of assembly weld 41: it has more than one layer of bricks",
+                      run.stderr)
+        self.write(with_card(deck(), clusters(1) + "*CONTROL_SUBCYCLE\n"))
+        run = self.nugget("run", "model.k", "-o", "out", "--weld-tie", "joint", expect=1)
+        self.assertIn("this run has joints of welds of bricks", run.stderr)
+
     def test_modes_and_responses_know_it(self):
         self.write(edited(deck(), ("*TITLE\n", MODES + "*TITLE\n")))
         self.nugget("modes", "model.k", "-o", "plain", "-n", "4")
@@ -92,6 +145,13 @@ class RepeatedByArea(RepeatedRuns):
 
     def test_any_number_of_threads_with_joints(self):
         self.compare(self.write(deck(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0"))), "--weld-tie", "joint")
+
+    def test_any_number_of_threads_with_joints_of_bricks(self):
+        text = deck(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0"))
+        self.compare(self.write(with_card(text, clusters(4))), "--weld-tie", "joint")
+
+    def test_resumed_with_joints_of_bricks(self):
+        self.resumed(with_card(deck(), clusters(8)), "--weld-tie", "joint", shares=(0.5,))
 
     def test_resumed_with_joints(self):
         self.resumed(deck(), "--weld-tie", "joint", shares=(0.5,))
