@@ -691,7 +691,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
 
   Element kernel_, inviscid_;  ///< the second without viscous forces
-  std::vector<int> nodes_;  ///< block by block, node by node, lane by lane
+  std::vector<int> nodes_;     ///< block by block, node by node, lane by lane
   Numbers state_;
   AlignedReals energy_, step_;
   std::vector<int> reference_fields_;  ///< of the state, those that are not 0 in all elements free of stress

@@ -151,20 +151,21 @@ std::string joined_sheets(int sheets, const std::string& welded) {
             fields({s + 1.0, 2, 0.8333, 3}) + fields({1, 1, 1, 1}) + "*MAT_PLASTIC_KINEMATIC\n" +
             fields({s + 1.0, 7.85e-9, 210000.0, 0.3, 200.0, 1000.0}) + fields({0, 0, 0}) +
             SheetMesh{.first = 1 + 100 * s, .part = s + 1, .corner = {0, 0, 1.0 * s}, .nx = 3, .ny = 3}.text();
-  return deck + welded + weld_contact_to_set(9, sheets == 2 ? std::initializer_list<int>{1, 2}
-                                                            : std::initializer_list<int>{1, 2, 3});
+  return deck + welded +
+         weld_contact_to_set(9, sheets == 2 ? std::initializer_list<int>{1, 2} : std::initializer_list<int>{1, 2, 3});
 }
 
 std::string cluster(int bricks) {
-  return weld_part(9, {.length = 1.0, .yield = 1e9}) + "*CONTROL_SPOTWELD_BEAM\n" + fields({0, 0, 0, 0, 0, double(bricks)}) +
-         beam_between(901, 9, 901, {17, 14, 0}, 902, {17, 14, 1});
+  return weld_part(9, {.length = 1.0, .yield = 1e9}) + "*CONTROL_SPOTWELD_BEAM\n" +
+         fields({0, 0, 0, 0, 0, double(bricks)}) + beam_between(901, 9, 901, {17, 14, 0}, 902, {17, 14, 1});
 }
 /// Bricks of 4 x 4 x 1 on each other, whose nodes in the middle lie on the second sheet.
 std::string stacked_bricks() {
   std::string nodes = "*NODE\n", elements = "*ELEMENT_SOLID\n";
   for (int level = 0; level < 3; ++level)
     for (int c = 0; c < 4; ++c)
-      nodes += node_line(901 + 4 * level + c, 15.0 + (c == 1 || c == 2 ? 4.0 : 0.0), 12.0 + (c >= 2 ? 4.0 : 0.0), level);
+      nodes +=
+          node_line(901 + 4 * level + c, 15.0 + (c == 1 || c == 2 ? 4.0 : 0.0), 12.0 + (c >= 2 ? 4.0 : 0.0), level);
   for (int b = 0; b < 2; ++b) {
     const int n = 901 + 4 * b;
     elements += element_line(901 + b, 9, {n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7});
@@ -183,8 +184,10 @@ TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
     std::size_t joints;
   };
   const double dt = 1.0e-7;
-  for (const Case& c : {Case{"one brick", 2, cluster(1), 1}, {"four bricks", 2, cluster(4), 1},
-                        {"eight bricks", 2, cluster(8), 1}, {"a brick on a brick, three sheets", 3, stacked_bricks(), 2}}) {
+  for (const Case& c : {Case{"one brick", 2, cluster(1), 1},
+                        {"four bricks", 2, cluster(4), 1},
+                        {"eight bricks", 2, cluster(8), 1},
+                        {"a brick on a brick, three sheets", 3, stacked_bricks(), 2}}) {
     Experiment run("*KEYWORD\n" + termination(8000 * dt, 0.9, 0.0, 90) + curve(90, {{0, dt}, {1, dt}}) +
                    joined_sheets(c.sheets, c.welded) + "*INITIAL_VELOCITY_GENERATION\n" +
                    fields({2, 2, 0, 21000, -14000, 9000}) + fields({0}) + "*END\n");
