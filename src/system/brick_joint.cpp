@@ -112,10 +112,15 @@ FaceVector product(const FaceMatrix& k, const FaceVector& b) {
   return all;
 }
 
-/// What flexibilities in series with the freedoms `motion` take away from the stiffness k:
-///     -k B c^1/2 (1 + c^1/2 B^t k B c^1/2)^-1 c^1/2 B^t k.
-FaceMatrix taken_away(const FaceMatrix& k, const std::array<FaceVector, joint_size>& motion,
-                      const kernel::WeldJoint::Freedoms& flexibility) {
+/// What flexibilities c in series with the freedoms B, `motion`, do to the stiffness k: what they take away from it,
+///     -k B q,  q = c^1/2 (1 + c^1/2 B^t k B c^1/2)^-1 c^1/2 B^t k,
+/// and q, what they move.
+struct InSeries {
+  FaceMatrix change{};
+  std::array<FaceVector, joint_size> moved{};
+};
+InSeries in_series(const FaceMatrix& k, const std::array<FaceVector, joint_size>& motion,
+                   const kernel::WeldJoint::Freedoms& flexibility) {
   std::array<FaceVector, joint_size> force{};
   JointMatrix system{};
   for (std::size_t i = 0; i < joint_size; ++i) {
@@ -126,12 +131,14 @@ FaceMatrix taken_away(const FaceMatrix& k, const std::array<FaceVector, joint_si
     for (std::size_t j = 0; j < joint_size; ++j)
       system[i][j] = (i == j ? 1.0 : 0.0) + std::sqrt(flexibility[i]) * product(motion[i], force[j]);
   const JointMatrix solved = inverse(system);
-  FaceMatrix change{};
+  InSeries s;
   for (std::size_t i = 0; i < joint_size; ++i)
     for (std::size_t j = 0; j < joint_size; ++j)
-      for (std::size_t a = 0; a < of_faces; ++a)
-        for (std::size_t b = 0; b < of_faces; ++b) change[a][b] -= force[i][a] * solved[i][j] * force[j][b];
-  return change;
+      for (std::size_t b = 0; b < of_faces; ++b) {
+        s.moved[i][b] += std::sqrt(flexibility[i]) * solved[i][j] * force[j][b];
+        for (std::size_t a = 0; a < of_faces; ++a) s.change[a][b] -= force[i][a] * solved[i][j] * force[j][b];
+      }
+  return s;
 }
 
 /// a^t k a, row by row; `a` by row of k.
@@ -201,18 +208,43 @@ void System::make_brick_joints() {
       for (std::size_t i = 0; i < of_faces; ++i)
         for (std::size_t j = 0; j < of_faces; ++j) stiffness[i][j] += one[i][j];
     }
-    BrickJoint joint{w, *joints[w], {}};
+    BrickJoint joint{w, *joints[w], {}, motions, {}};
     const std::array<FaceVector, joint_size> motion = motions_of_joint(motions, joint.joint.share);
     for (std::size_t i = 0; i < joint_size; ++i) joint.stiffness[i] = product(motion[i], product(stiffness, motion[i]));
     // Rigid faces move as one brick of the layer says, so it takes the change for all of them.
     const ElementLocation first = location_of(weld, weld.elements.front());
-    const FaceMatrix change = taken_away(stiffness, motion, joint.joint.law.flexibility());
+    const InSeries series = in_series(stiffness, motion, joint.joint.law.flexibility());
+    joint.elastic = series.moved;
     const auto of_first = transformed(motion_of_faces(corners_of(first), motions.middle),
-                                      [&](std::size_t i, std::size_t j) { return change[i][j]; });
+                                      [&](std::size_t i, std::size_t j) { return series.change[i][j]; });
     std::vector<double> flat;
     for (const auto& row : of_first) flat.insert(flat.end(), row.begin(), row.end());
     groups[first.group]->soften(at(first.element), std::move(flat));
     brick_joints.push_back(std::move(joint));
+  }
+}
+
+void System::slide_brick_faces(std::vector<Row>& motion) const {
+  for (const BrickJoint& joint : brick_joints) {
+    const weld::Weld& weld = ties.welds[joint.weld];
+    FaceVector faces{};
+    for (std::size_t end = 0; end < 2; ++end) {
+      std::vector<Vec3d> x, u;
+      for (const model::Index node : weld.face[end]) {
+        x.push_back(ties.x[node]);
+        u.push_back(vec(motion[node_of[node]]));
+      }
+      const FaceMotion m = face_motion(x, u, joint.motions.middle);
+      const std::array<double, 6> six{m.velocity.x, m.velocity.y, m.velocity.z, m.spin.x, m.spin.y, m.spin.z};
+      std::copy(six.begin(), six.end(), faces.begin() + static_cast<std::ptrdiff_t>(6 * end));
+    }
+    for (std::size_t i = 0; i < joint_size; ++i) {
+      const double moved = product(joint.elastic[i], faces);
+      for (std::size_t end = 0; end < 2; ++end)
+        for (const model::Index node : weld.face[end])
+          add(motion[node_of[node]], (end == 0 ? joint.joint.share[0] : -joint.joint.share[1]) * moved *
+                                         joint.motions.velocity(i, ties.x[node]));
+    }
   }
 }
 
