@@ -13,6 +13,7 @@
 #include "brick_decks.hpp"
 #include "deck/moved_nodes.hpp"
 #include "linear.hpp"
+#include "nvh/matrices/stresses.hpp"
 #include "nvh/statics/statics.hpp"
 #include "reading/build.hpp"
 #include "weld/placement/adapt.hpp"
@@ -212,6 +213,37 @@ TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
     expect_reference("welds by area", which + "drift of the angular momentum in 8,000 cycles", turn, 0.0, 1e-9, 1.0);
     expect_reference("welds by area", which + "energy balance in 8,000 cycles", worst / scale, 0.0, 1e-6, 1.0);
   }
+}
+
+// One face of a brick moved along s: brick and joint in series, 1 / (L/GA + c), in the stiffness that modes and statics
+// take and in the stresses that they give. Sabotage: stresses of faces that follow their discs; c twice.
+TEST(WeldByArea, JointsOfBricksInLinearAnalyses) {
+  const LinearExperiment linear("*KEYWORD\n*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n"
+                                "*CONTROL_IMPLICIT_EIGENVALUE\n        20\n" +
+                                joined_sheets(2, cluster(1)) + "*END\n");
+  const system::System& system = linear.system();
+  ASSERT_EQ(system.brick_joints.size(), 1u);
+  const weld::Weld& weld = system.ties.welds.at(0);
+  const double area = 0.25 * 3.14159265358979 * 36.0, brick = 210000.0 / 2.6 * area;  // length 1
+  const double c = system.brick_joints[0].joint.law.in_plane(), moved = 1e-3;
+  ASSERT_GT(c * brick, 1.0);
+  std::vector<nvh::SixDof> motion(system.all_nodes());
+  for (const model::Index n : weld.face[1]) motion[at(system.node_of[n])] = {moved, 0, 0, 0, 0, 0};
+  const system::System::ElementLocation location = system.location_of(weld, weld.element);
+  const nvh::ElasticStresses stresses(system, motion);
+  expect_reference("welds by area", "joint of a brick: shear stress times area [N]",
+                   std::abs(stresses.stress(location, 0)[5]) * area, moved / (1.0 / brick + c), 1e-3);
+
+  const system::ElementGroup& group = *system.groups[at(location.group)];
+  std::vector<double> k(24 * 24);
+  group.stiffness(at(location.element), linear.matrices().rest, k);
+  const system::ElementNodes node = group.nodes(at(location.element));
+  double force = 0.0;
+  for (std::size_t i = 0; i < 24; ++i)
+    for (std::size_t j = 0; j < 24; ++j)
+      force += k[24 * i + j] * motion[at(node[i / 3])][i % 3] / moved * motion[at(node[j / 3])][j % 3];
+  expect_reference("welds by area", "joint of a brick: force of its stiffness [N]", force, moved / (1.0 / brick + c),
+                   1e-3);
 }
 
 // ---- shells that are deleted
