@@ -193,6 +193,10 @@ TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
                    joined_sheets(c.sheets, c.welded) + "*INITIAL_VELOCITY_GENERATION\n" +
                    fields({2, 2, 0, 21000, -14000, 9000}) + fields({0}) + "*END\n");
     ASSERT_EQ(run.system().brick_joints.size(), c.joints) << c.name;
+    const bool said = std::ranges::any_of(run.findings().all(), [](const Finding& f) {
+      return f.text.find("2 welds share a sheet's nugget with another weld of their stack") != std::string::npos;
+    });
+    EXPECT_EQ(said, c.sheets == 3) << c.name;
     std::vector<Momenta> seen;
     double worst = 0.0, scale = 0.0;
     run.run([&](const impact::Snapshot& now) {
@@ -218,9 +222,10 @@ TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
 // One face of a brick moved along s: brick and joint in series, 1 / (L/GA + c), in the stiffness that modes and statics
 // take and in the stresses that they give. Sabotage: stresses of faces that follow their discs; c twice.
 TEST(WeldByArea, JointsOfBricksInLinearAnalyses) {
-  const LinearExperiment linear("*KEYWORD\n*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n"
-                                "*CONTROL_IMPLICIT_EIGENVALUE\n        20\n" +
-                                joined_sheets(2, cluster(1)) + "*END\n");
+  const LinearExperiment linear(
+      "*KEYWORD\n*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n"
+      "*CONTROL_IMPLICIT_EIGENVALUE\n        20\n" +
+      joined_sheets(2, cluster(1)) + "*END\n");
   const system::System& system = linear.system();
   ASSERT_EQ(system.brick_joints.size(), 1u);
   const weld::Weld& weld = system.ties.welds.at(0);

@@ -194,6 +194,7 @@ void report_joints(const model::Model& model, const Ties& ties, Findings& findin
   if (model.control.weld_tie != model::WeldTie::joint) return;
   std::size_t beams = 0, clusters = 0, flowing = 0;
   std::map<std::string, std::vector<const Weld*>> without;
+  std::vector<const Weld*> stacked;
   double most_in_plane = 0.0, most_bending = 0.0;
   const std::map<Index, int> welds_at = welds_at_nodes(ties);
   const std::vector<std::optional<Joint>> joints = joints_of(model, ties);
@@ -206,6 +207,11 @@ void report_joints(const model::Model& model, const Ties& ties, Findings& findin
     }
     const kernel::WeldJoint& joint = joints[w]->law;
     ++(weld.of_bricks() ? clusters : beams);
+    const auto shared = [&](Index node) { return welds_at.at(node) > 1; };
+    if (std::any_of(weld.face.begin(), weld.face.end(), [&](const std::vector<Index>& face) {
+          return disc_of(ties, face) != nullptr && std::any_of(face.begin(), face.end(), shared);
+        }))
+      stacked.push_back(&weld);
     flowing += joint.flows();
     most_in_plane = std::max(most_in_plane, joint.in_plane());
     most_bending = std::max(most_bending, joint.bending());
@@ -214,6 +220,15 @@ void report_joints(const model::Model& model, const Ties& ties, Findings& findin
                 fmt::format("{} weld beams and {} welds of bricks have joints, {} of them plastic; most flexibility in "
                             "the plane {:.3g} length/force, in bending {:.3g} 1/moment",
                             beams, clusters, flowing, most_in_plane, most_bending));
+  if (!stacked.empty())
+    findings.warning(
+        stacked.front()->place, keyword_of(*stacked.front()),
+        fmt::format("{} welds share a sheet's nugget with another weld of their stack, first of them {}: "
+                    "the joint of each goes by its own force, so a sheet in the middle that both pull the "
+                    "same way yields around the nugget too late",
+                    stacked.size(), name_weld(*stacked.front())),
+        "refine that sheet to elements of half the diameter, or judge such welds by their own forces only; "
+        "docs/evidence/weld_place.md has the errors of three sheets");
   for (const auto& [reason, welds] : without)
     findings.warning(welds.front()->place, keyword_of(*welds.front()),
                      fmt::format("{} weld{} of bricks, tied by area, without a joint, first of {}: {}", welds.size(),
