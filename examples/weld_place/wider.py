@@ -28,7 +28,16 @@ TIES = ("segment", "joint")
 COLOURS = {"segment": "#c33", "joint": "#181"}
 AIMS = {"lap": 0.05, "three": 0.05, "peel": 0.12, "cross": 0.12, "force": 0.08, "failure": 0.06}
 # By solids.py, its finer mesh: stiffness, N/mm; forces, N; work up to STRENGTH of the last of them, N mm.
-SOLIDS = {}
+SOLIDS = {
+    ("book", "lap"): (61990.0, (5457.0, 7802.0, 8856.0), 1910.0),
+    ("book", "peel"): (771.0, (363.0, 574.0, 706.0), 544.0),
+    ("book", "cross"): (1105.0, (561.0, 1034.0, 1271.0), 762.0),
+    ("book", "three"): (129700.0, (9460.0, 12512.0, 14289.0), 3244.0),
+    ("mild", "lap"): (40130.0, (2732.0, 3773.0, 4441.0), 1072.0),
+    ("mild", "peel"): (223.0, (103.0, 163.0, 201.0), 155.0),
+    ("mild", "cross"): (324.0, (167.0, 314.0, 407.0), 256.0),
+    ("mild", "three"): (84570.0, (4258.0, 5962.0, 6914.0), 1598.0),
+}
 
 
 def reference(coupon, kind, what):
