@@ -65,6 +65,22 @@ class WeldTie(CommandTest):
             self.assertGreater(float(rows["plain"][name]), 0.5)
         self.assertLess(float(rows["plain"]["hold_by_segment"]), float(rows["plain"]["hold_by_area"]))
 
+    def test_check_says_what_such_a_mesh_cannot_give(self):
+        """Nuggets of 6 and 3.5 on elements of 6, and one so small that nothing like it was measured."""
+        errors = {}
+        for diameter in (6.0, 3.5, 1.5):
+            self.write(deck(("       6.0       6.0       0.0", f"{diameter:10.1f}{diameter:10.1f}       0.0")))
+            run = self.nugget("check", "model.k", "-o", "joint", "--weld-tie", "joint")
+            self.assertIn("Welds with joints: 1. By coupons on such meshes their stiffness is within 5 % in lap for", run.stdout)
+            row = next(csv.DictReader(io.StringIO(self.read("joint/welds.csv"))))
+            errors[diameter] = [row[name] for name in ("error_lap", "error_peel", "error_cross", "error_force")]
+        self.assertTrue(all(float(e) > 0.0 for e in errors[6.0]))
+        self.assertGreater(float(errors[3.5][2]), float(errors[6.0][2]))
+        self.assertEqual(errors[1.5], [""] * 4)
+        self.assertIn("1 on elements larger than any that was measured", run.stdout)
+        self.nugget("check", "model.k", "-o", "area", "--weld-tie", "area")
+        self.assertNotIn("error_peel", self.read("area/welds.csv").splitlines()[0])
+
     def test_a_joint_by_option_or_card(self):
         """Coarse elements: the joint is softer than the area alone, elastic already, and says so."""
         self.write(deck(), "plain.k")
