@@ -37,6 +37,10 @@ SOLIDS = {
     ("mild", "peel"): (223.0, (103.0, 163.0, 201.0), 155.0),
     ("mild", "cross"): (324.0, (167.0, 314.0, 407.0), 256.0),
     ("mild", "three"): (84570.0, (4258.0, 5962.0, 6914.0), 1598.0),
+    ("strong", "lap"): (31540.0, (3489.0, 6060.0, 6519.0), 997.0),
+    ("strong", "peel"): (112.0, (56.0, 112.0, 205.0), 169.0),
+    ("strong", "cross"): (165.0, (87.0, 197.0, 349.0), 191.0),
+    ("strong", "three"): (66700.0, (6254.0, 8196.0, 8902.0), 1512.0),
 }
 
 
@@ -132,7 +136,7 @@ def table(rows):
 
 def by_hold(rows):
     """Largest errors with a joint over the reach of the ends."""
-    edges = (0.0, 1.4, 1.7, 2.0, 2.4, 2.7, 3.0, 4.0)
+    edges = (0.0, 1.7, 2.1, 2.8, 3.3, 4.5)
     print("\n| hold_by_area | " + " | ".join(f"{kind}, {what}" for kind in REACH for what in ("stiffness", "force", "work")) + " |")
     print("|---" * 13 + "|")
     for low, high in zip(edges, edges[1:]):
@@ -167,9 +171,9 @@ def draw(rows, path):
                 for n, tie in enumerate(TIES):
                     of = [r for r in rows if (r["kind"], r["mesh"], r["tie"]) == (kind, mesh, tie) and r["what"].startswith(what) and
                           not math.isnan(r["over_solids"])]
-                    for j, r in enumerate(of):
-                        x = x0 + 12 + m * 70 + n * 30 + 24.0 * j / max(1, len(of))
-                        out.append(f'<circle cx="{x:.1f}" cy="{at(r["over_solids"]):.1f}" r="2" fill="{COLOURS[tie]}" fill-opacity="0.6"/>')
+                    dots = "".join(f"M{x0 + 12 + m * 70 + n * 30 + 24.0 * j / max(1, len(of)):.1f} {at(r['over_solids']):.1f}h0"
+                                   for j, r in enumerate(of))
+                    out.append(f'<path d="{dots}" stroke="{COLOURS[tie]}" stroke-width="3.6" stroke-linecap="round" stroke-opacity="0.6"/>')
     for n, (tie, words) in enumerate((("segment", "tied by the element under the weld"), ("joint", "with a joint; band: the aim"))):
         out.append(f'<text x="{left + 230 * n}" y="14" fill="{COLOURS[tie]}">{words}</text>')
     path.write_text("\n".join(out + ["</svg>", ""]), encoding="utf-8")
