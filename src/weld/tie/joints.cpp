@@ -150,7 +150,26 @@ Curve rate_factor(const model::Material& material) {
   return counts ? factor : Curve{};
 }
 
-std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& ties, const Weld& weld) {
+namespace {
+
+/// What the laws of sheets answer to shear tests, once a material: there are many welds to few of them.
+class SheetTests {
+ public:
+  struct Answers {
+    Curve yield, rate_factor;
+  };
+  const Answers& of(const model::Model& model, Index material) {
+    const auto [found, is_new] = answers_.try_emplace(material);
+    if (is_new) found->second = {yield_at_rest(model.materials[material]), rate_factor(model.materials[material])};
+    return found->second;
+  }
+
+ private:
+  std::map<Index, Answers> answers_;
+};
+
+std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& ties, const Weld& weld,
+                                         SheetTests& tests) {
   std::vector<kernel::JointEnd> ends;
   for (const std::vector<Index>& face : weld.face) {
     const Tie* tie = disc_of(ties, face);
@@ -166,21 +185,29 @@ std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& 
          .thickness = model.shells.thickness[tie->shell],
          .diameter = weld.diameter,
          .reach = effective_radius(tie->disc.nodes, tie->disc.weights, ties.x, middle) / (0.5 * weld.diameter),
-         .yield = yield_at_rest(material),
-         .rate_factor = rate_factor(material)});
+         .yield = tests.of(model, model.parts[tie->part].material).yield,
+         .rate_factor = tests.of(model, model.parts[tie->part].material).rate_factor});
   }
   return ends;
+}
+
+}  // namespace
+
+std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& ties, const Weld& weld) {
+  SheetTests tests;
+  return joint_ends(model, ties, weld, tests);
 }
 
 std::vector<std::optional<Joint>> joints_of(const model::Model& model, const Ties& ties) {
   std::vector<std::optional<Joint>> joints(ties.welds.size());
   if (model.control.weld_tie != model::WeldTie::joint) return joints;
   const std::map<Index, int> welds_at = welds_at_nodes(ties);
+  SheetTests tests;
   for (std::size_t w = 0; w < joints.size(); ++w) {
     const Weld& weld = ties.welds[w];
     if (!may_be_joined(model, weld)) continue;
     if (weld.of_bricks() && !why_no_joint(model, ties, weld, welds_at).empty()) continue;
-    const std::vector<kernel::JointEnd> ends = joint_ends(model, ties, weld);
+    const std::vector<kernel::JointEnd> ends = joint_ends(model, ties, weld, tests);
     if (ends.empty()) continue;
     joints[w] = Joint{kernel::WeldJoint(ends)};
     if (!weld.of_bricks()) continue;
