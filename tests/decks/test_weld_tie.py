@@ -31,6 +31,23 @@ def layers():
     return text[:beam] + "\n".join(["*NODE", *nodes, "*ELEMENT_SOLID", *bricks, "*END", ""])
 
 
+def assembly():
+    """The lap joint with four bricks of ELFORM 2 that yield and fail one by one (EFAIL), an assembly by its card."""
+    nodes = [f"{401 + 9 * k + 3 * j + i:8d}{6.5 + 2.5 * i:16.4f}{6.5 + 2.5 * j:16.4f}{1.2 * k:16.4f}"
+             for k in range(2) for j in range(3) for i in range(3)]
+    bricks = []
+    for a in (401, 402, 404, 405):
+        base = (a, a + 1, a + 4, a + 3)
+        bricks.append(f"{41 + len(bricks):8d}{3:8d}" + "".join(f"{n:8d}" for n in (*base, *(n + 9 for n in base))))
+    text = deck(("*SECTION_BEAM\n         3         9       1.0         2       1.0\n       6.0       6.0       0.0       0.0\n",
+                 "*SECTION_SOLID\n         3         2\n"), ("     500.0    1000.0\n", "      60.0      10.0\n"),
+                ("       0.0    8000.0    6000.0    6000.0    9000.0    7000.0    7000.0", "      0.02"),
+                ("  2.00e-05\n*CONTROL_TIMESTEP", "  4.00e-04\n*CONTROL_TIMESTEP"))
+    beam = text.index("*ELEMENT_BEAM")
+    return text[:beam] + "\n".join(["*NODE", *nodes, "*ELEMENT_SOLID", *bricks, "*DEFINE_HEX_SPOTWELD_ASSEMBLY_4", f"{77:10d}",
+                                    "".join(f"{e:10d}" for e in range(41, 45)), "*END", ""])
+
+
 def with_card(text, card=CARD):
     return edited(text, ("*CONTROL_TERMINATION\n", card + "*CONTROL_TERMINATION\n"))
 
@@ -128,6 +145,16 @@ class WeldTie(CommandTest):
             first.append([m["frequency_hz"] for m in self.json(f"modes_{form}/summary.json")["modes"]])
         self.assertTrue(all(joint <= area * (1 + 1e-9) for area, joint in zip(*first)))
         self.assertLess(sum(first[1]), sum(first[0]))
+
+    def test_an_assembly_that_yields_and_fails(self):
+        self.write(assembly())
+        self.nugget("run", "model.k", "-o", "joint", "--weld-tie", "joint")
+        self.assertIn("0 weld beams and 1 welds of bricks have joints", self.read("joint/run.log"))
+        summary = self.json("joint/summary.json")
+        weld, = summary["weld"]
+        self.assertEqual((weld["id"], weld["failed"], weld["failure_mode"]), (77, True, "plastic strain"))
+        self.assertLess(abs(weld["peak"]["shear"] / (60.0 / 3.0 ** 0.5 * 25.0) - 1.0), 0.05)  # area 25; hardens by a hundredth
+        self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, delta=1e-6)
 
     def test_bricks_that_get_no_joint(self):
         self.write(layers())
