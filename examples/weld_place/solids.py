@@ -3,8 +3,8 @@
 
     python3 examples/weld_place/solids.py FOLDER [COUPON [CCX]]
 
-Runs both coupons on two meshes and prints stiffness and forces of each:
-what study.py compares with. A few minutes.
+Runs the coupons on two meshes and prints stiffness and forces of each, and the work up to the force at which the weld of
+wider.py fails: what study.py and wider.py compare with. Some ten minutes.
 """
 import math
 import pathlib
@@ -18,10 +18,13 @@ COUPONS = {"book": (1.5, 6.0, 300.0, 1500.0), "mild": (1.0, 5.0, 200.0, 2000.0),
 THICKNESS, DIAMETER, YIELD, PLASTIC = COUPONS["book"]
 WIDTH = 40.0
 OVERLAP = 20.0                               # from the weld to the end of a sheet
-REACH = {"lap": 50.0, "peel": 25.0}          # from the weld to the grips
-PULL = {"lap": 1, "peel": 3}                 # degree of freedom of the moving grip
+REACH = {"lap": 50.0, "peel": 25.0, "cross": 30.0, "three": 50.0}  # from the weld to the grips
+PULL = {"lap": 1, "peel": 3, "cross": 3, "three": 1}               # degree of freedom of the moving grip
+# Where forces are compared: displacements of the grip.
+DISPLACEMENTS = {"lap": (0.1, 0.3, 0.5), "peel": (0.5, 1.0, 2.0), "cross": (0.5, 1.0, 1.5), "three": (0.1, 0.3, 0.5)}
+STRENGTH = 0.9  # of the force at the last of these, at which the weld fails
 YOUNG, POISSON = 210000.0, 0.3
-STROKE = {"lap": 0.6, "peel": 2.2}
+STROKE = {"lap": 0.6, "peel": 2.2, "cross": 1.65, "three": 0.6}
 BOX = 8.0  # half the side of the square around the nugget from which on the mesh is rectangular
 
 
@@ -41,9 +44,17 @@ def half_ring(m):
     return points
 
 
-def planform(m, left, right):
+def extents(kind):
+    """Of each sheet, from below: how far it goes from the weld to -x, to x, to both sides of that."""
+    half, reach = WIDTH / 2.0, REACH[kind]
+    left, right = (reach, OVERLAP, half), (OVERLAP, reach, half)
+    return {"lap": (left, right), "peel": (left, left), "three": (left, right, left),
+            "cross": ((reach, reach, half), (half, half, reach))}[kind]
+
+
+def planform(m, left, right, half):
     """Patches of a sheet from x = -left to right, y from 0 to half its width, as grids of points."""
-    radius, core, half = DIAMETER / 2.0, 0.5 * DIAMETER / 2.0, WIDTH / 2.0
+    radius, core = DIAMETER / 2.0, 0.5 * DIAMETER / 2.0
     ring = half_ring(m)
     at = lambda points, u: points[round(u * 8 * m)]  # noqa: E731
     mix = lambda a, b, v: ((1 - v) * a[0] + v * b[0], (1 - v) * a[1] + v * b[1])  # noqa: E731
@@ -53,12 +64,13 @@ def planform(m, left, right):
     patches = [block(lambda u, v: (core * (2 * u - 1), core * v), 2 * m, m),
                block(lambda u, v: mix(at(inner, u), at(circle, u), v), 4 * m, max(1, m // 2)),
                block(lambda u, v: mix(at(circle, u), at(box, u), v), 4 * m, 2 * m, 1.4)]
-    rows = ((0.0, BOX, m, 1.0), (BOX, half, m, 1.3))
+    outer = max(m, round(m * (half - BOX) / 12.0))
+    rows = ((0.0, BOX, m, 1.0), (BOX, half, outer, 1.3))
     for low, high, count, power in rows:
         for sign, end in ((-1.0, left), (1.0, right)):
             n = max(2, round(m * (end - BOX) / 10.0))
             patches.append(block(lambda u, v: (sign * (BOX + (end - BOX) * u ** 1.3), low + (high - low) * v), n, count, power))  # noqa: B023
-    patches.append(block(lambda u, v: (BOX * (2 * u - 1), BOX + (half - BOX) * v), 2 * m, m, 1.3))
+    patches.append(block(lambda u, v: (BOX * (2 * u - 1), BOX + (half - BOX) * v), 2 * m, outer, 1.3))
     return patches
 
 
@@ -66,14 +78,15 @@ class Solids:
     def __init__(self, kind, m):
         self.kind, self.nodes, self.place, self.elements = kind, {}, [], []  # place: of each node
         layers = max(2, m // 2)
-        ends = {"lap": ((REACH[kind], OVERLAP), (OVERLAP, REACH[kind])), "peel": ((REACH[kind], OVERLAP),) * 2}[kind]
-        for sheet in (0, 1):
-            for patch in planform(m, *ends[sheet]):
+        self.sheets = extents(kind)
+        for sheet, size in enumerate(self.sheets):
+            for patch in planform(m, *size):
                 self.add(patch, sheet, layers)
 
     def node(self, x, y, z, sheet):
-        merged = abs(z) < 1e-9 and x * x + y * y < (0.5 * DIAMETER) ** 2 + 1e-6
-        key = (round(x, 5) + 0.0, round(y, 5) + 0.0, round(z, 5) + 0.0, 2 if merged else sheet)
+        between = any(abs(z - k * THICKNESS) < 1e-9 for k in range(len(self.sheets) - 1))
+        merged = between and x * x + y * y < (0.5 * DIAMETER) ** 2 + 1e-6
+        key = (round(x, 5) + 0.0, round(y, 5) + 0.0, round(z, 5) + 0.0, -1 if merged else sheet)
         if key not in self.nodes:
             self.nodes[key] = len(self.nodes) + 1
             self.place.append((x, y, z))
@@ -100,8 +113,8 @@ class Solids:
         for e, nodes in enumerate(self.elements):
             out += [",".join(map(str, [e + 1, *nodes[:9]])) + ",", ",".join(map(str, nodes[9:]))]
         grip = REACH[self.kind] - 1e-6
-        ends = [(x, sheet, n) for (x, _, _, sheet), n in self.nodes.items() if abs(x) > grip]
-        sets = {"HELD": [n for _, sheet, n in ends if sheet == 0], "PULLED": [n for _, sheet, n in ends if sheet == 1],
+        ends = [(sheet, n) for (x, y, _, sheet), n in self.nodes.items() if max(abs(x), y) > grip]
+        sets = {"HELD": [n for sheet, n in ends if sheet != 1], "PULLED": [n for sheet, n in ends if sheet == 1],
                 "MIDDLE": [n for (_, y, _, _), n in self.nodes.items() if abs(y) < 1e-9]}
         for name, nodes in sets.items():
             out.append(f"*NSET,NSET={name}")
@@ -145,6 +158,16 @@ def force(curve, displacement):
     return math.nan
 
 
+def work(curve, strength):
+    """Up to the displacement at which the force reaches `strength`."""
+    points, done = [(0.0, 0.0), *curve], 0.0
+    for (a, f), (b, g) in zip(points, points[1:]):
+        if g >= strength:
+            return done + 0.5 * (f + strength) * (b - a) * (strength - f) / (g - f)
+        done += 0.5 * (f + g) * (b - a)
+    return math.nan
+
+
 def main(folder, coupon="book", ccx="ccx"):
     global THICKNESS, DIAMETER, YIELD, PLASTIC
     THICKNESS, DIAMETER, YIELD, PLASTIC = COUPONS[coupon]
@@ -154,11 +177,13 @@ def main(folder, coupon="book", ccx="ccx"):
         for m in (2, 3):
             (u, f), = solve(kind, m, False, folder, ccx)
             print(f"{kind}, {len(Solids(kind, m).elements)} bricks: stiffness {f / u:.0f} N/mm", flush=True)
-    for kind, places in (("lap", (0.1, 0.3, 0.5)), ("peel", (0.5, 1.0, 2.0))):
+    for kind, places in DISPLACEMENTS.items():
         for m in (2, 3):
             curve = solve(kind, m, True, folder, ccx)
+            strength = STRENGTH * force(curve, places[-1])
             print(f"{kind}, {len(Solids(kind, m).elements)} bricks: " +
-                  ", ".join(f"{force(curve, u):.0f} N at {u:g} mm" for u in places), flush=True)
+                  ", ".join(f"{force(curve, u):.0f} N at {u:g} mm" for u in places) +
+                  f"; {work(curve, strength):.0f} N mm up to {strength:.0f} N", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """How much of a weld's stiffness and strength depends on where it stands in the mesh, by each form of tie.
 
-    python3 examples/weld_place/study.py NUGGET FOLDER [COUPON [SIZE ...]]
+    python3 examples/weld_place/study.py NUGGET FOLDER [--bricks N] [COUPON [SIZE ...]]
 
 A lap and a peel coupon, elements of 3 to 10 mm, seven places of the weld in its element, tied by the element under it, by area
 and with a joint (--weld-tie area, joint): stiffness by linear statics, forces beyond yield by explicit runs, over those of solids
 (solids.py, CalculiX); two materials and nuggets (solids.COUPONS). Writes FOLDER/place.csv and FOLDER/place.svg and prints a table.
-Finished runs are not repeated; all take about an hour on two cores.
+--bricks 1, 4 or 8: welds of so many bricks in place of beams. Finished runs are not repeated; all take about an hour on two cores.
 """
 import csv
 import json
@@ -17,16 +17,15 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from solids import COUPONS, OVERLAP, POISSON, PULL, REACH, WIDTH, YOUNG  # noqa: E402
+from solids import COUPONS, DISPLACEMENTS, POISSON, PULL, REACH, YOUNG, extents  # noqa: E402
 from writer import Deck  # noqa: E402
 
 SIZES = (3.0, 5.0, 6.0, 8.0, 10.0)
 # Share of an element by which the weld lies beyond a mesh line, along and across the sheets.
 PLACES = ((0.5, 0.5), (0.25, 0.5), (0.5, 0.25), (0.25, 0.25), (0.0, 0.5), (0.5, 0.0), (0.0, 0.0))
 FORMS = ("segment", "area", "joint")
-DISPLACEMENTS = {"lap": (0.1, 0.3, 0.5), "peel": (0.5, 1.0, 2.0)}  # of the grip, where forces beyond yield are compared [mm]
 COLOURS = ("#c33", "#16a", "#181")  # of the forms
-DURATION = {"lap": 0.004, "peel": 0.012}  # [s]
+DURATION = {"lap": 0.004, "peel": 0.012, "cross": 0.012, "three": 0.004}  # [s]
 # By solids.py: stiffness of its finer mesh, N/mm; its forces at the displacements above, N.
 SOLIDS = {
     ("book", "lap"): (61850.0, (5457.0, 7802.0, 8856.0)),
@@ -43,29 +42,41 @@ def mesh_lines(low, high, size, share):
     return [low] + [x for x in inner if low + 0.4 * size < x < high - 0.4 * size] + [high]
 
 
-def mesh(kind, size, place, thickness):
-    """Nodes, shells, held nodes, pulled nodes. The weld is at the origin."""
-    nodes, shells, grips = {}, {}, []
-    spans = {"lap": ((-REACH[kind], OVERLAP), (-OVERLAP, REACH[kind])), "peel": ((-REACH[kind], OVERLAP),) * 2}[kind]
-    across = mesh_lines(-WIDTH / 2.0, WIDTH / 2.0, size, place[1])
-    for sheet, (low, high) in enumerate(spans):
-        along = mesh_lines(low, high, size, place[0])
+UNLIKE = 1.4  # size of the elements of the second sheet over that of the others
+SKEW = 0.2    # how far nodes inside are moved, in sizes
+
+
+def mesh(kind, size, place, thickness, form="square"):
+    """Nodes, shells, held nodes, pulled nodes. The weld is at the origin. `form`: square, unlike (the second sheet has larger elements, and
+    the weld elsewhere in them) or skewed (nodes inside are moved by SKEW of the size)."""
+    nodes, shells, held, pulled = {}, {}, [], []
+    for sheet, (left, right, half) in enumerate(extents(kind)):
+        own, share = (UNLIKE * size, (place[1] + 0.3, place[0] + 0.4)) if form == "unlike" and sheet == 1 else (size, place)
+        # The cross's second sheet goes along y, and half is how far it goes there.
+        along = mesh_lines(-left, right, own, share[0] % 1.0)
+        across = mesh_lines(-half, half, own, share[1] % 1.0)
         number = lambda i, j: 10000 * (sheet + 1) + i * len(across) + j  # noqa: B023, E731
         for i, x in enumerate(along):
             for j, y in enumerate(across):
-                nodes[number(i, j)] = (x, y, (sheet - 0.5) * thickness)
+                inside = form == "skewed" and 0 < i < len(along) - 1 and 0 < j < len(across) - 1
+                dx, dy = (SKEW * size * math.sin(7.0 * i + 12.0 * j + sheet), SKEW * size * math.cos(11.0 * i + 5.0 * j + sheet)) if inside else (0, 0)
+                nodes[number(i, j)] = (x + dx, y + dy, (sheet - 0.5) * thickness)
         for i in range(len(along) - 1):
             for j in range(len(across) - 1):
                 shells[len(shells) + 1] = (sheet + 1, (number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)))
-        end = len(along) - 1 if kind == "lap" and sheet == 1 else 0
-        grips.append([number(end, j) for j in range(len(across))])
-    return nodes, shells, *grips
+        reach = REACH[kind] - 1e-6
+        ends = [number(i, j) for i, x in enumerate(along) for j, y in enumerate(across) if max(abs(x), abs(y)) > reach]
+        (pulled if sheet == 1 else held).extend(ends)
+    return nodes, shells, held, pulled
 
 
-def deck(coupon, kind, size, place, plastic):
+def deck(coupon, kind, size, place, plastic, bricks=0, form="square", strength=0.0):
+    """`bricks`: 1, 4 or 8 in place of the weld beam. `strength`: force at which a weld fails, whatever its direction; 0: none."""
     thickness, diameter, first_yield, modulus = COUPONS[coupon]
-    nodes, shells, held, pulled = mesh(kind, size, place, thickness)
-    nodes[7001], nodes[7002] = (0.0, 0.0, -thickness / 2.0), (0.0, 0.0, thickness / 2.0)
+    nodes, shells, held, pulled = mesh(kind, size, place, thickness, form)
+    sheets = len(extents(kind))
+    for sheet in range(sheets):
+        nodes[7001 + sheet] = (0.0, 0.0, (sheet - 0.5) * thickness)
     duration, stroke = DURATION[kind], 1.05 * DISPLACEMENTS[kind][-1]
     d = Deck()
     d.keyword("KEYWORD")
@@ -84,7 +95,7 @@ def deck(coupon, kind, size, place, plastic):
     d.card(hgen=2)
     d.keyword("CONTROL_SHELL")
     d.card(wrpang=20.0, esort=0, irnxx=-1, istupd=1 if plastic else 0)
-    for pid in (1, 2):
+    for pid in range(1, sheets + 1):
         d.part("sheet", pid=pid, secid=1, mid=1)
     d.keyword("SECTION_SHELL")
     d.card(secid=1, elform=2, shrf=0.8333, nip=5)
@@ -97,18 +108,21 @@ def deck(coupon, kind, size, place, plastic):
     else:
         d.keyword("MAT_ELASTIC")
         d.card(mid=1, ro=7.85e-9, e=YOUNG, pr=POISSON)
-    d.part("weld", pid=3, secid=3, mid=3)
+    d.part("weld", pid=9, secid=3, mid=3)
     d.keyword("SECTION_BEAM")
     d.card(secid=3, elform=9, shrf=1.0, qr=2, cst=1.0)
     d.card(ts1=diameter, ts2=diameter)
     d.keyword("MAT_SPOTWELD")
     d.card(mid=3, ro=7.85e-9, e=YOUNG, pr=POISSON, sigy=20000.0, eh=1000.0, dt=4.0e-7)
-    d.card(efail=0.0)
+    d.card(efail=0.0, nrr=strength, nrs=strength, nrt=strength)
+    if bricks:
+        d.keyword("CONTROL_SPOTWELD_BEAM")
+        d.card(lct=0, lcs=0, t_ort=0, prtflg=0, t_ors=0, rpbhx=bricks)
     d.keyword("SET_PART_LIST")
     d.card(sid=1)
-    d.ids([1, 2])
+    d.ids(range(1, sheets + 1))
     d.keyword("CONTACT_SPOTWELD")
-    d.card(surfa=3, surfb=1, surfatyp=3, surfbtyp=2)
+    d.card(surfa=9, surfb=1, surfatyp=3, surfbtyp=2)
     d.card(fs=None)
     d.card(sfsa=None)
     d.node_set(1, held)
@@ -131,7 +145,7 @@ def deck(coupon, kind, size, place, plastic):
         d.curve(1, [(0.0, 0.0), (1.0, 1.0)])
     d.nodes(nodes)
     d.shells(shells)
-    d.beams({7001: (3, (7001, 7002))})
+    d.beams({7001 + k: (9, (7001 + k, 7002 + k)) for k in range(sheets - 1)})
     return d
 
 
@@ -178,14 +192,15 @@ def forces(kind, results):
     return found
 
 
-def study(nugget, folder, coupons, sizes):
+def study(nugget, folder, coupons, sizes, bricks):
     for coupon in coupons:
-        for kind in REACH:
+        for kind in ("lap", "peel"):
             for plastic in (False, True):
                 for size in sizes:
                     for number, place in enumerate(PLACES):
-                        path = folder / f"{coupon}_{kind}_{'plastic' if plastic else 'elastic'}_{size:g}_{number}.k"
-                        deck(coupon, kind, size, place, plastic).write(path)
+                        welds = f"_{bricks}_bricks" if bricks else ""
+                        path = folder / f"{coupon}_{kind}_{'plastic' if plastic else 'elastic'}_{size:g}_{number}{welds}.k"
+                        deck(coupon, kind, size, place, plastic, bricks).write(path)
                         for form in FORMS:
                             results = run(nugget, path, form)
                             values = forces(kind, results) if plastic else [stiffness(results)]
@@ -244,10 +259,12 @@ def draw(rows, path):
     path.write_text("\n".join(out + ["</svg>", ""]), encoding="utf-8")
 
 
-def main(nugget, folder, coupon="", *sizes):
+def main(nugget, folder, *options):
+    bricks = int(options[1]) if options[:1] == ("--bricks",) else 0
+    coupon, *sizes = options[2 if bricks else 0:] or ("",)
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    rows = list(study(nugget, folder, [coupon] if coupon else COUPONS, [float(s) for s in sizes] or SIZES))
+    rows = list(study(nugget, folder, [coupon] if coupon else COUPONS, [float(s) for s in sizes] or SIZES, bricks))
     with open(folder / f"place{coupon}.csv", "w", encoding="ascii", newline="") as file:
         writer = csv.DictWriter(file, rows[0].keys())
         writer.writeheader()

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 #include "app/audit_table.hpp"
 #include "app/command.hpp"
@@ -21,6 +22,7 @@
 #include "output/column_units.hpp"
 #include "weld/tie/disc.hpp"
 #include "weld/tie/joints.hpp"
+#include "weld/tie/place_errors.hpp"
 
 namespace nugget::app {
 namespace {
@@ -66,8 +68,9 @@ void add_joints(PreparedDeck& p) {
   if (p.model.control.weld_tie != model::WeldTie::joint) return;
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const auto yield = [](double limit) { return limit < kernel::WeldJoint::never ? limit : nothing; };
+  const std::vector<std::optional<weld::Joint>> joints = weld::joints_of(p.model, p.ties);
   for (std::size_t w = 0; w < p.welds.size(); ++w) {
-    const auto joint = weld::joint_of(p.model, p.ties, p.ties.welds[w]);
+    const kernel::WeldJoint* joint = joints[w] ? &joints[w]->law : nullptr;
     const auto limit = joint && joint->flows() ? joint->limits(0.0) : std::array{nothing, nothing, nothing};
     p.welds[w].audit.emplace_back("joint_in_plane", joint ? joint->in_plane() : nothing);
     p.welds[w].audit.emplace_back("joint_bending", joint ? joint->bending() : nothing);
@@ -75,6 +78,36 @@ void add_joints(PreparedDeck& p) {
     p.welds[w].audit.emplace_back("joint_shear_yield", yield(limit[1]));
     p.welds[w].audit.emplace_back("joint_moment_yield", yield(limit[2]));
   }
+}
+
+/// What the place study found for welds with joints on such meshes: columns of welds.csv, and how many welds keep to
+/// the limits that a body model is held to.
+std::string add_place_errors(PreparedDeck& p) {
+  if (p.model.control.weld_tie != model::WeldTie::joint) return {};
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN(), of_lap = 0.05, of_bending = 0.12;
+  const std::vector<weld::Hold> holds = weld::holds(p.model, p.ties);
+  const std::vector<std::optional<weld::Joint>> joints = weld::joints_of(p.model, p.ties);
+  std::size_t joined = 0, lap = 0, peel = 0, cross = 0, unknown = 0;
+  for (std::size_t w = 0; w < p.welds.size(); ++w) {
+    const weld::PlaceErrors* errors = joints[w] ? weld::place_errors(holds[w].by_area) : nullptr;
+    p.welds[w].audit.emplace_back("error_lap", errors ? errors->lap : nothing);
+    p.welds[w].audit.emplace_back("error_peel", errors ? errors->peel : nothing);
+    p.welds[w].audit.emplace_back("error_cross", errors ? errors->cross : nothing);
+    p.welds[w].audit.emplace_back("error_force", errors ? errors->force : nothing);
+    joined += joints[w].has_value();
+    unknown += joints[w] && !errors;
+    if (!errors) continue;
+    lap += errors->lap <= of_lap;
+    peel += errors->peel <= of_bending;
+    cross += errors->cross <= of_bending;
+  }
+  if (joined == 0) return {};
+  return fmt::format(
+      "Welds with joints: {}. By coupons on such meshes their stiffness is within {:.0f} % in lap for {} of them, "
+      "within {:.0f} % in peel for {}, in cross tension for {}{}; error_lap, error_peel, error_cross, error_force in "
+      "welds.csv\n\n",
+      joined, 100.0 * of_lap, lap, 100.0 * of_bending, peel, cross,
+      unknown > 0 ? fmt::format("; {} on elements larger than any that was measured", unknown) : "");
 }
 
 /// Of a run that leaves nothing behind.
@@ -140,6 +173,7 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   }
   audit += add_holds(p);
   add_joints(p);
+  audit += add_place_errors(p);
   audit += ranks;
   audit += weld_table(p.model, p.ties, p.audit);
   audit +=

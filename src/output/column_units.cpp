@@ -90,6 +90,7 @@ std::span<const KnownColumn> known_columns() {
       {"welds.csv ", "joint_normal_yield", force},
       {"welds.csv ", "joint_shear_yield", force},
       {"welds.csv ", "joint_moment_yield", moment},
+      {"welds.csv ", "error_*", ratio},
       {"welds.csv ", "moved*", length},
       {"welds.csv ", "xi*", {"place on the segment, -1 to 1", dimension::number, {}}},
       {"welds.csv ", "eta*", {"place on the segment, -1 to 1", dimension::number, {}}},

@@ -71,7 +71,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   /// `connectivity`: system nodes of each element.
   BatchGroup(Element kernel, model::ElementKind k, model::Index p, std::vector<model::Index> elements,
              const std::vector<ElementNodes>& connectivity, std::span<const Vec3d> x)
-      : kernel_(std::move(kernel)) {
+      : kernel_(std::move(kernel)), inviscid_(without_viscosity(kernel_)) {
     kind = k;
     part = p;
     element = std::move(elements);
@@ -177,7 +177,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   /// The kernel's forces after a step with unit velocity in one freedom, a freedom a lane. The step is so short that it
   /// moves nothing and meets no yield, and a power of two: what is left is the exact derivative (docs/decisions/0017).
-  void stiffness(std::size_t e, const State& start, std::span<double> k) const override {
+  void own_stiffness(std::size_t e, const State& start, std::span<double> k) const override {
     if constexpr (requires { kernel_.stiffness(reader(e), places(e, start), k); }) {
       kernel_.stiffness(reader(e), places(e, start), k);
       return;
@@ -198,7 +198,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
         motion.v[a] = unit_motion(first - a * per_node);
         if constexpr (Element::rotational) motion.w[a] = unit_motion(first - a * per_node - 3);
       }
-      const auto out = kernel_.template cycle<R>(motion, no_step, scratch.data());
+      const auto out = inviscid_.template cycle<R>(motion, no_step, scratch.data());
       for (int l = 0; l < std::min(width, size - first); ++l)
         for (int a = 0; a < corners; ++a) {
           double* column = &k[a * per_node * size + first + l];
@@ -267,12 +267,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       // less half of K.
       add(out, 0.5, stiffer);
       add(forces(kernel_, -1.0, dt), -0.5, stiffer);
-      add(forces(*inviscid_, 1.0, dt), -0.5, stiffer);
+      add(forces(inviscid_, 1.0, dt), -0.5, stiffer);
     }
   }
 
   void store_reference_state() override {
-    if (inviscid_) return;
+    if (reference_kept_) return;
+    reference_kept_ = true;
     for (int i = 0; i < state_size(); ++i) {
       const auto holds = [this, i](std::size_t b) {
         const N* values = state(b * width) + i * width;
@@ -289,10 +290,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
         const N* values = state(b * width) + i * width;
         reference_state_.insert(reference_state_.end(), values, values + width);
       }
-    if constexpr (requires { kernel_.inviscid(); })
-      inviscid_.emplace(kernel_.inviscid());
-    else
-      inviscid_.emplace(kernel_);
   }
   void archive(Archive& a) override {
     ElementGroup::archive(a);
@@ -301,7 +298,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     a(energy_, step_);
     if (a.reading())
       for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
-    a.built(kernel_, nodes_, reference_fields_, inviscid_, mass_, inertia_, imposed_);
+    a.built(kernel_, nodes_, reference_fields_, reference_kept_, inviscid_, mass_, inertia_, imposed_);
   }
 
   ElementNodes nodes(std::size_t e) const override {
@@ -343,6 +340,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   double stable_step(std::size_t e) const override { return step_[e]; }
   double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }
+  void add_internal_energy(std::size_t e, double work) override { energy_[e] += work; }
   double hourglass_energy(std::size_t e) const override {
     if constexpr (Element::Layout::hourglass_energy < 0) return 0.0;
     return field(e, Element::Layout::hourglass_energy);
@@ -622,7 +620,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     const R alive_field = real_load<R>(state(b * width) + Element::Layout::alive * width);
     real_store(&scratch[Element::Layout::alive * width], alive_field);
     for (int a = 0; a < corners; ++a) motion.x[a] = motion.x[a] - R(0.5 * dt) * motion.v[a];
-    const auto out = inviscid_->template cycle<R>(motion, no_step, scratch.data());
+    const auto out = inviscid_.template cycle<R>(motion, no_step, scratch.data());
 
     R step;
     for (int l = 0; l < width; ++l) set_lane(step, l, step_[b * width + at(l)]);
@@ -685,13 +683,20 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     set_lane(to.z, l, nugget::lane(from.z, l));
   }
 
-  Element kernel_;
-  std::vector<int> nodes_;  ///< block by block, node by node, lane by lane
+  static Element without_viscosity(const Element& kernel) {
+    if constexpr (requires { kernel.inviscid(); })
+      return kernel.inviscid();
+    else
+      return kernel;
+  }
+
+  Element kernel_, inviscid_;  ///< the second without viscous forces
+  std::vector<int> nodes_;     ///< block by block, node by node, lane by lane
   Numbers state_;
   AlignedReals energy_, step_;
   std::vector<int> reference_fields_;  ///< of the state, those that are not 0 in all elements free of stress
   Numbers reference_state_;            ///< their values, block by block, field by field; empty where they were not kept
-  std::optional<Element> inviscid_;    ///< the kernel without viscous forces; kept with it
+  bool reference_kept_ = false;
   std::vector<double> mass_, inertia_;
   std::vector<ImposedStress> imposed_;  ///< by rising element; given anew before each cycle
 };

@@ -59,9 +59,11 @@ void System::make_weld_beams(Findings& findings) {
   const std::vector<bool> deleted = deleted_with_welds(false);
   std::vector<bool> untwistable(model.beams.size(), false), held(model.beams.size(), true);
   std::vector<std::optional<kernel::WeldJoint>> joints(model.beams.size());
-  for (const weld::Weld& w : ties.welds) {
+  const std::vector<std::optional<weld::Joint>> joint_of_weld = weld::joints_of(model, ties);
+  for (std::size_t i = 0; i < ties.welds.size(); ++i) {
+    const weld::Weld& w = ties.welds[i];
     if (w.kind != weld::Weld::Kind::beam) continue;
-    joints[w.element] = weld::joint_of(model, ties, w);
+    if (joint_of_weld[i]) joints[w.element] = joint_of_weld[i]->law;
     untwistable[w.element] = free_to_twist(model, w);
     held[w.element] = weld::scaled_to_the_step_of_the_run(model, w);
   }

@@ -54,6 +54,8 @@ class ConstraintMap {
   /// Gives a row of turn `whole` with a corner for each term other weights, adding up to 1, while the model moves: the
   /// dependent node stays where it is, its arm begins at the new centre.
   void set_weights(int dependent, std::span<const double> weights);
+  /// Moves a dependent node that follows by a spin of corners against what it follows; its arm ends where it stands.
+  void slide(int dependent, const Vec3d& by) { rows_[row_of_[dependent]].arm += by; }
   /// Releases a dependent node; from then on it is independent.
   void remove(int node);
 

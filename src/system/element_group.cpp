@@ -23,6 +23,13 @@ double ElementGroup::wanted_mass_scale(std::size_t e) {
   return raised(wanted, mass_step);
 }
 
+void ElementGroup::stiffness(std::size_t e, const State& start, std::span<double> k) const {
+  own_stiffness(e, start, k);
+  const auto change = softening_.find(e);
+  if (change == softening_.end()) return;
+  for (std::size_t i = 0; i < k.size(); ++i) k[i] += change->second[i];
+}
+
 void ElementGroup::vibrate(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
                            std::span<Row> slots) const {
   const std::size_t nodes_of_one = at(nodes_per_element), per_node = at(freedoms()),
@@ -62,7 +69,7 @@ int elements_at_a_time() {
 void ElementGroup::archive(Archive& a) {
   a(deletions, inverted, step_share, period, physical_mass_scale_);
   a.built(block_step, kind, part, element, nodes_per_element, weld, rotational, first_slot, single_slots, damping_share,
-          damping_time, damping_stiffness_ratio, mass_step, physical_mass_step);
+          damping_time, damping_stiffness_ratio, mass_step, physical_mass_step, softening_);
 }
 
 }  // namespace nugget::system

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -79,7 +80,10 @@ class ElementGroup {
   /// element for a unit motion of freedom j, d f_i / d u_j, global axes, freedoms node by node. It comes out of the
   /// cycle's own kernel, so that modes and impact cannot disagree; what a kernel resists by viscosity is not in it.
   /// `k` holds (nodes_per_element freedoms())^2 numbers.
-  virtual void stiffness(std::size_t e, const State& start, std::span<double> k) const = 0;
+  void stiffness(std::size_t e, const State& start, std::span<double> k) const;
+  /// What a joint in series with a weld of bricks takes away from the stiffness of one of them, to be added to it
+  /// (System::BrickJoint).
+  void soften(std::size_t e, std::vector<double> change) { softening_[e] = std::move(change); }
   /// Likewise d f_i / d v_j of the dashpots in element e; false, and `c` as it was, where there is none.
   virtual bool viscosity(std::size_t, const State&, std::span<double>) const { return false; }
 
@@ -106,6 +110,8 @@ class ElementGroup {
   virtual double stable_step(std::size_t e) const = 0;      ///< before TSSFAC, mass scaling included; of the last cycle
   virtual double internal_energy(std::size_t e) const = 0;  ///< hourglass work not included
   virtual double hourglass_energy(std::size_t e) const = 0;
+  /// Books work that something in series with element e took up as its internal energy.
+  virtual void add_internal_energy(std::size_t, double) {}
   /// Work done against bulk viscosity so far; a part of the internal energy.
   virtual double bulk_viscosity_work(std::size_t) const { return 0.0; }
   virtual double mass(std::size_t e) const = 0;  ///< physical, of the whole element
@@ -195,7 +201,11 @@ class ElementGroup {
   double wanted_mass_scale(std::size_t e);
 
  private:
+  /// That of the element's own kernel.
+  virtual void own_stiffness(std::size_t e, const State& start, std::span<double> k) const = 0;
+
   std::vector<double> physical_mass_scale_;
+  std::map<std::size_t, std::vector<double>> softening_;  ///< by element
 };
 
 }  // namespace nugget::system

@@ -16,6 +16,7 @@ void System::make_groups(Findings& findings) {
   make_shells();
   make_bricks();
   make_weld_beams(findings);
+  make_brick_joints();
   make_springs();
   for (const auto& group : groups) {
     if (group->weld && group->step_share == 1.0) continue;

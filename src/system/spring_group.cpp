@@ -154,7 +154,7 @@ void SpringGroup::set_bound(std::size_t e, double inverse_mass, double stiffness
   if (s.alive) smallest = std::min(smallest, s.step);
 }
 
-void SpringGroup::stiffness(std::size_t e, const State&, std::span<double> k) const {
+void SpringGroup::own_stiffness(std::size_t e, const State&, std::span<double> k) const {
   along_line(e, law_.initial_stiffness(), k);
 }
 

@@ -33,7 +33,7 @@ class SpringGroup final : public ElementGroup {
   std::size_t slot_rows() const override { return blocks() * width * at_each_node() * (rotational ? 2 : 1); }
   void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots,
              std::span<Row> damping) override;
-  void stiffness(std::size_t e, const State& start, std::span<double> k) const override;
+  void own_stiffness(std::size_t e, const State& start, std::span<double> k) const override;
   bool viscosity(std::size_t e, const State& start, std::span<double> c) const override;
   void store_reference_state() override {}
 

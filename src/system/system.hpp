@@ -17,6 +17,7 @@
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_joint.hpp"
 #include "model/model.hpp"
+#include "system/brick_joint.hpp"
 #include "system/constraint_map.hpp"
 #include "system/element_group.hpp"
 #include "system/rigid_body.hpp"
@@ -81,6 +82,11 @@ class System {
   void transfer_dependent_mass();
 
   std::vector<std::unique_ptr<ElementGroup>> groups;
+  /// Of welds of bricks; the joints of weld beams are in their groups.
+  std::vector<BrickJoint> brick_joints;
+  /// In a small motion of all nodes (by system node): moves the end faces of bricks with joints against their discs as
+  /// far as their elastic joints do.
+  void slide_brick_faces(std::vector<Row>& motion) const;
 
   /// Where a model element stands; group -1 for elements that have no kernel (rigid parts, MAT_NULL, deleted welds).
   struct ElementLocation {
@@ -253,6 +259,7 @@ class System {
   /// DT of the weld material, and DT2MS for welds that are held by sheets, or not.
   void scale_weld_mass(ElementGroup& group, const kernel::Spotweld& law, bool held) const;
   void make_weld_beams(Findings& findings);
+  void make_brick_joints();
   void make_springs();
   void add_beams(std::size_t part, const std::vector<model::Index>& chosen);
   void add_discrete_beams(std::size_t part, const std::vector<model::Index>& chosen, Findings& findings);

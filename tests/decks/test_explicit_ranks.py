@@ -159,6 +159,10 @@ class ExplicitRanks(RepeatedRuns):
     def test_a_weld_that_fails(self):
         self.compare_ranks(lap_joint(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0")), ranks=((2, 1),))
 
+    def test_a_weld_of_bricks_with_a_joint(self):
+        bricks = "*CONTROL_SPOTWELD_BEAM\n         0         0         0         0         0         4\n"
+        self.compare_ranks(lap_joint(("*CONTROL_TERMINATION\n", bricks + "*CONTROL_TERMINATION\n")), "--weld-tie", "joint")
+
     def test_restart_files_with_other_numbers_of_ranks(self):
         """Two ranks, three, one process."""
         for name, text, options in (("tube", tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4), ()), ("lap joint", lap_joint(), ("--max-cycles", 600))):

@@ -11,19 +11,20 @@ from nugget_command import NUGGET, SOURCE, CommandTest
 
 sys.path.insert(0, str(SOURCE / "examples" / "weld_place"))
 import study  # noqa: E402
+import wider  # noqa: E402
 
 PLACES = ((0.5, 0.5), (0.25, 0.25), (0.0, 0.0))
 
 
 class WeldJoint(CommandTest):
-    def over_solids(self, coupon, kind, size, form, plastic):
-        """Least and largest of three places, a pair for each displacement."""
+    def over_solids(self, coupon, kind, size, form, plastic, bricks=0, mesh="square"):
+        """Least and largest of three places, a pair for each displacement. `bricks`: in place of the weld beam."""
         found = []
         for number, place in enumerate(PLACES):
-            path = self.folder / f"{coupon}_{kind}_{size:g}_{number}_{plastic}.k"
-            study.deck(coupon, kind, size, place, plastic).write(path)
+            path = self.folder / f"{coupon}_{kind}_{size:g}_{number}_{plastic}_{bricks}_{mesh}.k"
+            study.deck(coupon, kind, size, place, plastic, bricks, mesh).write(path)
             results = study.run(NUGGET, path, form)
-            stiffness, forces = study.SOLIDS[coupon, kind]
+            stiffness, forces, _ = wider.SOLIDS[coupon, kind]
             values = study.forces(kind, results) if plastic else [study.stiffness(results)]
             found.append([v / s for v, s in zip(values, forces if plastic else [stiffness])])
         return [(min(column), max(column)) for column in zip(*found)]
@@ -38,6 +39,29 @@ class WeldJoint(CommandTest):
             with self.subTest(coupon=coupon, size=size):
                 self.assertWithin(self.over_solids(coupon, "lap", size, "joint", False), 0.94, 1.07)
         self.assertGreater(self.over_solids("book", "lap", 8.0, "area", False)[0][1], 1.08)
+
+    def test_welds_of_bricks(self):
+        """One, four and eight bricks, elements of 8 mm; peel too, whose moment goes through the joint."""
+        for bricks in (1, 4, 8):
+            with self.subTest(bricks=bricks):
+                self.assertWithin(self.over_solids("book", "lap", 8.0, "joint", False, bricks), 0.94, 1.07)
+                self.assertWithin(self.over_solids("book", "lap", 8.0, "joint", True, bricks)[1:], 0.9, 1.15)
+                self.assertWithin(self.over_solids("book", "peel", 8.0, "joint", True, bricks)[1:], 0.9, 1.15)
+        self.assertGreater(self.over_solids("book", "lap", 8.0, "area", True, 4)[1][1], 1.3)
+        self.assertGreater(self.over_solids("book", "peel", 8.0, "area", True, 4)[1][1], 1.3)
+
+    def test_unlike_and_skewed_meshes(self):
+        for mesh in ("unlike", "skewed"):
+            with self.subTest(mesh=mesh):
+                self.assertWithin(self.over_solids("book", "lap", 5.0, "joint", False, mesh=mesh), 0.94, 1.06)
+                self.assertWithin(self.over_solids("strong", "lap", 8.0, "joint", True, mesh=mesh)[1:], 0.92, 1.08)
+        self.assertGreater(self.over_solids("strong", "lap", 8.0, "segment", True, mesh="unlike")[1][1], 1.15)
+
+    def test_cross_tension_and_three_sheets(self):
+        self.assertWithin(self.over_solids("strong", "cross", 5.0, "joint", False), 0.95, 1.05)
+        self.assertWithin(self.over_solids("book", "cross", 5.0, "joint", True), 0.92, 1.08)
+        self.assertWithin(self.over_solids("book", "three", 8.0, "joint", False), 0.92, 1.05)
+        self.assertLess(self.over_solids("book", "three", 5.0, "segment", False)[0][0], 0.85)
 
     def test_force_of_laps_beyond_yield(self):
         for coupon in ("book", "mild"):

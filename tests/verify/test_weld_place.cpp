@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "brick_decks.hpp"
 #include "deck/moved_nodes.hpp"
 #include "linear.hpp"
+#include "nvh/matrices/stresses.hpp"
 #include "nvh/statics/statics.hpp"
 #include "reading/build.hpp"
 #include "weld/placement/adapt.hpp"
@@ -140,6 +142,113 @@ TEST(WeldByArea, FreeAssemblyKeepsMomentumAndEnergy) {
   expect_reference("welds by area", "free assembly: drift of the angular momentum in 10,000 cycles", turn, 0.0, 1e-9,
                    1.0);
   expect_reference("welds by area", "free assembly: energy balance in 10,000 cycles", worst / scale, 0.0, 1e-9, 1.0);
+}
+
+/// Sheets of 3 x 3 shells of 10 mm that yield, 1 mm apart, and the weld `welded` between or through them; joints.
+std::string joined_sheets(int sheets, const std::string& welded) {
+  std::string deck = "*NUGGET_WELD_TIE\n         2\n";
+  for (int s = 0; s < sheets; ++s)
+    deck += "*PART\nsheet\n" + fields({s + 1.0, s + 1.0, s + 1.0}) + "*SECTION_SHELL\n" +
+            fields({s + 1.0, 2, 0.8333, 3}) + fields({1, 1, 1, 1}) + "*MAT_PLASTIC_KINEMATIC\n" +
+            fields({s + 1.0, 7.85e-9, 210000.0, 0.3, 200.0, 1000.0}) + fields({0, 0, 0}) +
+            SheetMesh{.first = 1 + 100 * s, .part = s + 1, .corner = {0, 0, 1.0 * s}, .nx = 3, .ny = 3}.text();
+  return deck + welded +
+         weld_contact_to_set(9, sheets == 2 ? std::initializer_list<int>{1, 2} : std::initializer_list<int>{1, 2, 3});
+}
+
+std::string cluster(int bricks) {
+  return weld_part(9, {.length = 1.0, .yield = 1e9}) + "*CONTROL_SPOTWELD_BEAM\n" +
+         fields({0, 0, 0, 0, 0, double(bricks)}) + beam_between(901, 9, 901, {17, 14, 0}, 902, {17, 14, 1});
+}
+/// Bricks of 4 x 4 x 1 on each other, whose nodes in the middle lie on the second sheet.
+std::string stacked_bricks() {
+  std::string nodes = "*NODE\n", elements = "*ELEMENT_SOLID\n";
+  for (int level = 0; level < 3; ++level)
+    for (int c = 0; c < 4; ++c)
+      nodes +=
+          node_line(901 + 4 * level + c, 15.0 + (c == 1 || c == 2 ? 4.0 : 0.0), 12.0 + (c >= 2 ? 4.0 : 0.0), level);
+  for (int b = 0; b < 2; ++b) {
+    const int n = 901 + 4 * b;
+    elements += element_line(901 + b, 9, {n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7});
+  }
+  return brick_part(9, {.yield = 1e9}) + nodes + elements;
+}
+
+// Bricks whose end faces slide on their discs, loaded far beyond what makes the joints flow. Sabotage: the arms of the
+// faces' nodes left behind where they slide; the joints' work left out of the weld's energy; a face that two welds have
+// moved by both.
+TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
+  struct Case {
+    const char* name;
+    int sheets;
+    std::string welded;
+    std::size_t joints;
+  };
+  const double dt = 1.0e-7;
+  for (const Case& c : {Case{"one brick", 2, cluster(1), 1},
+                        {"four bricks", 2, cluster(4), 1},
+                        {"eight bricks", 2, cluster(8), 1},
+                        {"a brick on a brick, three sheets", 3, stacked_bricks(), 2}}) {
+    Experiment run("*KEYWORD\n" + termination(8000 * dt, 0.9, 0.0, 90) + curve(90, {{0, dt}, {1, dt}}) +
+                   joined_sheets(c.sheets, c.welded) + "*INITIAL_VELOCITY_GENERATION\n" +
+                   fields({2, 2, 0, 21000, -14000, 9000}) + fields({0}) + "*END\n");
+    ASSERT_EQ(run.system().brick_joints.size(), c.joints) << c.name;
+    const bool said = std::ranges::any_of(run.findings().all(), [](const Finding& f) {
+      return f.text.find("2 welds share a sheet's nugget with another weld of their stack") != std::string::npos;
+    });
+    EXPECT_EQ(said, c.sheets == 3) << c.name;
+    std::vector<Momenta> seen;
+    double worst = 0.0, scale = 0.0;
+    run.run([&](const impact::Snapshot& now) {
+      if (now.state.cycle % 50 != 0) return;
+      seen.push_back(momenta(now));
+      scale = std::max(scale, now.energy.initial);
+      worst = std::max(worst, std::abs(now.energy.total() - now.energy.initial));
+    });
+    for (std::size_t weld = 0; weld < c.joints; ++weld)
+      EXPECT_GT(run.simulation().components().welds.joints().plastic_work(weld), 10.0) << c.name;
+    double drift = 0.0, turn = 0.0;
+    for (const Momenta& m : seen) {
+      drift = std::max(drift, norm(m.linear - seen[0].linear) / norm(seen[0].linear));
+      turn = std::max(turn, norm(m.angular - seen[0].angular) / norm(seen[0].angular));
+    }
+    const std::string which = std::string("joints of ") + c.name + ": ";
+    expect_reference("welds by area", which + "drift of the linear momentum in 8,000 cycles", drift, 0.0, 1e-12, 1.0);
+    expect_reference("welds by area", which + "drift of the angular momentum in 8,000 cycles", turn, 0.0, 1e-9, 1.0);
+    expect_reference("welds by area", which + "energy balance in 8,000 cycles", worst / scale, 0.0, 1e-6, 1.0);
+  }
+}
+
+// One face of a brick moved along s: brick and joint in series, 1 / (L/GA + c), in the stiffness that modes and statics
+// take and in the stresses that they give. Sabotage: stresses of faces that follow their discs; c twice.
+TEST(WeldByArea, JointsOfBricksInLinearAnalyses) {
+  const LinearExperiment linear(
+      "*KEYWORD\n*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n"
+      "*CONTROL_IMPLICIT_EIGENVALUE\n        20\n" +
+      joined_sheets(2, cluster(1)) + "*END\n");
+  const system::System& system = linear.system();
+  ASSERT_EQ(system.brick_joints.size(), 1u);
+  const weld::Weld& weld = system.ties.welds.at(0);
+  const double area = 0.25 * 3.14159265358979 * 36.0, brick = 210000.0 / 2.6 * area;  // length 1
+  const double c = system.brick_joints[0].joint.law.in_plane(), moved = 1e-3;
+  ASSERT_GT(c * brick, 1.0);
+  std::vector<nvh::SixDof> motion(system.all_nodes());
+  for (const model::Index n : weld.face[1]) motion[at(system.node_of[n])] = {moved, 0, 0, 0, 0, 0};
+  const system::System::ElementLocation location = system.location_of(weld, weld.element);
+  const nvh::ElasticStresses stresses(system, motion);
+  expect_reference("welds by area", "joint of a brick: shear stress times area [N]",
+                   std::abs(stresses.stress(location, 0)[5]) * area, moved / (1.0 / brick + c), 1e-3);
+
+  const system::ElementGroup& group = *system.groups[at(location.group)];
+  std::vector<double> k(24 * 24);
+  group.stiffness(at(location.element), linear.matrices().rest, k);
+  const system::ElementNodes node = group.nodes(at(location.element));
+  double force = 0.0;
+  for (std::size_t i = 0; i < 24; ++i)
+    for (std::size_t j = 0; j < 24; ++j)
+      force += k[24 * i + j] * motion[at(node[i / 3])][i % 3] / moved * motion[at(node[j / 3])][j % 3];
+  expect_reference("welds by area", "joint of a brick: force of its stiffness [N]", force, moved / (1.0 / brick + c),
+                   1e-3);
 }
 
 // ---- shells that are deleted

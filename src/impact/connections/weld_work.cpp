@@ -34,6 +34,10 @@ void WeldWork::add_step(const system::System& system, const system::State& state
   if (std::abs(passed()) > std::abs(most_)) most_ = passed();
 }
 
+void WeldWork::add(const std::array<double, 2>& at_end) {
+  for (std::size_t end = 0; end < 2; ++end) taken_[end] += at_end[end];
+}
+
 void WeldWork::reset() {
   taken_ = {};
   most_ = 0.0;

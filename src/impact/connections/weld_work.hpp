@@ -23,6 +23,8 @@ class WeldWork {
 
   /// To be called once a cycle, after the forces of the elements, while the weld holds.
   void add_step(const system::System& system, const system::State& state);
+  /// Work that a joint between an end and its sheet took from there in the last cycle.
+  void add(const std::array<double, 2>& at_end);
   void reset();
 
   double passed() const {

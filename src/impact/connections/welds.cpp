@@ -83,7 +83,8 @@ void Welds::Bricks::gather(const system::System& system, const system::State& st
   for (const Corner& c : corners) force[c.node] += system.nodal_force(c.location, c.corner);
 }
 
-Welds::Welds(system::System& system, Findings& findings) : system_(system), death_time_(first_deaths(system)) {
+Welds::Welds(system::System& system, Findings& findings)
+    : system_(system), joints_(system), death_time_(first_deaths(system)) {
   for (const weld::Weld& w : system.ties.welds) {
     histories_.emplace_back();
     bricks_.emplace_back();
@@ -101,6 +102,7 @@ Welds::Welds(system::System& system, Findings& findings) : system_(system), deat
 }
 
 void Welds::update(const system::State& state) {
+  for (const BrickJoints::Work& joint : joints_.book()) works_[joint.weld].add(joint.at_end);
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     weld::History* history = histories_[i].get();
     if (history == nullptr || history->failed()) continue;
@@ -244,7 +246,7 @@ void Welds::Bricks::archive(Archive& a) {
 }
 
 void Welds::archive(Archive& a) {
-  a(histories_, bricks_, works_, failed_, events_);
+  a(histories_, bricks_, works_, joints_, failed_, events_);
   a.built(system_, death_time_);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "impact/connections/brick_joints.hpp"
 #include "impact/connections/weld_work.hpp"
 #include "system/system.hpp"
 #include "weld/failure/brick_section.hpp"
@@ -20,6 +21,9 @@ class Welds {
   /// The system must outlive it. Findings: what a weld lacks for the failure function that its material asks for.
   Welds(system::System& system, Findings& findings);
 
+  /// To be called once a cycle, before nodes move: the joints of welds of bricks.
+  void open_joints(system::State& state) { joints_.open(state); }
+  const BrickJoints& joints() const { return joints_; }
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
 
@@ -89,6 +93,7 @@ class Welds {
   std::vector<std::unique_ptr<weld::History>> histories_;
   std::vector<std::unique_ptr<Bricks>> bricks_;  ///< null for other welds
   std::vector<WeldWork> works_;
+  BrickJoints joints_;
   std::vector<double> death_time_;  ///< of *DEFINE_ELEMENT_DEATH; infinite: none [time]
   int failed_ = 0;
   std::vector<std::string> events_;

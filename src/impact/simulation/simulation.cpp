@@ -275,6 +275,7 @@ void Simulation::step() {
   components_.supports.book_opening_work(state_.dt);
   components_.stoppers.book_opening_work(state_.dt);
   system_.map.apply_to_velocities(state_.dt, state_.v, state_.w);
+  components_.welds.open_joints(state_);
   components_.accelerometers.add_step(state_);
   add_time(constraints);
   move();

@@ -19,9 +19,9 @@ struct JointEnd {
   Curve rate_factor;         ///< on it, over the plastic strain rate [1/time]; empty: none
 };
 
-/// The joint of a weld, in series with its beam: the deformation around the nugget that sheets lack whose elements are
-/// too large to show it. Elastic flexibilities and one yield surface with hardening by plastic work, the same for all
-/// loads,
+/// The joint of a weld, in series with its beam or its bricks: the deformation around the nugget that sheets lack whose
+/// elements are too large to show it. Elastic flexibilities and one yield surface with hardening by plastic work, the
+/// same for all loads,
 ///     (<N>/N0)^2 + (V/V0)^2 + (M/M0)^2 <= 1,    N0, V0, M0 functions of that work w,
 /// N the normal force (of tension only), V the shear, M the bending moment at the weld's middle; flow is normal to it.
 /// The surface is convex; its pure loads are those of docs/theory/ties.md#joint. The twist is not a joint's matter.
@@ -40,15 +40,17 @@ class WeldJoint {
   static constexpr double never = 1e30;  ///< a limit of what does not flow: the mesh shows it, or the sheet is elastic
   explicit WeldJoint(std::span<const JointEnd> ends);
 
+  /// Elastic, of each freedom on its own.
+  const Freedoms& flexibility() const { return flexibility_; }
   double in_plane() const { return flexibility_[1]; }  ///< [length/force]
   double bending() const { return flexibility_[3]; }   ///< [1/moment]
   bool flows() const { return flows_; }
   /// N0, V0 and M0 after a plastic work, at rest [force, moment].
   std::array<double, 3> limits(double work) const;
 
-  /// Advances the joint of a beam that has the forces `force` and the elastic stiffness `stiffness` by `moved`, what
-  /// both together move in a step, and returns what of it the beam gets. Exact for an elastic beam (implicit, to
-  /// round-off); for one that yields the forces of both meet in the cycles after.
+  /// Advances the joint of a weld that has the forces `force` and the elastic stiffness `stiffness` by `moved`, what
+  /// both together move in a step, and returns what of it the weld itself gets. Exact for an elastic weld (implicit, to
+  /// round-off); for one that yields, or is less stiff than said, the forces of both meet in the cycles after.
   Freedoms advance(State& state, const Freedoms& moved, const Freedoms& stiffness, const Freedoms& force,
                    double dt) const;
 

@@ -23,6 +23,7 @@ ElasticStresses::ElasticStresses(const system::System& at_rest, const std::vecto
     set(state_.v[k], {motion[k][0], motion[k][1], motion[k][2]});
     set(state_.w[k], {motion[k][3], motion[k][4], motion[k][5]});
   }
+  system_->slide_brick_faces(state_.v);
   state_.dt = step;
   system_->internal_force(state_);
 }

@@ -7,6 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <span>
+#include <string>
 #include <variant>
 
 #include "kernel/law/own_kernels.hpp"
@@ -66,9 +69,64 @@ Curve shear_test(const model::Material& material, double strain_rate, double mos
 
 constexpr double at_rest = 1e-12;  // [1/time], whatever the unit of time
 
-bool is_joined(const model::Model& model, const Weld& weld) {
-  return model.control.weld_tie == model::WeldTie::joint && weld.kind == Weld::Kind::beam &&
-         of_weld_material(model, weld.part);
+bool may_be_joined(const model::Model& model, const Weld& weld) {
+  return model.control.weld_tie == model::WeldTie::joint && (weld.kind == Weld::Kind::beam || weld.of_bricks()) &&
+         !weld.deleted && of_weld_material(model, weld.part);
+}
+
+const Tie* tie_of(const Ties& ties, Index node) {
+  const auto tie =
+      std::lower_bound(ties.ties.begin(), ties.ties.end(), node, [](const Tie& t, Index n) { return t.node < n; });
+  return tie == ties.ties.end() || tie->node != node ? nullptr : &*tie;
+}
+
+/// The tie that stands for those of an end's nodes; null unless all of them are tied by area.
+const Tie* disc_of(const Ties& ties, std::span<const Index> end) {
+  const Tie* first = nullptr;
+  for (const Index node : end) {
+    const Tie* tie = tie_of(ties, node);
+    if (tie == nullptr || !tie->by_area() || tie->shell == none) return nullptr;
+    if (first == nullptr) first = tie;
+  }
+  return first;
+}
+
+/// How many welds have each node in an end face.
+std::map<Index, int> welds_at_nodes(const Ties& ties) {
+  std::map<Index, int> count;
+  for (const Weld& weld : ties.welds)
+    for (const std::vector<Index>& face : weld.face)
+      for (const Index node : face) ++count[node];
+  return count;
+}
+
+/// Whether all nodes of the bricks lie in the end faces.
+bool has_one_layer(const model::Model& model, const Weld& weld) {
+  return std::all_of(weld.elements.begin(), weld.elements.end(), [&](Index e) {
+    return std::all_of(model.solids.node[e].begin(), model.solids.node[e].begin() + 8, [&](Index node) {
+      return std::any_of(weld.face.begin(), weld.face.end(), [&](const std::vector<Index>& face) {
+        return std::find(face.begin(), face.end(), node) != face.end();
+      });
+    });
+  });
+}
+
+/// Whether a joint can move the face of an end against its sheet; the bricks would be torn from what else has the
+/// nodes.
+bool moves(const Ties& ties, const Weld& weld, std::size_t end, const std::map<Index, int>& welds_at) {
+  return disc_of(ties, weld.face[end]) != nullptr &&
+         std::all_of(weld.face[end].begin(), weld.face[end].end(),
+                     [&](Index node) { return welds_at.at(node) == 1 && !tie_of(ties, node)->spring; });
+}
+
+/// Why a weld of bricks that is tied by area has no joint; empty: it has.
+std::string why_no_joint(const model::Model& model, const Ties& ties, const Weld& weld,
+                         const std::map<Index, int>& welds_at) {
+  if (weld.held_by_bricks) return "it is a brick inside a larger nugget";
+  if (!has_one_layer(model, weld)) return "it has more than one layer of bricks";
+  if (!moves(ties, weld, 0, welds_at) && !moves(ties, weld, 1, welds_at))
+    return "no end face follows its sheet by a constraint with all its nodes and has them for itself";
+  return {};
 }
 
 }  // namespace
@@ -92,57 +150,117 @@ Curve rate_factor(const model::Material& material) {
   return counts ? factor : Curve{};
 }
 
-std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& ties, const Weld& weld) {
+namespace {
+
+/// What the laws of sheets answer to shear tests, once a material: there are many welds to few of them.
+class SheetTests {
+ public:
+  struct Answers {
+    Curve yield, rate_factor;
+  };
+  const Answers& of(const model::Model& model, Index material) {
+    const auto [found, is_new] = answers_.try_emplace(material);
+    if (is_new) found->second = {yield_at_rest(model.materials[material]), rate_factor(model.materials[material])};
+    return found->second;
+  }
+
+ private:
+  std::map<Index, Answers> answers_;
+};
+
+std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& ties, const Weld& weld,
+                                         SheetTests& tests) {
   std::vector<kernel::JointEnd> ends;
-  for (const Projection& end : weld.ends) {
-    const auto tie = std::lower_bound(ties.ties.begin(), ties.ties.end(), end.node,
-                                      [](const Tie& t, Index n) { return t.node < n; });
-    if (tie == ties.ties.end() || tie->node != end.node || !tie->by_area() || tie->shell == none) continue;
+  for (const std::vector<Index>& face : weld.face) {
+    const Tie* tie = disc_of(ties, face);
+    if (tie == nullptr) continue;
     const model::Material& material = model.materials[model.parts[tie->part].material];
     const double young = material.young();
     if (!(young > 0.0) || std::holds_alternative<kernel::Rigid>(material.law)) continue;
+    Vec3d middle;
+    for (const Index node : face) middle += (1.0 / static_cast<double>(face.size())) * tie_of(ties, node)->point;
     ends.push_back(
         {.E = young,
          .nu = material.poisson(),
          .thickness = model.shells.thickness[tie->shell],
          .diameter = weld.diameter,
-         .reach = effective_radius(tie->disc.nodes, tie->disc.weights, ties.x, tie->point) / (0.5 * weld.diameter),
-         .yield = yield_at_rest(material),
-         .rate_factor = rate_factor(material)});
+         .reach = effective_radius(tie->disc.nodes, tie->disc.weights, ties.x, middle) / (0.5 * weld.diameter),
+         .yield = tests.of(model, model.parts[tie->part].material).yield,
+         .rate_factor = tests.of(model, model.parts[tie->part].material).rate_factor});
   }
   return ends;
 }
 
-std::optional<kernel::WeldJoint> joint_of(const model::Model& model, const Ties& ties, const Weld& weld) {
-  if (!is_joined(model, weld)) return std::nullopt;
-  const std::vector<kernel::JointEnd> ends = joint_ends(model, ties, weld);
-  if (ends.empty()) return std::nullopt;
-  return kernel::WeldJoint(ends);
+}  // namespace
+
+std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& ties, const Weld& weld) {
+  SheetTests tests;
+  return joint_ends(model, ties, weld, tests);
+}
+
+std::vector<std::optional<Joint>> joints_of(const model::Model& model, const Ties& ties) {
+  std::vector<std::optional<Joint>> joints(ties.welds.size());
+  if (model.control.weld_tie != model::WeldTie::joint) return joints;
+  const std::map<Index, int> welds_at = welds_at_nodes(ties);
+  SheetTests tests;
+  for (std::size_t w = 0; w < joints.size(); ++w) {
+    const Weld& weld = ties.welds[w];
+    if (!may_be_joined(model, weld)) continue;
+    if (weld.of_bricks() && !why_no_joint(model, ties, weld, welds_at).empty()) continue;
+    const std::vector<kernel::JointEnd> ends = joint_ends(model, ties, weld, tests);
+    if (ends.empty()) continue;
+    joints[w] = Joint{kernel::WeldJoint(ends)};
+    if (!weld.of_bricks()) continue;
+    const bool first = moves(ties, weld, 0, welds_at), second = moves(ties, weld, 1, welds_at);
+    if (!first || !second) joints[w]->share = {first ? 1.0 : 0.0, second ? 1.0 : 0.0};
+  }
+  return joints;
 }
 
 void report_joints(const model::Model& model, const Ties& ties, Findings& findings) {
   if (model.control.weld_tie != model::WeldTie::joint) return;
-  std::size_t joints = 0, flowing = 0;
-  std::vector<const Weld*> bricks;
+  std::size_t beams = 0, clusters = 0, flowing = 0;
+  std::map<std::string, std::vector<const Weld*>> without;
+  std::vector<const Weld*> stacked;
   double most_in_plane = 0.0, most_bending = 0.0;
-  for (const Weld& weld : ties.welds) {
-    if (weld.of_bricks()) bricks.push_back(&weld);
-    const auto joint = joint_of(model, ties, weld);
-    if (!joint) continue;
-    ++joints;
-    flowing += joint->flows();
-    most_in_plane = std::max(most_in_plane, joint->in_plane());
-    most_bending = std::max(most_bending, joint->bending());
+  const std::map<Index, int> welds_at = welds_at_nodes(ties);
+  const std::vector<std::optional<Joint>> joints = joints_of(model, ties);
+  for (std::size_t w = 0; w < joints.size(); ++w) {
+    const Weld& weld = ties.welds[w];
+    if (!joints[w]) {
+      if (may_be_joined(model, weld) && weld.of_bricks() && !joint_ends(model, ties, weld).empty())
+        without[why_no_joint(model, ties, weld, welds_at)].push_back(&weld);
+      continue;
+    }
+    const kernel::WeldJoint& joint = joints[w]->law;
+    ++(weld.of_bricks() ? clusters : beams);
+    const auto shared = [&](Index node) { return welds_at.at(node) > 1; };
+    if (std::any_of(weld.face.begin(), weld.face.end(), [&](const std::vector<Index>& face) {
+          return disc_of(ties, face) != nullptr && std::any_of(face.begin(), face.end(), shared);
+        }))
+      stacked.push_back(&weld);
+    flowing += joint.flows();
+    most_in_plane = std::max(most_in_plane, joint.in_plane());
+    most_bending = std::max(most_bending, joint.bending());
   }
   findings.note({model.deck, 0, 0}, "*NUGGET_WELD_TIE",
-                fmt::format("{} weld beams have joints, {} of them plastic; most flexibility in the plane {:.3g} "
-                            "length/force, in bending {:.3g} 1/moment",
-                            joints, flowing, most_in_plane, most_bending));
-  if (!bricks.empty())
-    findings.warning(bricks.front()->place, keyword_of(*bricks.front()),
-                     fmt::format("{} welds of bricks get no joint, first of {}; they are tied by area", bricks.size(),
-                                 name_weld(*bricks.front())),
-                     "joints are built for weld beams of *MAT_SPOTWELD");
+                fmt::format("{} weld beams and {} welds of bricks have joints, {} of them plastic; most flexibility in "
+                            "the plane {:.3g} length/force, in bending {:.3g} 1/moment",
+                            beams, clusters, flowing, most_in_plane, most_bending));
+  if (!stacked.empty())
+    findings.warning(
+        stacked.front()->place, keyword_of(*stacked.front()),
+        fmt::format("{} welds share a sheet's nugget with another weld of their stack, first of them {}: "
+                    "the joint of each goes by its own force, so a sheet in the middle that both pull the "
+                    "same way yields around the nugget too late",
+                    stacked.size(), name_weld(*stacked.front())),
+        "refine that sheet to elements of half the diameter, or judge such welds by their own forces only; "
+        "docs/evidence/weld_place.md has the errors of three sheets");
+  for (const auto& [reason, welds] : without)
+    findings.warning(welds.front()->place, keyword_of(*welds.front()),
+                     fmt::format("{} weld{} of bricks, tied by area, without a joint, first of {}: {}", welds.size(),
+                                 welds.size() == 1 ? "" : "s", name_weld(*welds.front()), reason),
+                     "joints are built for weld beams and for one layer of bricks between two sheets");
 }
 
 }  // namespace nugget::weld

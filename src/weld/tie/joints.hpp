@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,14 +19,23 @@ Curve yield_at_rest(const model::Material& material);
 /// the rate does not count.
 Curve rate_factor(const model::Material& material);
 
-/// What is known of the sheets of a weld: one an end that is tied by area to shells that deform.
+/// What is known of the sheets of a weld: one an end that is tied by area to shells that deform. Of bricks an end is a
+/// face, its nodes on one disc.
 std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& ties, const Weld& weld);
 
-/// The joint of a weld; nothing where Control::weld_tie asks for none, for welds that are no beam of spot-weld
-/// material, and where no end is tied by area to shells that deform.
-std::optional<kernel::WeldJoint> joint_of(const model::Model& model, const Ties& ties, const Weld& weld);
+/// The joint of a weld.
+struct Joint {
+  kernel::WeldJoint law;
+  /// Of a weld of bricks: how much of the joint's motion there is between the face of each end and its sheet. A half
+  /// each; all at one where the other's nodes do not follow a disc by a constraint, or belong to another weld as well.
+  std::array<double, 2> share{0.5, 0.5};
+};
+/// The joints of all welds. Nothing where Control::weld_tie asks for none, for welds that are neither beam nor bricks
+/// of spot-weld material, where no end is tied by area to shells that deform, and for the bricks that `report_joints`
+/// names.
+std::vector<std::optional<Joint>> joints_of(const model::Model& model, const Ties& ties);
 
-/// A note of what the joints of all welds come to, a warning of welds of bricks, which get none.
+/// A note of what the joints of all welds come to, a warning of welds of bricks that get none, by the reason.
 void report_joints(const model::Model& model, const Ties& ties, Findings& findings);
 
 }  // namespace nugget::weld
