@@ -34,6 +34,7 @@ std::vector<Keyword> all_families() {
            friction_keywords,
            orthotropic_material_keywords,
            fabric_material_keywords,
+           composite_material_keywords,
            sheet_material_keywords,
            plain_law_keywords,
            rubber_material_keywords,

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "kernel/law/anisotropic_sheet.hpp"
+#include "kernel/law/composite_layer.hpp"
 #include "kernel/law/elastic_kernel.hpp"
 #include "kernel/law/fabric.hpp"
 #include "kernel/law/fluid.hpp"
@@ -39,6 +40,7 @@ using Flow = std::variant<  //
     CrushableFoam,          //
     RateFoam,               //
     Orthotropic,            //
+    CompositeLayer,         //
     Fabric,                 //
     AnisotropicSheet,       //
     Honeycomb,              //

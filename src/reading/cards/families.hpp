@@ -20,6 +20,7 @@ std::vector<Keyword> section_keywords();                 ///< *SECTION_..., *HOU
 std::vector<Keyword> material_keywords();                ///< *MAT_...
 std::vector<Keyword> orthotropic_material_keywords();    ///< *MAT_ORTHOTROPIC_ELASTIC
 std::vector<Keyword> fabric_material_keywords();         ///< *MAT_FABRIC
+std::vector<Keyword> composite_material_keywords();      ///< *MAT_COMPOSITE_DAMAGE, *MAT_ENHANCED_COMPOSITE_DAMAGE
 std::vector<Keyword> simplified_rubber_keywords();       ///< *MAT_SIMPLIFIED_RUBBER/FOAM
 std::vector<Keyword> sheet_material_keywords();          ///< *MAT_... of rolled sheets: 036, 037, 122
 std::vector<Keyword> plain_law_keywords();               ///< *MAT_... whose cards stand with their laws
