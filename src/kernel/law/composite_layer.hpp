@@ -35,8 +35,8 @@ struct CompositeLayer : Orthotropic {
   /// After matrix failure in compression: FBRT, factor on XT [1], 0: none; YCFAC, XC becomes YCFAC YC where that is
   /// less [1].
   double crushed_tension = 0.0, crushed_compression = 2.0;
-  /// DFAILT, DFAILC (as a positive number), DFAILM, DFAILS: strains at which the layer fails [1]; 0: none. The last is a
-  /// tensorial shear strain. Without DFAILT the layer fails with its fibres in tension.
+  /// DFAILT, DFAILC (as a positive number), DFAILM, DFAILS: strains at which the layer fails [1]; 0: none. The last is
+  /// a tensorial shear strain. Without DFAILT the layer fails with its fibres in tension.
   double failure_strain_t = 0.0, failure_strain_c = 0.0, failure_strain_m = 0.0, failure_strain_s = 0.0;
   double effective_failure_strain = 0.0;  ///< EFS: sqrt(2/3 e:e) of the strain's deviator [1]; 0: none
   /// SLIMT1, SLIMC1, SLIMT2, SLIMC2, SLIMS: what is left of the stress that a mode stopped [1], NCYRED cycles later.
@@ -200,8 +200,7 @@ class LawKernel<CompositeLayer> {
     R tension_index, pressed_index;
     if (law_.rule == CompositeLayer::Rule::tsai_wu) {
       const double product = 1.0 / (law_.compression_b * law_.tension_b);
-      tension_index =
-          product * (now.b * now.b) + of_shear + ((law_.compression_b - law_.tension_b) * product) * now.b;
+      tension_index = product * (now.b * now.b) + of_shear + ((law_.compression_b - law_.tension_b) * product) * now.b;
       pressed_index = tension_index;
     } else {
       tension_index = open * open + of_shear;

@@ -33,9 +33,10 @@ constexpr RealField strength(std::string_view name, std::string_view meaning) {
 constexpr RealField of_bricks(std::string_view name, std::string_view meaning) {
   return real(name, dimension::stress, 0, any_value, meaning);
 }
-constexpr RealField along_b = real("eb", dimension::stress, required, above_zero(), "Young's modulus across the fibres");
-constexpr RealField ratio_ba = real("prba", dimension::number, 0, any_value,
-                                    "strain along a over that along b, negative, under stress along b");
+constexpr RealField along_b =
+    real("eb", dimension::stress, required, above_zero(), "Young's modulus across the fibres");
+constexpr RealField ratio_ba =
+    real("prba", dimension::number, 0, any_value, "strain along a over that along b, negative, under stress along b");
 
 const CardOf<CompositeCards> fibres_card{
     {&MaterialCard::mid, material_id},
@@ -77,8 +78,8 @@ const CardOf<CompositeCards> angle_of_022_card{
     {&CompositeCards::beta, real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 [degrees]")},
 };
 
-constexpr RealField cube_of_shear = real("alph", over_stress_cubed, 0, at_least(0),
-                                         "shear strain ab is tau/GAB + ALPH tau^3");
+constexpr RealField cube_of_shear =
+    real("alph", over_stress_cubed, 0, at_least(0), "shear strain ab is tau/GAB + ALPH tau^3");
 
 const CardOf<CompositeCards> strengths_of_022_card{
     {&CompositeLayer::shear_strength, strength("sc", "shear strength ab")},
@@ -200,15 +201,13 @@ void add_composite(Builder& b, const Block& block, std::string title, std::strin
   law.axes = material_axes(b, block, cards, option, a1, v1);
   law.axes.angle = hand(block) * cards.beta * (std::numbers::pi / 180.0);
   if (!(law.definiteness() > 0.0))
-    refuse(b, fibres[&Orthotropic::poisson_ba],
-           "with these moduli and Poisson's ratios the material would give energy",
+    refuse(b, fibres[&Orthotropic::poisson_ba], "with these moduli and Poisson's ratios the material would give energy",
            "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");
   law.take_isotropic_constants();
   kernel::LawComponents components = kernel::components_of(law);
   components.for_layers_only = true;
   components.deletion_step = deletion_step;
-  const Index material =
-      add_material(b, fibres, std::move(title), name, kernel::composed_law(std::move(components)));
+  const Index material = add_material(b, fibres, std::move(title), name, kernel::composed_law(std::move(components)));
   take_axes_of_system(b, option, material);
 }
 
@@ -229,7 +228,7 @@ void read_composite_damage(Builder& b, const Block& block, const Options& option
 
 /// What of the failure of *MAT_ENHANCED_COMPOSITE_DAMAGE is not built, or contradicts itself.
 void check_failure_of_fibres(Builder& b, const RowOf<CompositeCards>& strains, const RowOf<CompositeCards>& failure,
-                   const RowOf<CompositeCards>& strengths, const CompositeCards& cards) {
+                             const RowOf<CompositeCards>& strengths, const CompositeCards& cards) {
   if (cards.crit != 54.0 && cards.crit != 55.0)
     refuse(b, strengths[&CompositeCards::crit], "the criterion is 54 or 55", "write 54 for Chang and Chang");
   if (cards.tfail > 0.1)
@@ -253,8 +252,7 @@ void check_failure_of_fibres(Builder& b, const RowOf<CompositeCards>& strains, c
   without_effect(strains[&CompositeLayer::failure_strain_m], cards.failure_strain_m);
   without_effect(strains[&CompositeLayer::failure_strain_s], cards.failure_strain_s);
   without_effect(failure[&CompositeCards::dfailc], cards.dfailc);
-  if (cards.crit == 55.0)
-    without_effect(failure[&CompositeLayer::failure_strain_t], cards.failure_strain_t);
+  if (cards.crit == 55.0) without_effect(failure[&CompositeLayer::failure_strain_t], cards.failure_strain_t);
 }
 
 void read_enhanced_composite(Builder& b, const Block& block, const Options& options) {
