@@ -38,6 +38,7 @@ std::vector<Keyword> all_families() {
            sheet_material_keywords,
            plain_law_keywords,
            rubber_material_keywords,
+           kelvin_maxwell_keywords,
            simplified_rubber_keywords,
            foam_material_keywords,
            honeycomb_material_keywords,

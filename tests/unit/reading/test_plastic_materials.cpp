@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "deck/deck.hpp"
 #include "kernel/law/law_components.hpp"
+#include "reading/build.hpp"
 #include "small_model.hpp"
 
 namespace nugget::reading {
@@ -138,6 +142,22 @@ TEST(PlasticMaterials, IsotropicElasticPlastic) {
   EXPECT_NEAR(law.E / (3.0 * (1.0 - 2.0 * law.nu)), 175000.0, 1e-6);
   EXPECT_DOUBLE_EQ(law.yield.at(0).extrapolated(0.5), 800.0);
   EXPECT_TRUE(built("*MAT_012\n4,7.85e-9,80000.0,300.0,,10000.0\n").error("negative Poisson", "bulk"));
+}
+
+TEST(SoftMaterials, DecayInTheUnitsOfTheModel) {
+  for (const std::string fo : {"0", "1"}) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "kelvin_units";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "foam.k") << "*KEYWORD\n*MAT_061\n4,1.2e-9,2000.0,50.0,10.0,8.0," << fo << "\n*END\n";
+    std::ofstream(folder / "model.k")
+        << "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*INCLUDE_TRANSFORM\nfoam.k\n\n\n1.0,1000.0,1.0\n\n*END\n";
+    Findings findings;
+    const deck::Deck deck = deck::read(folder / "model.k", findings);
+    const model::Model model = reading::build(deck, findings, false);
+    ASSERT_EQ(findings.errors(), 0);
+    const auto& law = std::get<kernel::ComposedLaw>(model.materials.at(0).law);
+    EXPECT_NEAR(std::get<kernel::Viscoelastic>(law.components->flow).decay, fo == "0" ? 8.0e-3 : 1.0 / 8.0e3, 1e-15);
+  }
 }
 
 TEST(PlasticMaterials, PowerLaw) {
@@ -435,6 +455,21 @@ TEST(SoftMaterials, Viscoelastic) {
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
   EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(b).long_term_shear, 10.0);
   EXPECT_NEAR(b.model.materials.at(0).young() / (2.0 * (1.0 + b.model.materials.at(0).poisson())), 50.0, 1e-9);
+}
+
+TEST(SoftMaterials, KelvinAndMaxwell) {
+  const auto maxwell = built("*MAT_KELVIN-MAXWELL_VISCOELASTIC\n4,1.2e-9,2000.0,50.0,10.0,100.0\n");
+  EXPECT_EQ(maxwell.findings.errors(), 0) << maxwell.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(maxwell).decay, 100.0);
+  EXPECT_NEAR(maxwell.model.materials.at(0).young() / (2.0 * (1.0 + maxwell.model.materials.at(0).poisson())), 50.0,
+              1e-9);
+  const auto kelvin = built("*MAT_061\n4,1.2e-9,2000.0,50.0,10.0,0.02,1.0,2.0\n");
+  EXPECT_EQ(kelvin.findings.errors(), 0) << kelvin.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(kelvin).decay, 50.0);
+  EXPECT_NE(kelvin.all_findings().find("no strain in the place"), std::string::npos);
+  EXPECT_TRUE(built("*MAT_061\n4,1.2e-9,2000.0,50.0,10.0,0.0,1.0\n").error("relaxation time", "dc"));
+  EXPECT_TRUE(built("*MAT_061\n4,1.2e-9,2000.0,50.0,10.0,0.1,0.5\n").error("0 or 1", "fo"));
+  EXPECT_TRUE(built("*MAT_061\n4,1.2e-9,20.0,50.0,10.0,0.1\n").error("negative Poisson", "bulk"));
 }
 
 }  // namespace
