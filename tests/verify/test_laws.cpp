@@ -291,6 +291,21 @@ TEST(Laws, PlasticityWithDamage) {
                 0.005, "laws");
 }
 
+// Lemaitre's damage in tension, dD/dp = s^2 / 2 E S: 4.286 with S 0.05. At DC 0.2 the element goes. Sabotage: EPSD, or
+// the share of the mean stress, left out.
+TEST(Laws, DamageByEnergy) {
+  const double growth = 300.0 * 300.0 / (2.0 * E * 0.05);
+  const auto material = [](double critical) {
+    return mat("105", {{1, 7.85e-9, E, 0.3, 300.0, 0}, {0}, {0.02, 0.05, critical}, {}, {}});
+  };
+  const double ep = 0.06 - 300.0 / E;
+  expect_stress("MAT_105 EPSD 0.02 S 0.05", Pulled(material(0.9), 0.06, 100.0), 0.06,
+                300.0 * (1.0 - growth * (ep - 0.02)), 0.005, "laws");
+  const double last = 0.02 + 0.1 / growth;  // plastic strain at DC 0.1
+  expect_erosion("MAT_105 with DC 0.1 at 300 MPa", material(0.1),
+                 300.0 * (last - 0.5 * 0.1 * (last - 0.02)) + 0.5 * 300.0 * 300.0 / E);
+}
+
 // Sabotage: a deleted element's energy left out of the eroded energy; MXEPS compared with the plastic strain.
 TEST(Laws, FailureErodes) {
   const double elastic = 0.5 * 300.0 * 300.0 / E;

@@ -450,6 +450,23 @@ TEST(SoftMaterials, FoamByATableOverTheRate) {
   EXPECT_TRUE(built("*MAT_FU_CHANG_FOAM_LOG_LOG_INTERPOLATION\n4\n").error("between the logarithms"));
 }
 
+TEST(PlasticMaterials, Damage2) {
+  const auto b = built("*MAT_DAMAGE_2\n4,7.85e-9,210000.0,0.3,300.0,1000.0,0.8\n40.0,5.0\n0.02,1.2,0.3\n\n\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const kernel::LawComponents& law = composition(b);
+  EXPECT_DOUBLE_EQ(law.failure_strain, 0.8);
+  EXPECT_DOUBLE_EQ(law.energy_damage->onset, 0.02);
+  EXPECT_DOUBLE_EQ(law.energy_damage->resistance, 1.2);
+  EXPECT_DOUBLE_EQ(law.energy_damage->critical, 0.3);
+  EXPECT_DOUBLE_EQ(law.energy_damage->young, 210000.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::PiecewiseLinear>(b).rate_c, 40.0);
+  const auto plain = built("*MAT_105\n4,7.85e-9,210000.0,0.3\n\n\n0,0.5\n250.0,400.0\n");
+  EXPECT_EQ(plain.findings.errors(), 0) << plain.all_findings();
+  EXPECT_DOUBLE_EQ(composition(plain).energy_damage->resistance, 250.0 / 200.0);
+  EXPECT_DOUBLE_EQ(composition(plain).energy_damage->critical, 0.5);
+  EXPECT_TRUE(built("*MAT_105\n4,7.85e-9,210000.0,0.3,300.0\n\n0,0,1.5\n\n\n").error("0 to 1", "dc"));
+}
+
 TEST(SoftMaterials, Viscoelastic) {
   const auto b = built("*MAT_006\n4,1.2e-9,2000.0,50.0,10.0,100.0\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
