@@ -26,6 +26,7 @@ std::vector<Keyword> all_families() {
            material_keywords,
            plastic_material_keywords,
            johnson_cook_keywords,
+           modified_johnson_cook_keywords,
            viscoplastic_material_keywords,
            equation_of_state_keywords,
            erosion_keywords,

@@ -11,6 +11,7 @@
 #include "kernel/law/foam.hpp"
 #include "kernel/law/honeycomb.hpp"
 #include "kernel/law/johnson_cook.hpp"
+#include "kernel/law/modified_johnson_cook.hpp"
 #include "kernel/law/orthotropic.hpp"
 #include "kernel/law/piecewise_linear_kernel.hpp"
 #include "kernel/law/plastic_kinematic_kernel.hpp"
@@ -27,6 +28,7 @@ using Flow = std::variant<  //
     Elastic,                //
     PlasticKinematic,       //
     PiecewiseLinear,        //
+    ModifiedJohnsonCook,    //
     JohnsonCook,            //
     PowerLaw,               //
     Viscoplastic,           //

@@ -35,6 +35,7 @@ std::vector<Keyword> gissmo_keywords();                  ///< *MAT_ADD_DAMAGE_GI
 std::vector<Keyword> friction_keywords();                ///< *DEFINE_FRICTION
 std::vector<Keyword> plastic_material_keywords();        ///< *MAT_... of metals beside 003 and 024
 std::vector<Keyword> johnson_cook_keywords();            ///< *MAT_... of Johnson and Cook
+std::vector<Keyword> modified_johnson_cook_keywords();   ///< *MAT_MODIFIED_JOHNSON_COOK
 std::vector<Keyword> viscoplastic_material_keywords();   ///< *MAT_ANISOTROPIC_VISCOPLASTIC
 std::vector<Keyword> weld_material_keywords();           ///< *MAT_SPOTWELD
 std::vector<Keyword> weld_table_keywords();              ///< the *DEFINE_ cards that belong to it

@@ -467,6 +467,38 @@ TEST(PlasticMaterials, Damage2) {
   EXPECT_TRUE(built("*MAT_105\n4,7.85e-9,210000.0,0.3,300.0\n\n0,0,1.5\n\n\n").error("0 to 1", "dc"));
 }
 
+TEST(PlasticMaterials, ModifiedJohnsonCook) {
+  const std::string first = "*MAT_107\n4,7.85e-9,210000.0,0.3,0.0,0.9,4.52e8\n5e-4,293.0,1800.0,393.0,0,";
+  const std::string yield = "\n490.0,383.0,0.45,0.0114,0.94\n80.0,30.0,40.0,4.0\n";
+  const auto b = built(first + "0" + yield + "0.3,0.05,0.07,1.73,-0.54,-0.0123,0.1\n1600.0,900.0\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& law = flow<kernel::ModifiedJohnsonCook>(b);
+  EXPECT_DOUBLE_EQ(law.yield, 490.0);
+  EXPECT_DOUBLE_EQ(law.saturating_2, 40.0);
+  EXPECT_DOUBLE_EQ(law.rate_exponent, 0.0114);
+  EXPECT_DOUBLE_EQ(law.reference_rate, 5e-4);
+  EXPECT_DOUBLE_EQ(law.softening, 0.94);
+  EXPECT_NEAR(law.warmth, 100.0 / 1507.0, 1e-15);
+  EXPECT_DOUBLE_EQ(law.melting_rise, 1407.0);
+  EXPECT_NEAR(law.heating, 0.9 / (7.85e-9 * 4.52e8), 1e-12);
+  const auto& rule = std::get<kernel::DuctileFracture>(composition(b).rules.at(0));
+  EXPECT_TRUE(rule.grows && !rule.by_work);
+  EXPECT_DOUBLE_EQ(rule.threshold, 0.05);
+  EXPECT_DOUBLE_EQ(rule.d4, -0.0123);
+  EXPECT_DOUBLE_EQ(rule.last_rise, 1600.0 - 393.0);
+  EXPECT_DOUBLE_EQ(rule.shear_strength, 900.0);
+  const auto work = built(first + "1" + yield + "1.0,1000.0\n\n");
+  EXPECT_EQ(work.findings.errors(), 0) << work.all_findings();
+  EXPECT_DOUBLE_EQ(std::get<kernel::DuctileFracture>(composition(work).rules.at(0)).work, 1000.0);
+  const auto plain = built(first + "0" + yield + "\n\n");
+  EXPECT_EQ(plain.findings.errors(), 0) << plain.all_findings();
+  EXPECT_TRUE(composition(plain).rules.empty());
+  EXPECT_TRUE(built(first + "1" + yield + "0.0,1000.0\n\n").error("critical damage", "dc"));
+  EXPECT_TRUE(built("*MAT_107\n4,7.85e-9,210000.0,0.3,1.0\n5e-4\n490.0\n\n\n\n").error("", "beta"));
+  EXPECT_TRUE(built("*MAT_107\n4,7.85e-9,210000.0,0.3\n5e-4,,,,1.0\n490.0\n\n\n\n").error("", "flag1"));
+  EXPECT_TRUE(built("*MAT_107\n4,7.85e-9,210000.0,0.3,,0.9,4e8\n5e-4\n490.0\n\n\n\n").error("melting", "tm"));
+}
+
 TEST(SoftMaterials, Viscoelastic) {
   const auto b = built("*MAT_006\n4,1.2e-9,2000.0,50.0,10.0,100.0\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
