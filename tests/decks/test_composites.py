@@ -55,6 +55,21 @@ class Composites(RepeatedRuns):
             self.assertAlmostEqual(state["total energy / initial energy"], 1.0, delta=0.01)
         self.assertGreater(states[-1]["eroded internal energy"], 0.05 * states[-1]["internal energy"])
 
+    def test_modes_are_those_of_the_elastic_plate(self):
+        found = []
+        for law in (LAWS[0], LAWS[1], "*MAT_002\n" + ELASTIC.format(1, 0) + "\n\n"):
+            cards = ["*KEYWORD", "*CONTROL_IMPLICIT_GENERAL\n1,1.0", "*CONTROL_IMPLICIT_EIGENVALUE\n9", law.replace("\n2,", "\n1,", 1).removesuffix("\n"),
+                     "*PART_COMPOSITE\nplate\n1,16", "1,0.3,0,0,1,0.3,45", "1,0.3,-45,0,1,0.3,90", "*NODE"]
+            cards += [f"{1 + a + 7 * b},{10 * a},{10 * b},0" for b in range(7) for a in range(7)]
+            cards += ["*ELEMENT_SHELL", *(f"{1 + a + 6 * b},1,{1 + a + 7 * b},{2 + a + 7 * b},{9 + a + 7 * b},{8 + a + 7 * b}" for b in range(6) for a in range(6))]
+            self.write("\n".join([*cards, "*END", ""]))
+            self.nugget("modes", "model.k", "-n", 9, "-o", "modes", "--quiet")
+            found.append([mode["frequency_hz"] for mode in self.json("modes/summary.json")["modes"]][6:])
+        self.assertEqual(len(found[0]), 3)
+        for own in found[:2]:
+            for value, elastic in zip(own, found[2]):
+                self.assertAlmostEqual(value / elastic, 1.0, delta=1e-9)
+
 
 if __name__ == "__main__":
     unittest.main()
