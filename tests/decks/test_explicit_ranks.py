@@ -13,6 +13,8 @@ from lap_joint import deck as lap_joint
 from nugget_command import SOURCE
 from repeated_runs import FOREVER, LANES, RepeatedRuns, with_lanes
 from shared_out import block, tube
+from test_breaking_metals import torn
+from test_composites import plates
 from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
 
 
@@ -72,6 +74,14 @@ class ExplicitRanks(RepeatedRuns):
         self.compare_ranks(tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4))
         self.assertRegex(self.log("one"), r"part 1: \d\d of 720 elements deleted")
         self.assertGreater(self.json("one/summary.json")["mass"]["added"], 0.0)
+
+    def test_layers_of_fibres_that_fail(self):
+        self.compare_ranks(plates(3))
+        self.assertGreater(self.json("one/summary.json")["energy"]["eroded"], 0.0)
+
+    def test_metals_that_break(self):
+        self.compare_ranks(torn())
+        self.assertGreater(self.json("one/summary.json")["energy"]["eroded"], 0.0)
 
     def test_a_node_whose_way_ends_the_run(self):
         """Node 556, in the middle, comes down; all ranks end in the same cycle."""

@@ -634,5 +634,28 @@ TEST(LawPaths, Viscoelasticity) {
     }
 }
 
+// Kelvin's formulation of MAT_061 as LS-DYNA's manual writes it, ds/dt + s / DC = 2 G0 de/dt + 2 GI e / DC, by the
+// midpoint rule. Sabotage: DC as a rate; the retardation time DC G0 / GI for the relaxation time.
+TEST(LawPaths, KelvinViscoelasticity) {
+  const double bulk = 50.0, first = 20.0, last = 5.0, time = 4e-3;
+  for (const double end : {2e-3, 2e-2})
+    for (const Path& path : paths(0.3)) {
+      constexpr int steps = 8000;
+      std::vector<Tensor> stress{Tensor::Zero()};
+      Tensor s = Tensor::Zero();
+      const Tensor volume = path.in_bricks.trace() * Tensor::Identity(), shape = path.in_bricks - volume / 3.0;
+      const double dt = end / steps;
+      for (int n = 1; n <= steps; ++n) {
+        const double before = path.at((n - 1.0) / steps), now = path.at(double(n) / steps);
+        const Tensor force = 2.0 * first * (now - before) * shape + last * (now + before) * dt / time * shape;
+        s = ((1.0 - 0.5 * dt / time) * s + force) / (1.0 + 0.5 * dt / time);
+        stress.push_back(s + bulk * now * volume);
+      }
+      expect_path(
+          fmt::format("MAT_061, Kelvin, in {} s", end), mat("061", {{1, 1.2e-9, bulk, first, last, time, 1}}), path,
+          end, [&](int, double share) { return stress[std::lround(share * steps)]; }, 3e-3, only_bricks);
+    }
+}
+
 }  // namespace
 }  // namespace nugget::verify

@@ -291,6 +291,40 @@ TEST(Laws, PlasticityWithDamage) {
                 0.005, "laws");
 }
 
+// Sabotage: the rate as a logarithm; C1 for C2; WC as a strain.
+TEST(Laws, ModifiedJohnsonCook) {
+  const auto material = [](double wc) {
+    return mat(
+        "107",
+        {{1, 7.85e-9, E, 0.3}, {5e-4, 0, 0, 0, 0, 1}, {490, 383, 0.45, 0.0114, 1}, {80, 30, 40, 4}, {1, wc}, {}});
+  };
+  const auto yield = [](double p) {
+    return (490.0 + 383.0 * std::pow(p, 0.45) + 80.0 * (1.0 - std::exp(-30.0 * p)) +
+            40.0 * (1.0 - std::exp(-4.0 * p))) *
+           std::pow(1.0 + 100.0 / 5e-4, 0.0114);
+  };
+  expect_law("laws", "MAT_107 at 100/s", material(0.0), 0.1, 100.0, yield, 0.005);
+  // Without hardening and rate the work of Cockcroft and Latham is A times the plastic strain.
+  expect_erosion("MAT_107 with WC 15 at 300 MPa",
+                 mat("107", {{1, 7.85e-9, E, 0.3}, {1, 0, 0, 0, 0, 1}, {300}, {}, {1, 15.0}, {}}),
+                 15.0 + 0.5 * 300.0 * 300.0 / E);
+}
+
+// Lemaitre's damage in tension, dD/dp = s^2 / 2 E S: 4.286 with S 0.05. At DC 0.2 the element goes. Sabotage: EPSD, or
+// the share of the mean stress, left out.
+TEST(Laws, DamageByEnergy) {
+  const double growth = 300.0 * 300.0 / (2.0 * E * 0.05);
+  const auto material = [](double critical) {
+    return mat("105", {{1, 7.85e-9, E, 0.3, 300.0, 0}, {0}, {0.02, 0.05, critical}, {}, {}});
+  };
+  const double ep = 0.06 - 300.0 / E;
+  expect_stress("MAT_105 EPSD 0.02 S 0.05", Pulled(material(0.9), 0.06, 100.0), 0.06,
+                300.0 * (1.0 - growth * (ep - 0.02)), 0.005, "laws");
+  const double last = 0.02 + 0.1 / growth;  // plastic strain at DC 0.1
+  expect_erosion("MAT_105 with DC 0.1 at 300 MPa", material(0.1),
+                 300.0 * (last - 0.5 * 0.1 * (last - 0.02)) + 0.5 * 300.0 * 300.0 / E);
+}
+
 // Sabotage: a deleted element's energy left out of the eroded energy; MXEPS compared with the plastic strain.
 TEST(Laws, FailureErodes) {
   const double elastic = 0.5 * 300.0 * 300.0 / E;

@@ -60,9 +60,10 @@ bool for_bricks(const LawComponents& law) {
 }
 
 bool for_beams(const LawComponents& law) {
-  const bool more = law.bond || law.damage || law.directional_damage || law.gissmo || law.state || law.spall ||
-                    !law.rules.empty() || !law.failure_strain_over_rate.empty() || law.limits.plastic_thinning > 0.0 ||
-                    law.limits.major > 0.0 || (law.erosion && law.erosion->thinning);
+  const bool more = law.bond || law.damage || law.directional_damage || law.energy_damage || law.gissmo || law.state ||
+                    law.spall || !law.rules.empty() || !law.failure_strain_over_rate.empty() ||
+                    law.limits.plastic_thinning > 0.0 || law.limits.major > 0.0 ||
+                    (law.erosion && law.erosion->thinning);
   return !more && std::visit([]<class Law>(const Law&) { return LawOfFibres<Law>; }, law.flow);
 }
 

@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "kernel/law/ductile_fracture.hpp"
 #include "kernel/law/johnson_cook_fracture.hpp"
 
 namespace nugget::kernel {
@@ -15,6 +16,7 @@ namespace nugget::kernel {
 ///   used()               what of the point is used up: it fails at 1
 /// and, where *MAT_ADD_... adds it to a material, cards() as in law_cards.hpp.
 using FailureRule = std::variant<  //
+    DuctileFracture,               //
     JohnsonCookFracture>;
 
 }  // namespace nugget::kernel

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/law/j2.hpp"
-#include "kernel/law/smooth_hardening.hpp"
+#include "kernel/law/heated_metal.hpp"
 
 namespace nugget::kernel {
 
@@ -60,49 +59,10 @@ class JohnsonCookFormula {
   LogarithmicRate rate_;
 };
 
-/// History of a point: plastic strain and, where plastic work heats it, its temperature rise.
 template <>
-class LawKernel<JohnsonCook> : public J2<SmoothHardening<JohnsonCookFormula>, false> {
-  using Base = J2<SmoothHardening<JohnsonCookFormula>, false>;
-
+class LawKernel<JohnsonCook> : public HeatedMetal<JohnsonCookFormula> {
  public:
-  explicit LawKernel(const JohnsonCook& law)
-      : J2(law.E, law.nu, SmoothHardening<JohnsonCookFormula>(law), 0.0),
-        heating_(law.heating),
-        melting_rise_(law.melting_rise) {}
-
-  int layer_history() const { return heats() ? temperature_rise_field + 1 : Base::layer_history(); }
-  int solid_history() const { return layer_history(); }
-  bool heats() const { return heating_ > 0.0; }
-  int temperature_field() const { return heats() ? temperature_rise_field : 0; }
-
-  template <class R>
-  ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
-    const R before = load_field<R>(history, plastic_strain_field);
-    const ThicknessStrain<R> thickness = Base::layer(s, rate, dt, history);
-    if (heats())
-      heat(sqrt(s.xx * s.xx + s.yy * s.yy - s.xx * s.yy + 3.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz)), before,
-           history);
-    return thickness;
-  }
-  template <class R>
-  void solid(SolidTensor<R>& s, const SolidTensor<R>& rate, double dt, double* history) const {
-    const R before = load_field<R>(history, plastic_strain_field);
-    Base::solid(s, rate, dt, history);
-    if (!heats()) return;
-    const R xy = s.xx - s.yy, yz = s.yy - s.zz, zx = s.zz - s.xx;
-    heat(sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s.xy * s.xy + s.yz * s.yz + s.zx * s.zx)), before, history);
-  }
-
- private:
-  template <class R>
-  void heat(const R& effective, const R& before, double* history) const {
-    const R rise = load_field<R>(history, temperature_rise_field) +
-                   heating_ * effective * (load_field<R>(history, plastic_strain_field) - before);
-    store_field(history, temperature_rise_field, min(rise, R(melting_rise_)));
-  }
-
-  double heating_, melting_rise_;
+  explicit LawKernel(const JohnsonCook& law) : HeatedMetal(law, law.heating, law.melting_rise) {}
 };
 
 }  // namespace nugget::kernel

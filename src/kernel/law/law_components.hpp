@@ -26,6 +26,7 @@ struct LawComponents {
   Curve failure_strain_over_rate{};       ///< the same over the total strain rate; empty: none
   std::optional<PlasticDamage> damage{};  ///< takes (1 - w) of all stresses, over the effective plastic strain
   std::optional<PlasticDamage> directional_damage{};  ///< of layers, see Cracks
+  std::optional<EnergyDamage> energy_damage{};        ///< takes D of all stresses
   std::vector<FailureRule> rules{};                   ///< by any of which a point fails
   std::optional<Gissmo> gissmo{};
   StrainLimits limits{};

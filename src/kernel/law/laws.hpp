@@ -4,12 +4,14 @@
 #include <variant>
 
 #include "kernel/law/anisotropic_sheet.hpp"
+#include "kernel/law/composite_layer.hpp"
 #include "kernel/law/elastic_kernel.hpp"
 #include "kernel/law/fabric.hpp"
 #include "kernel/law/fluid.hpp"
 #include "kernel/law/foam.hpp"
 #include "kernel/law/honeycomb.hpp"
 #include "kernel/law/johnson_cook.hpp"
+#include "kernel/law/modified_johnson_cook.hpp"
 #include "kernel/law/orthotropic.hpp"
 #include "kernel/law/piecewise_linear_kernel.hpp"
 #include "kernel/law/plastic_kinematic_kernel.hpp"
@@ -26,6 +28,7 @@ using Flow = std::variant<  //
     Elastic,                //
     PlasticKinematic,       //
     PiecewiseLinear,        //
+    ModifiedJohnsonCook,    //
     JohnsonCook,            //
     PowerLaw,               //
     Viscoplastic,           //
@@ -39,6 +42,7 @@ using Flow = std::variant<  //
     CrushableFoam,          //
     RateFoam,               //
     Orthotropic,            //
+    CompositeLayer,         //
     Fabric,                 //
     AnisotropicSheet,       //
     Honeycomb,              //

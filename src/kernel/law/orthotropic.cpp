@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "kernel/law/orthotropic.hpp"
@@ -12,6 +14,12 @@ double Orthotropic::definiteness() const {
   const double cb = poisson_cb * poisson_cb * young_b / young_c;
   const double all = poisson_ba * poisson_ca * poisson_cb * young_a / young_c;
   return std::min({1.0 - ab, 1.0 - ca, 1.0 - cb, 1.0 - ab - ca - cb - 2.0 * all});
+}
+
+void Orthotropic::take_isotropic_constants() {
+  const double product = std::clamp(poisson_ba * poisson_ba * young_a / young_b, 0.0, 0.99);
+  nu = std::min(std::sqrt(product), 0.45);
+  E = std::max(young_a, young_b) / (1.0 - product) * (1.0 - nu * nu);
 }
 
 double fastest_wave_modulus(const std::array<std::array<double, 3>, 3>& normal, double shear_ab, double shear_bc,

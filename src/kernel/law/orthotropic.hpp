@@ -23,6 +23,8 @@ struct Orthotropic {
   /// Determinant of the compliance of the normal stresses times EA EB EC: above 0 with those of its parts, or the
   /// material would give energy.
   double definiteness() const;
+  /// Sets E and nu.
+  void take_isotropic_constants();
 };
 
 /// Modulus of the fastest plane wave [stress] in a material whose normal stresses follow the normal strains by `normal`

@@ -28,6 +28,24 @@ struct PlasticDamage {
   }
 };
 
+/// Damage D that grows with the plastic strain p by the elastic energy that it would set free (J. Lemaitre, A Course on
+/// Damage Mechanics, 1992; MAT_105): dD/dp = Y / S beyond the onset, while the largest principal stress is tension,
+/// with
+///   Y = s^2 / 2E (2/3 (1 + nu) + 3 (1 - 2 nu) (m / s)^2),
+/// s and m the effective and the mean stress of the undamaged point. At the critical D the point has failed.
+struct EnergyDamage {
+  double young = 0.0, poisson = 0.0;  ///< E [stress], nu [1]
+  double onset = 0.0;                 ///< EPSD, plastic strain [1]
+  double resistance = 0.0;            ///< S [stress]
+  double critical = 0.5;              ///< DC [1]
+
+  /// dD/dp where the largest principal stress is tension [1]. `effective2`: the square of the effective stress.
+  double growth(double effective2, double mean) const {
+    return (2.0 / 3.0 * (1.0 + poisson) * effective2 + 3.0 * (1.0 - 2.0 * poisson) * mean * mean) /
+           (2.0 * young * resistance);
+  }
+};
+
 /// Criteria of *MAT_ADD_EROSION. Pressure is positive in compression; strains are time integrals of the strain rate in
 /// axes that turn with the material; principal values are of all three axes, in a layer too.
 struct Erosion {

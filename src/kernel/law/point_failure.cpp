@@ -131,12 +131,14 @@ PointFailure::PointFailure(const LawComponents& law, bool flow_can_fail)
       cracks_(law.directional_damage),
       rules_(law.rules),
       gissmo_(law.gissmo),
+      energy_damage_(law.energy_damage),
       erosion_(law.erosion),
       limits_(law.limits),
       bounds_(law.erosion.value_or(Erosion{}), law.limits),
       cracked_(add(cracks_.has_value(), Cracks::history)),
       ruled_(add(!rules_.empty(), history_of(rules_))),
       damaged_(add(gissmo_.has_value(), Gissmo::history)),
+      weakened_(add(energy_damage_.has_value(), 1)),
       thinned_(add(limits_.plastic_thinning > 0.0, 1)),
       strain_(add(erosion_.has_value() || limits_.major > 0.0, SolidTensor<double>::size)),
       impulse_(add(erosion_ && erosion_->impulse, 1)),
@@ -146,9 +148,10 @@ PointFailure::PointFailure(const LawComponents& law, bool flow_can_fail)
       by_plastic_strain_only_(!flow_can_fail_ && failure_strain_ > 0.0 && failure_strain_over_rate_.empty() &&
                               !damage_ && size_ == 1),
       bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && rules_.empty() && !gissmo_ &&
-               !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))),
-      gissmo_only_(gissmo_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() && !damage_ && !cracks_ &&
-                   rules_.empty() && !erosion_ && !(limits_.plastic_thinning > 0.0) && !(limits_.major > 0.0)),
+               !energy_damage_ && !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))),
+      gissmo_only_(gissmo_ && !energy_damage_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() &&
+                   !damage_ && !cracks_ && rules_.empty() && !erosion_ && !(limits_.plastic_thinning > 0.0) &&
+                   !(limits_.major > 0.0)),
       needs_plastic_flow_(!flow_can_fail_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() &&
                           !damage_ && !(limits_.major > 0.0) && !erosion_ && need_plastic_flow(rules_)) {}
 
@@ -285,9 +288,22 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
                  0.0,
                  step.layer};
     bool ruptured = false;
+    if (energy_damage_) {
+      double& damage = at(weakened_, l);
+      const EnergyDamage& law = *energy_damage_;
+      if (increment > 0.0 && strain > law.onset) {
+        const double mean = (undamaged.xx + undamaged.yy + undamaged.zz) / 3.0, effective2 = 1.5 * deviator2(undamaged);
+        // A pressed bar has stresses of round-off across.
+        if (principal_values(undamaged)[2] > 1e-6 * std::sqrt(effective2))
+          damage += std::min(increment, strain - law.onset) * law.growth(effective2, mean);
+      }
+      lost = std::max(lost, std::min(damage, 1.0));
+      now.stress = (1.0 - lost) * undamaged;
+      ruptured = damage >= law.critical;
+    }
     if (cracks_) {
       double* cracks = &at(cracked_, l);
-      ruptured = cracks_->advance(undamaged, increment, cracks, lanes<R>);
+      ruptured = ruptured || cracks_->advance(undamaged, increment, cracks, lanes<R>);
       const LayerTensor<double> left =
           Cracks::weakened({undamaged.xx, undamaged.yy, undamaged.xy, undamaged.zx, undamaged.yz}, cracks, lanes<R>);
       now.stress = {left.xx, left.yy, 0.0, left.xy, left.yz, left.xz};

@@ -52,7 +52,7 @@ class PointFailure {
   /// `history(i)`: the i-th number of the point's history.
   DamageNumbers damage(const std::function<double(int)>& history) const;
 
-  bool softens() const { return damage_ || cracks_ || gissmo_; }
+  bool softens() const { return damage_ || cracks_ || gissmo_ || energy_damage_; }
   /// The undamaged point's stress from that handed out, and what is left of it. A point that has nothing left has
   /// stress 0.
   template <class R>
@@ -108,11 +108,12 @@ class PointFailure {
   std::optional<Cracks> cracks_;
   std::vector<FailureRule> rules_;
   std::optional<Gissmo> gissmo_;
+  std::optional<EnergyDamage> energy_damage_;
   std::optional<Erosion> erosion_;
   StrainLimits limits_;
   Bounds bounds_;
   int size_ = lost_field + 1;
-  int cracked_, ruled_, damaged_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
+  int cracked_, ruled_, damaged_, weakened_, thinned_, strain_, impulse_, age_;  ///< places in the history; 0: not kept
   bool flow_can_fail_, active_, by_plastic_strain_only_;
   bool bounded_;             ///< may_fail() can be asked
   bool gissmo_only_;         ///< there is no other criterion

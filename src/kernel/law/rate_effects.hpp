@@ -81,6 +81,31 @@ class LogarithmicRate {
   double rest_ = 1.0;    // [1/time]
 };
 
+/// (1 + rate / E0)^C; x = ln(1 + rate / E0).
+class PowerOfRate {
+ public:
+  PowerOfRate() = default;
+  PowerOfRate(double exponent, double reference) : exponent_(exponent), reference_(reference) {}
+
+  bool active() const { return exponent_ > 0.0; }
+  static constexpr double raised() { return 0.0; }
+
+  template <class R>
+  Range<R> range(const R& raise, const R& most_rate) const {
+    const R most = logarithm((1.0 / reference_) * most_rate + 1.0);
+    return {R(0.0), most + 1e-9, (1.0 / exponent_) * logarithm(max(raise, R(0.0)) + 1.0)};
+  }
+  template <class R>
+  [[gnu::always_inline]] inline RateAt<R> operator()(const R& x) const {
+    const R grown = reference_ * exponential(x), factor = exponential(exponent_ * x);
+    return {grown - reference_, grown, grown, factor - 1.0, exponent_ * factor};
+  }
+
+ private:
+  double exponent_ = 0.0;   // [1]; 0: no rate effect
+  double reference_ = 1.0;  // [1/time]
+};
+
 /// A trial whose yield stress is held at `limit`.
 template <class R>
 Trial<R> limited(Trial<R> t, const R& limit) {

@@ -10,7 +10,8 @@ namespace nugget::kernel {
 
 class ViscoelasticPoint;
 
-/// Linear viscoelastic shear, elastic volume (MAT_006), a law of solids: shear modulus GI + (G0 - GI) exp(-BETA t).
+/// Linear viscoelastic shear, elastic volume (MAT_006, MAT_061), a law of solids: shear modulus GI + (G0 - GI)
+/// exp(-BETA t).
 struct Viscoelastic {
   using Point = ViscoelasticPoint;
 
@@ -20,6 +21,12 @@ struct Viscoelastic {
   double instantaneous_shear = 0.0;  ///< G0 [stress]
   double long_term_shear = 0.0;      ///< GI [stress]
   double decay = 0.0;                ///< BETA [1/time]
+
+  /// Sets E and nu.
+  void complete() {
+    E = 9.0 * bulk * instantaneous_shear / (3.0 * bulk + instantaneous_shear);
+    nu = (3.0 * bulk - 2.0 * instantaneous_shear) / (6.0 * bulk + 2.0 * instantaneous_shear);
+  }
 
   static LawCards<Viscoelastic> cards() {
     using Law = Viscoelastic;
@@ -31,12 +38,7 @@ struct Viscoelastic {
                     real("g0", dimension::stress, required, above_zero(), "shear modulus at once")},
                    {&Law::long_term_shear, real("gi", dimension::stress, 0, at_least(0), "shear modulus in the end")},
                    {&Law::decay, real("beta", dimension::rate, 0, at_least(0), "decay: GI + (G0 - GI) exp(-BETA t)")}}},
-        .complete =
-            [](Law& law) {
-              const double K = law.bulk, G = law.instantaneous_shear;
-              law.E = 9.0 * K * G / (3.0 * K + G);
-              law.nu = (3.0 * K - 2.0 * G) / (6.0 * K + 2.0 * G);
-            },
+        .complete = [](Law& law) { law.complete(); },
         .demands = {{[](const Law& law) { return !(law.nu < 0.0); }, &Law::bulk,
                      "G0 and BULK make a negative Poisson's ratio", "3 BULK must be above 2 G0"}}};
   }

@@ -20,10 +20,12 @@ std::vector<Keyword> section_keywords();                 ///< *SECTION_..., *HOU
 std::vector<Keyword> material_keywords();                ///< *MAT_...
 std::vector<Keyword> orthotropic_material_keywords();    ///< *MAT_ORTHOTROPIC_ELASTIC
 std::vector<Keyword> fabric_material_keywords();         ///< *MAT_FABRIC
+std::vector<Keyword> composite_material_keywords();      ///< *MAT_COMPOSITE_DAMAGE, *MAT_ENHANCED_COMPOSITE_DAMAGE
 std::vector<Keyword> simplified_rubber_keywords();       ///< *MAT_SIMPLIFIED_RUBBER/FOAM
 std::vector<Keyword> sheet_material_keywords();          ///< *MAT_... of rolled sheets: 036, 037, 122
 std::vector<Keyword> plain_law_keywords();               ///< *MAT_... whose cards stand with their laws
 std::vector<Keyword> rubber_material_keywords();         ///< *MAT_... of rubber
+std::vector<Keyword> kelvin_maxwell_keywords();          ///< *MAT_KELVIN-MAXWELL_VISCOELASTIC
 std::vector<Keyword> honeycomb_material_keywords();      ///< *MAT_..._HONEYCOMB
 std::vector<Keyword> foam_material_keywords();           ///< *MAT_... of foam
 std::vector<Keyword> cohesive_material_keywords();       ///< *MAT_COHESIVE_...
@@ -33,6 +35,7 @@ std::vector<Keyword> gissmo_keywords();                  ///< *MAT_ADD_DAMAGE_GI
 std::vector<Keyword> friction_keywords();                ///< *DEFINE_FRICTION
 std::vector<Keyword> plastic_material_keywords();        ///< *MAT_... of metals beside 003 and 024
 std::vector<Keyword> johnson_cook_keywords();            ///< *MAT_... of Johnson and Cook
+std::vector<Keyword> modified_johnson_cook_keywords();   ///< *MAT_MODIFIED_JOHNSON_COOK
 std::vector<Keyword> viscoplastic_material_keywords();   ///< *MAT_ANISOTROPIC_VISCOPLASTIC
 std::vector<Keyword> weld_material_keywords();           ///< *MAT_SPOTWELD
 std::vector<Keyword> weld_table_keywords();              ///< the *DEFINE_ cards that belong to it

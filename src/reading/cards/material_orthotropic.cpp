@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-
-#include <fmt/format.h>
 
 #include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
@@ -83,9 +79,7 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   if (!(law.definiteness() > 0.0))
     refuse(b, moduli[&Orthotropic::poisson_ba], "with these moduli and Poisson's ratios the material would give energy",
            "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");
-  const double product = std::clamp(law.poisson_ba * law.poisson_ba * law.young_a / law.young_b, 0.0, 0.99);
-  law.nu = std::min(std::sqrt(product), 0.45);
-  law.E = std::max(law.young_a, law.young_b) / (1.0 - product) * (1.0 - law.nu * law.nu);
+  law.take_isotropic_constants();
   const Index material =
       add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::composed_law({law}));
   take_axes_of_system(b, shears[&AxesCards::aopt], material);

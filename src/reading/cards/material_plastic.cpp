@@ -189,7 +189,7 @@ void read_rate_dependent(Builder& b, const Block& block, const Options& options)
   b.defer(Phase::parts, [=](Builder& later) { set_rate_curves(later, material, curves); });
 }
 
-// ---- 081, 123
+// ---- 081, 105, 123
 
 const CardOf<YieldCards> damage_card = yield_card({
     {&YieldCards::eppf, real("eppf", dimension::number, 1e12, at_least(0), "plastic strain at which softening begins")},
@@ -202,6 +202,18 @@ const CardOf<YieldCards> damage_rate_card = yield_rate_card({
     {&YieldCards::lcdm, id("lcdm", IdSpace::function, 0, "curve: damage over plastic strain beyond EPPF")},
     {&YieldCards::numint, numint},
 });
+
+const CardOf<YieldCards> energy_damage_card = yield_card({
+    {&YieldCards::fail, real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none")},
+    {&YieldCards::tdel, tdel},
+});
+const CardOf<YieldCards> energy_damage_rate_card = yield_rate_card({});
+const CardOf<YieldCards> energy_card{
+    {&YieldCards::epsd, real("epsd", dimension::number, 0, at_least(0), "plastic strain at which damage begins")},
+    {&YieldCards::s,
+     real("s", dimension::stress, 0, at_least(0), "damage is energy over S; 0: a 200th of the first yield stress")},
+    {&YieldCards::dc, real("dc", dimension::number, 0.5, between(0, 1), "damage at which a point fails")},
+};
 
 const CardOf<YieldCards> modified_card = yield_card({
     {&YieldCards::fail, real("fail", dimension::number, 0, at_least(0), "plastic strain at failure; 0: none")},
@@ -217,13 +229,15 @@ const CardOf<YieldCards> modified_rate_card = yield_rate_card({
     {&YieldCards::numint, numint},
 });
 
-/// Reads the four cards; `complete` adds to the law what is the keyword's own, once curves are known.
+/// Reads the four cards, and `third` between them; `complete` adds to the law what is the keyword's own, once curves
+/// are known.
 void read_with_curves(Builder& b, const Block& block, const Options& options, std::string_view name,
                       const CardOf<YieldCards>& main, const CardOf<YieldCards>& rate,
-                      void (*complete)(Builder&, const YieldRows&, kernel::LawComponents&)) {
+                      void (*complete)(Builder&, const YieldRows&, kernel::LawComponents&),
+                      const CardOf<YieldCards>* third = nullptr) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
-  const YieldRows rows = read_yield_cards(cursor, main, rate, options.contains("LOG_INTERPOLATION"));
+  const YieldRows rows = read_yield_cards(cursor, main, rate, options.contains("LOG_INTERPOLATION"), third);
   expect_end(b, cursor);
   const YieldCards& cards = rows.cards();
   check_tangent(b, cards.e, rows.main[&YieldCards::etan]);
@@ -257,6 +271,19 @@ void add_directional_damage(Builder& b, const YieldRows& rows, kernel::LawCompon
 void add_strain_limits(Builder&, const YieldRows& rows, kernel::LawComponents& law) {
   law.failure_strain = plastic_strain_at_failure(rows.cards().fail);
   law.limits = {rows.cards().epsthin, rows.cards().epsmaj};
+}
+
+void add_energy_damage(Builder&, const YieldRows& rows, kernel::LawComponents& law) {
+  const YieldCards& cards = rows.cards();
+  law.failure_strain = plastic_strain_at_failure(cards.fail);
+  const auto& flow = std::get<kernel::PiecewiseLinear>(law.flow);
+  const double resistance = cards.s > 0.0 ? cards.s : flow.yield.front().clamped(0.0) / 200.0;
+  law.energy_damage = kernel::EnergyDamage{cards.e, cards.pr, cards.epsd, resistance, cards.dc};
+}
+
+void read_energy_damage(Builder& b, const Block& block, const Options& options) {
+  read_with_curves(b, block, options, "MAT_DAMAGE_2", energy_damage_card, energy_damage_rate_card, add_energy_damage,
+                   &energy_card);
 }
 
 void read_damage(Builder& b, const Block& block, const Options& options) {
@@ -312,6 +339,15 @@ std::vector<Keyword> plastic_material_keywords() {
        .options = {"TITLE"},
        .status = KeywordStatus::refused,
        .why = "the damage of Wilkins (Rc-Dc) is not built; the keyword without _RCDC1980 is"},
+      {.name = "MAT_DAMAGE_2",
+       .aliases = {"MAT_105"},
+       .options = {"TITLE"},
+       .layout = {{"", &energy_damage_card},
+                  {"", &energy_damage_rate_card},
+                  {"", &energy_card},
+                  {"", &yield_strain_card},
+                  {"", &yield_stress_card}},
+       .read = read_energy_damage},
       {.name = "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
        .aliases = {"MAT_123"},
        .options = {"TITLE", "LOG_INTERPOLATION"},

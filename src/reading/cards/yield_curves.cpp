@@ -55,7 +55,8 @@ void set_curve_or_table(Builder& b, const YieldRows& rows, kernel::PiecewiseLine
 /// of S. Bala's notes); how the rate is measured.
 void set_rates(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law) {
   const YieldCards& cards = rows.cards();
-  const deck::Entry lcsr = rows.rate[&YieldCards::lcsr], vp = rows.rate[&YieldCards::vp];
+  const deck::Entry lcsr = rows.rate[&YieldCards::lcsr],
+                    vp = rows.rate.has(&YieldCards::vp) ? rows.rate[&YieldCards::vp] : lcsr;
   const bool table = !law.rates.empty(), scaled = cards.lcsr != 0;
   const auto not_obeyed = [&](const deck::Entry& field) {
     field.report(b.findings, Severity::warning,
@@ -131,11 +132,12 @@ CardOf<YieldCards> yield_rate_card(std::initializer_list<FieldOf<YieldCards>> ow
 }
 
 YieldRows read_yield_cards(deck::Cursor& cursor, const CardOf<YieldCards>& main, const CardOf<YieldCards>& rate,
-                           bool log_rates) {
+                           bool log_rates, const CardOf<YieldCards>* third) {
   YieldCards cards;
   YieldRows rows;
   rows.main = cursor.read(main, cards);
   rows.rate = cursor.read(rate, cards);
+  if (third != nullptr) cursor.read(*third, cards);
   rows.strain = cursor.read(yield_strain_card, cards);
   rows.stress = cursor.read(yield_stress_card, cards);
   rows.log_rates = log_rates;

@@ -26,6 +26,7 @@ struct YieldCards : MaterialCard {
   std::array<double, 8> eps{}, es{};  // third, fourth
   // Of some of the laws.
   double fail = 0, tdel = 0, eppf = 0, eppfr = 0, epsthin = 0, epsmaj = 0, numint = 0;
+  double epsd = 0, s = 0, dc = 0;
   int lcdm = 0;
 };
 struct YieldRows {
@@ -38,9 +39,9 @@ struct YieldRows {
 CardOf<YieldCards> yield_card(std::initializer_list<FieldOf<YieldCards>> own);
 CardOf<YieldCards> yield_rate_card(std::initializer_list<FieldOf<YieldCards>> own);
 
-/// Reads the two cards, EPS1..8 and ES1..8.
+/// Reads the two cards, `third` where there is one, EPS1..8 and ES1..8.
 YieldRows read_yield_cards(deck::Cursor& cursor, const CardOf<YieldCards>& main, const CardOf<YieldCards>& rate,
-                           bool log_rates);
+                           bool log_rates, const CardOf<YieldCards>* third = nullptr);
 extern const CardOf<YieldCards> yield_strain_card, yield_stress_card;
 
 /// An error where ETAN is not below E.

@@ -94,7 +94,8 @@ void check_layer(Builder& b, const LayerCard& layer, const kernel::ComposedLaw& 
                     fmt::format("the layer's angle has no effect: *{} has no axes", material.keyword));
   if (has_axes && b.model.control.laminated_shear)
     refuse(b, layer.id,
-           "laminated shell theory (LAMSHT of *CONTROL_SHELL) is not built for layers of *MAT_ORTHOTROPIC_ELASTIC",
+           fmt::format("laminated shell theory (LAMSHT of *CONTROL_SHELL) is not built for layers of *{}",
+                       material.keyword),
            "write LAMSHT 0 and choose SHRF, or give the layer *MAT_ELASTIC");
   if (const double points = law.components->points_to_delete; points == 1.0)
     layer.id.report(b.findings, Severity::note,

@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "deck/deck.hpp"
 #include "kernel/law/law_components.hpp"
+#include "reading/build.hpp"
 #include "small_model.hpp"
 
 namespace nugget::reading {
@@ -138,6 +142,22 @@ TEST(PlasticMaterials, IsotropicElasticPlastic) {
   EXPECT_NEAR(law.E / (3.0 * (1.0 - 2.0 * law.nu)), 175000.0, 1e-6);
   EXPECT_DOUBLE_EQ(law.yield.at(0).extrapolated(0.5), 800.0);
   EXPECT_TRUE(built("*MAT_012\n4,7.85e-9,80000.0,300.0,,10000.0\n").error("negative Poisson", "bulk"));
+}
+
+TEST(SoftMaterials, DecayInTheUnitsOfTheModel) {
+  for (const std::string fo : {"0", "1"}) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "kelvin_units";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "foam.k") << "*KEYWORD\n*MAT_061\n4,1.2e-9,2000.0,50.0,10.0,8.0," << fo << "\n*END\n";
+    std::ofstream(folder / "model.k")
+        << "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*INCLUDE_TRANSFORM\nfoam.k\n\n\n1.0,1000.0,1.0\n\n*END\n";
+    Findings findings;
+    const deck::Deck deck = deck::read(folder / "model.k", findings);
+    const model::Model model = reading::build(deck, findings, false);
+    ASSERT_EQ(findings.errors(), 0);
+    const auto& law = std::get<kernel::ComposedLaw>(model.materials.at(0).law);
+    EXPECT_NEAR(std::get<kernel::Viscoelastic>(law.components->flow).decay, fo == "0" ? 8.0e-3 : 1.0 / 8.0e3, 1e-15);
+  }
 }
 
 TEST(PlasticMaterials, PowerLaw) {
@@ -430,11 +450,75 @@ TEST(SoftMaterials, FoamByATableOverTheRate) {
   EXPECT_TRUE(built("*MAT_FU_CHANG_FOAM_LOG_LOG_INTERPOLATION\n4\n").error("between the logarithms"));
 }
 
+TEST(PlasticMaterials, Damage2) {
+  const auto b = built("*MAT_DAMAGE_2\n4,7.85e-9,210000.0,0.3,300.0,1000.0,0.8\n40.0,5.0\n0.02,1.2,0.3\n\n\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const kernel::LawComponents& law = composition(b);
+  EXPECT_DOUBLE_EQ(law.failure_strain, 0.8);
+  EXPECT_DOUBLE_EQ(law.energy_damage->onset, 0.02);
+  EXPECT_DOUBLE_EQ(law.energy_damage->resistance, 1.2);
+  EXPECT_DOUBLE_EQ(law.energy_damage->critical, 0.3);
+  EXPECT_DOUBLE_EQ(law.energy_damage->young, 210000.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::PiecewiseLinear>(b).rate_c, 40.0);
+  const auto plain = built("*MAT_105\n4,7.85e-9,210000.0,0.3\n\n\n0,0.5\n250.0,400.0\n");
+  EXPECT_EQ(plain.findings.errors(), 0) << plain.all_findings();
+  EXPECT_DOUBLE_EQ(composition(plain).energy_damage->resistance, 250.0 / 200.0);
+  EXPECT_DOUBLE_EQ(composition(plain).energy_damage->critical, 0.5);
+  EXPECT_TRUE(built("*MAT_105\n4,7.85e-9,210000.0,0.3,300.0\n\n0,0,1.5\n\n\n").error("0 to 1", "dc"));
+}
+
+TEST(PlasticMaterials, ModifiedJohnsonCook) {
+  const std::string first = "*MAT_107\n4,7.85e-9,210000.0,0.3,0.0,0.9,4.52e8\n5e-4,293.0,1800.0,393.0,0,";
+  const std::string yield = "\n490.0,383.0,0.45,0.0114,0.94\n80.0,30.0,40.0,4.0\n";
+  const auto b = built(first + "0" + yield + "0.3,0.05,0.07,1.73,-0.54,-0.0123,0.1\n1600.0,900.0\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& law = flow<kernel::ModifiedJohnsonCook>(b);
+  EXPECT_DOUBLE_EQ(law.yield, 490.0);
+  EXPECT_DOUBLE_EQ(law.saturating_2, 40.0);
+  EXPECT_DOUBLE_EQ(law.rate_exponent, 0.0114);
+  EXPECT_DOUBLE_EQ(law.reference_rate, 5e-4);
+  EXPECT_DOUBLE_EQ(law.softening, 0.94);
+  EXPECT_NEAR(law.warmth, 100.0 / 1507.0, 1e-15);
+  EXPECT_DOUBLE_EQ(law.melting_rise, 1407.0);
+  EXPECT_NEAR(law.heating, 0.9 / (7.85e-9 * 4.52e8), 1e-12);
+  const auto& rule = std::get<kernel::DuctileFracture>(composition(b).rules.at(0));
+  EXPECT_TRUE(rule.grows && !rule.by_work);
+  EXPECT_DOUBLE_EQ(rule.threshold, 0.05);
+  EXPECT_DOUBLE_EQ(rule.d4, -0.0123);
+  EXPECT_DOUBLE_EQ(rule.last_rise, 1600.0 - 393.0);
+  EXPECT_DOUBLE_EQ(rule.shear_strength, 900.0);
+  const auto work = built(first + "1" + yield + "1.0,1000.0\n\n");
+  EXPECT_EQ(work.findings.errors(), 0) << work.all_findings();
+  EXPECT_DOUBLE_EQ(std::get<kernel::DuctileFracture>(composition(work).rules.at(0)).work, 1000.0);
+  const auto plain = built(first + "0" + yield + "\n\n");
+  EXPECT_EQ(plain.findings.errors(), 0) << plain.all_findings();
+  EXPECT_TRUE(composition(plain).rules.empty());
+  EXPECT_TRUE(built(first + "1" + yield + "0.0,1000.0\n\n").error("critical damage", "dc"));
+  EXPECT_TRUE(built("*MAT_107\n4,7.85e-9,210000.0,0.3,1.0\n5e-4\n490.0\n\n\n\n").error("", "beta"));
+  EXPECT_TRUE(built("*MAT_107\n4,7.85e-9,210000.0,0.3\n5e-4,,,,1.0\n490.0\n\n\n\n").error("", "flag1"));
+  EXPECT_TRUE(built("*MAT_107\n4,7.85e-9,210000.0,0.3,,0.9,4e8\n5e-4\n490.0\n\n\n\n").error("melting", "tm"));
+}
+
 TEST(SoftMaterials, Viscoelastic) {
   const auto b = built("*MAT_006\n4,1.2e-9,2000.0,50.0,10.0,100.0\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
   EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(b).long_term_shear, 10.0);
   EXPECT_NEAR(b.model.materials.at(0).young() / (2.0 * (1.0 + b.model.materials.at(0).poisson())), 50.0, 1e-9);
+}
+
+TEST(SoftMaterials, KelvinAndMaxwell) {
+  const auto maxwell = built("*MAT_KELVIN-MAXWELL_VISCOELASTIC\n4,1.2e-9,2000.0,50.0,10.0,100.0\n");
+  EXPECT_EQ(maxwell.findings.errors(), 0) << maxwell.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(maxwell).decay, 100.0);
+  EXPECT_NEAR(maxwell.model.materials.at(0).young() / (2.0 * (1.0 + maxwell.model.materials.at(0).poisson())), 50.0,
+              1e-9);
+  const auto kelvin = built("*MAT_061\n4,1.2e-9,2000.0,50.0,10.0,0.02,1.0,2.0\n");
+  EXPECT_EQ(kelvin.findings.errors(), 0) << kelvin.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::Viscoelastic>(kelvin).decay, 50.0);
+  EXPECT_NE(kelvin.all_findings().find("no strain in the place"), std::string::npos);
+  EXPECT_TRUE(built("*MAT_061\n4,1.2e-9,2000.0,50.0,10.0,0.0,1.0\n").error("relaxation time", "dc"));
+  EXPECT_TRUE(built("*MAT_061\n4,1.2e-9,2000.0,50.0,10.0,0.1,0.5\n").error("0 or 1", "fo"));
+  EXPECT_TRUE(built("*MAT_061\n4,1.2e-9,20.0,50.0,10.0,0.1\n").error("negative Poisson", "bulk"));
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plates of fibres at angles, of MAT_022, 054 and 055, struck so that plies crack, fibres tear and shells go: the same bits with any number of
+threads and lanes and across a restart, and energies that close."""
+import unittest
+
+from repeated_runs import RepeatedRuns
+
+ELASTIC = "{},1.52e-9,127e3,8.41e3,8.41e3,0.0205,0.0205,0.3\n4.21e3,4.21e3,4.21e3,,{}\n"
+LAWS = (("*MAT_022\n" + ELASTIC.format(1, 0) + "\n\n154.0,2200.0,48.9,199.0,1e-9\n"),
+        ("*MAT_054\n" + ELASTIC.format(2, 2) + ",,,1.0\n,,,0,1.0,,0.05,0.06\n1e-9,1e-9,,0.5,1.5,0.02,-0.015,0.2\n"
+         "1470.0,2200.0,199.0,48.9,154.0,54,0.3\n\n0.1,0.4,0.3,0.5,0.6,30\n"),
+        ("*MAT_055\n" + ELASTIC.format(3, 3) + "\n0,1.0,0\n\n1470.0,2200.0,199.0,48.9,154.0,55\n"))
+FORMULATIONS = (2, 16, 17)
+
+
+def plates(n=4, speed=200000.0):
+    """A plate of each law in each formulation, held at one side and struck at its middle."""
+    cards = ["*KEYWORD", "*CONTROL_TERMINATION", "4e-4", "*CONTROL_ENERGY", "2,2,2,2", "*DATABASE_GLSTAT", "5e-6", "*DATABASE_BINARY_D3PLOT",
+             "5e-5", *LAWS]
+    nodes, shells, starts = [], [], []
+    for i in range(len(LAWS)):
+        for k, elform in enumerate(FORMULATIONS):
+            part, first = 10 * (i + 1) + k, len(nodes) + 1
+            plies = [(i + 1, 0.3, angle, 0) for angle in (0, 45, -45, 90, 90, 0)]
+            lines = ["{},{},{},{},{},{},{},{}".format(*a, *b) for a, b in zip(plies[::2], plies[1::2])]
+            cards.append(f"*PART_COMPOSITE\nplate\n{part},{elform}\n" + "\n".join(lines))
+            corner = {(a, b): first + a + (n + 1) * b for b in range(n + 1) for a in range(n + 1)}
+            for (a, b), node in corner.items():
+                nodes.append((node, 60 * i + 10 * a + 1.3 * (b % 2), 60 * k + 10 * b + 0.9 * (a % 2), 0))
+                if a == 0:
+                    cards.append(f"*BOUNDARY_SPC_NODE\n{node},0,1,1,1,1,1,1")
+                elif a >= n // 2:
+                    starts.append((node, 0.15 * speed * a / n, 0, speed * (a + b % 2) / n))
+            for b in range(n):
+                for a in range(n):
+                    c = [corner[a, b], corner[a + 1, b], corner[a + 1, b + 1], corner[a, b + 1]]
+                    for e in ([[*c[:3], c[2]], [c[0], c[2], c[3], c[3]]] if elform == 17 else [c]):
+                        shells.append((len(shells) + 1, part, *e))
+    for name, lines in (("NODE", nodes), ("ELEMENT_SHELL", shells), ("INITIAL_VELOCITY_NODE", starts)):
+        cards += [f"*{name}", *(",".join(f"{x:.10g}" for x in line) for line in lines)]
+    return "\n".join([*(c.rstrip("\n") if c.startswith("*PART") else c.removesuffix("\n") for c in cards), "*END", ""])
+
+
+class Composites(RepeatedRuns):
+    def test_same_bits_and_restart(self):
+        self.write(plates(2))
+        self.compare("model.k")
+        self.resumed(plates(2), shares=(0.3, 0.7))
+
+    def test_energy_closes_while_plies_fail(self):
+        self.write(plates())
+        self.nugget("run", "model.k", "-o", "run", "--quiet")
+        states = self.glstat("run/glstat")
+        for state in states:
+            self.assertAlmostEqual(state["total energy / initial energy"], 1.0, delta=0.01)
+        self.assertGreater(states[-1]["eroded internal energy"], 0.05 * states[-1]["internal energy"])
+
+    def test_modes_are_those_of_the_elastic_plate(self):
+        found = []
+        for law in (LAWS[0], LAWS[1], "*MAT_002\n" + ELASTIC.format(1, 0) + "\n\n"):
+            cards = ["*KEYWORD", "*CONTROL_IMPLICIT_GENERAL\n1,1.0", "*CONTROL_IMPLICIT_EIGENVALUE\n9", law.replace("\n2,", "\n1,", 1).removesuffix("\n"),
+                     "*PART_COMPOSITE\nplate\n1,16", "1,0.3,0,0,1,0.3,45", "1,0.3,-45,0,1,0.3,90", "*NODE"]
+            cards += [f"{1 + a + 7 * b},{10 * a},{10 * b},0" for b in range(7) for a in range(7)]
+            cards += ["*ELEMENT_SHELL", *(f"{1 + a + 6 * b},1,{1 + a + 7 * b},{2 + a + 7 * b},{9 + a + 7 * b},{8 + a + 7 * b}" for b in range(6) for a in range(6))]
+            self.write("\n".join([*cards, "*END", ""]))
+            self.nugget("modes", "model.k", "-n", 9, "-o", "modes", "--quiet")
+            found.append([mode["frequency_hz"] for mode in self.json("modes/summary.json")["modes"]][6:])
+        self.assertEqual(len(found[0]), 3)
+        for own in found[:2]:
+            for value, elastic in zip(own, found[2]):
+                self.assertAlmostEqual(value / elastic, 1.0, delta=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()
