@@ -464,14 +464,16 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
 
 void Simulation::accelerate() {
   const double velocity_interval = 0.5 * (state_.dt + state_.dt_previous);
-  const bool step_changes = state_.dt != state_.dt_previous;
+  const double change = 0.25 * (state_.dt - state_.dt_previous);
   step_change_of_node_.resize(system_.nodes);
   system_.for_each_node(1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) {
-      if (step_changes) step_change_of_node_[k] += step_change(k);
       const double a = velocity_interval * inverse_mass_[k], b = velocity_interval * inverse_inertia_[k];
       Row &v = state_.v[k], &w = state_.w[k];
       const Row &f = state_.f[k], &m = state_.m[k];
+      if (change != 0.0)  // as in step_change()
+        step_change_of_node_[k] +=
+            change * (a * (f.x * f.x + f.y * f.y + f.z * f.z) + b * (m.x * m.x + m.y * m.y + m.z * m.z));
       v = {v.x + a * f.x, v.y + a * f.y, v.z + a * f.z, 0.0};
       w = {w.x + b * m.x, w.y + b * m.y, w.z + b * m.z, 0.0};
     }
