@@ -23,9 +23,10 @@ class Partition {
   static constexpr int everyone = -1;  ///< in place of a rank: all of them compute the unit
 
   /// Cuts the graph of units that share nodes by METIS so that all ranks have about the same cost (`element_cost`;
-  /// deleted elements cost nothing), about the same in contact, and few nodes lie on several. `for_everyone`: elements whose state is looked at by what
-  /// is computed on all ranks; so are all springs. As ranks wait for each other between elements and contact, both must
-  /// be even on their own. What is joined by welds, springs and ties, or rests on each other, is kept together.
+  /// deleted elements cost nothing), about the same in contact, and few nodes lie on several. `for_everyone`: elements
+  /// whose state is looked at by what is computed on all ranks; so are all springs. As ranks wait for each other
+  /// between elements and contact, both must be even on their own. What is joined by welds, springs and ties, or rests
+  /// on each other, is kept together.
   Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
             const ContactCosts& contact = {});
 

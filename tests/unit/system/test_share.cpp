@@ -279,8 +279,8 @@ TEST(Partition, KeepsTogetherWhatRestsOnEachOther) {
     ContactCosts contact{std::vector<double>(sheet.system.all_nodes(), 1.0), {}};
     for (std::size_t i = 0; i < side; ++i)
       for (int k = 0; k < 20; ++k)
-        contact.together.push_back({sheet.system.groups[0]->nodes(element(i, 0))[0],
-                                    sheet.system.groups[0]->nodes(element(i, side - 1))[0]});
+        contact.together.push_back(
+            {sheet.system.groups[0]->nodes(element(i, 0))[0], sheet.system.groups[0]->nodes(element(i, side - 1))[0]});
     const Partition partition(sheet.system, 2, {}, contact);
     std::size_t together = 0;
     for (std::size_t i = 0; i < side; ++i)
