@@ -222,11 +222,4 @@ void Share::spread(std::span<Row> of_nodes) const {
     for (std::size_t i = 0; r != own && i < rows[r].size(); ++i) of_nodes[reported_[r][i]] = rows[r][i];
 }
 
-std::size_t Share::bytes_of_step() const {
-  std::size_t rows = 0;
-  for (const Message& message : out_) rows += message.data.size() * message.to.size();
-  rows += sums_[ranks_.rank()].data.size() * at(ranks_.count() - 1);
-  return rows * sizeof(Row3);
-}
-
 }  // namespace nugget::system

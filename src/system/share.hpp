@@ -77,9 +77,6 @@ class Share {
   /// The rows of these nodes come to all ranks.
   void spread(std::span<Row> of_nodes) const;
 
-  /// Numbers that a step sends from here, of all kinds, in bytes.
-  std::size_t bytes_of_step() const;
-
  private:
   struct Row3 {
     double x, y, z;
