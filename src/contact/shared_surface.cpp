@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A surface contact over several ranks (docs/decisions/0115): each looks at blocks of tracked nodes that it mostly
-// follows, at places that other ranks send where it follows not, and sends hits to the ranks that follow their nodes.
+// follows, at places that other ranks send where it follows not, and sends hits to the ranks that add up the forces on
+// their nodes.
 #include <algorithm>
 #include <cstring>
 
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
+#include "system/exchange.hpp"
 #include "system/parcel.hpp"
 #include "system/share.hpp"
 
@@ -52,8 +54,13 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
   }
   std::vector<char> left_out;
   others_add_.clear();
-  for (const int node : forces_.nodes()) {
+  answered_.assign(at(count), {});
+  out_.resize(at(count));
+  hits_for_.resize(at(count));
+  for (std::size_t i = 0; i < forces_.nodes().size(); ++i) {
+    const int node = forces_.nodes()[i];
     const std::span<const int> adding = share_->adding(node);
+    if (!adding.empty()) answered_[adding.front()].push_back(static_cast<int>(i));
     left_out.push_back(!looks_everywhere_ && !share_->adds_up(node));
     others_add_.push_back(looks_everywhere_ || adding.size() != 1 || adding.front() != rank_);
   }
@@ -125,34 +132,22 @@ Box SurfaceContact::over_all_ranks(const Box& own) const {
 /// Hits go to the ranks that add up the forces on one of their nodes, and there to the same place in the order of
 /// blocks and hits.
 void SurfaceContact::exchange_hits() {
-  Ranks& ranks = share_->ranks();
-  const int count = ranks.count();
-  out_.resize(at(count));
-  in_.resize(at(count));
-  for (Message& message : out_) message.data.clear();
+  for (std::vector<std::byte>& data : out_) data.clear();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!computes(b))
       blocks_[b].clear_hits();
     else if (at_border_[b])
       put_hits(static_cast<int>(b));
   }
-  std::vector<std::uint64_t> sizes(at(count)), of_all(at(count) * at(count));
-  for (int r = 0; r < count; ++r) sizes[r] = out_[r].data.size();
-  ranks.gather(std::as_bytes(std::span(sizes)), std::as_writable_bytes(std::span(of_all)));
-  for (int r = 0; r < count; ++r) {
-    in_[r].data.resize(of_all[at(r) * at(count) + at(rank_)]);
-    if (!in_[r].data.empty()) ranks.receive(r, in_[r].data);
-    if (!out_[r].data.empty()) ranks.send(r, out_[r].data);
-  }
-  ranks.finish();
-  for (const Message& message : in_)
-    for (std::size_t place = 0; place < message.data.size();) {
+  system::exchange(share_->ranks(), out_, in_);
+  for (const std::vector<std::byte>& data : in_)
+    for (std::size_t place = 0; place < data.size();) {
       BlockHead head;
-      std::memcpy(&head, message.data.data() + place, sizeof head);
+      std::memcpy(&head, data.data() + place, sizeof head);
       place += sizeof head;
       Block& block = blocks_[head.block];
       block.hits.resize(at(head.hits));
-      std::memcpy(static_cast<void*>(block.hits.data()), message.data.data() + place, block.hits.size() * sizeof(Hit));
+      std::memcpy(static_cast<void*>(block.hits.data()), data.data() + place, block.hits.size() * sizeof(Hit));
       place += block.hits.size() * sizeof(Hit);
       share_out(block, work_of_thread().shares);
     }
@@ -161,27 +156,28 @@ void SurfaceContact::exchange_hits() {
 /// Puts the hits of a block into the messages to those who add up the forces on one of their nodes.
 void SurfaceContact::put_hits(int b) {
   const Block& block = blocks_[b];
-  for (Message& message : out_) message.hits.clear();
+  const int count = static_cast<int>(out_.size());
+  for (std::vector<int>& hits : hits_for_) hits.clear();
   for (std::size_t h = 0; h < block.hits.size(); ++h) {
     const int hit = static_cast<int>(h);
     const auto give = [&](int rank) {
-      std::vector<int>& hits = out_[rank].hits;
+      std::vector<int>& hits = hits_for_[rank];
       if (rank != rank_ && (hits.empty() || hits.back() != hit)) hits.push_back(hit);
     };
     const auto give_for = [&](int node) {
       if (others_add_[forces_.place(node)] == 0) return;
       const std::span<const int> some = looks_everywhere_ ? std::span<const int>() : share_->adding(node);
       for (const int rank : some) give(rank);
-      for (int rank = 0; some.empty() && rank < static_cast<int>(out_.size()); ++rank) give(rank);
+      for (int rank = 0; some.empty() && rank < count; ++rank) give(rank);
     };
     give_for(nodes_[block.hits[h].tracked].node);
     for (const int n : faces_[block.hits[h].segment].node) give_for(n);
   }
-  for (Message& message : out_) {
-    if (message.hits.empty()) continue;
-    const BlockHead head{b, static_cast<int>(message.hits.size())};
-    append(message.data, &head, sizeof head);
-    for (const int hit : message.hits) append(message.data, &block.hits[hit], sizeof(Hit));
+  for (int r = 0; r < count; ++r) {
+    if (hits_for_[r].empty()) continue;
+    const BlockHead head{b, static_cast<int>(hits_for_[r].size())};
+    append(out_[r], &head, sizeof head);
+    for (const int hit : hits_for_[r]) append(out_[r], &block.hits[hit], sizeof(Hit));
   }
 }
 
@@ -204,13 +200,13 @@ void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parce
     carry_list(parcel, block.touches);
     carry_list(parcel, block.free);
   }
-  const auto of_rank = [this, rank](int node) {
-    return !share_->adding(node).empty() && share_->answering(node) == rank;
-  };
-  for (std::size_t i = 0; i < forces_.nodes().size(); ++i)
-    if (of_rank(forces_.nodes()[i])) forces_.carry(static_cast<int>(i), whole, parcel);
-  for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i)
-    if (of_rank(active_nodes_[i])) parcel(&seen_at_[i], 1);
+  // Histories show what pressed, and nothing of the work.
+  if (what == system::Carried::histories) return;
+  for (const int place : answered_[rank]) forces_.carry(place, whole, parcel);
+  for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i) {
+    const std::span<const int> adding = share_->adding(active_nodes_[i]);
+    if (!adding.empty() && adding.front() == rank) parcel(&seen_at_[i], 1);
+  }
 }
 
 }  // namespace nugget::contact

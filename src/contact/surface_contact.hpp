@@ -125,7 +125,7 @@ class SurfaceContact {
   void apply(const Step& step, std::span<Row> force);
 
   /// Adds about what each node costs in a cycle, in pairs that rest; by the lists, which are made at the places `x`
-  /// where there are none yet. A contact that is born later costs nothing.
+  /// where there are none yet. A contact with a birth time costs nothing.
   void add_costs(std::span<const Row> x, system::ContactCosts& costs);
   /// Over several ranks (Step::shared): what others need of the blocks of a rank and of the nodes for which it answers,
   /// for results or for all that is to come, on its way to another one.
@@ -417,12 +417,9 @@ class SurfaceContact {
   std::vector<char> at_border_;   // by block: some of its pairs touch such nodes
   std::vector<int> followed_;     // places in active_nodes_ of nodes that this rank follows
   system::GhostNodes ghosts_;
-  /// Hits for, and of, another rank. They keep their room from cycle to cycle.
-  struct Message {
-    std::vector<std::byte> data;
-    std::vector<int> hits;  ///< of the block that is looked at, those that go there
-  };
-  std::vector<Message> out_, in_;  // by rank
+  std::vector<std::vector<int>> answered_;        // by rank: places in forces_ of the nodes for which it answers
+  std::vector<std::vector<std::byte>> out_, in_;  // hits for, and of, each rank; they keep their room
+  std::vector<std::vector<int>> hits_for_;        // by rank: those of the block that is looked at
 };
 
 }  // namespace nugget::contact

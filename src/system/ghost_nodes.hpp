@@ -24,12 +24,8 @@ class GhostNodes {
   struct Three {
     double x, y, z;
   };
-  /// What one other rank wants of this one, or gives it.
-  struct Between {
-    std::vector<int> nodes;
-    std::vector<Three> data;  ///< a place and a velocity each
-  };
-  std::vector<Between> wanted_, given_;  ///< by rank: from it, to it
+  std::vector<std::vector<int>> wanted_, given_;       ///< nodes, by rank: from it, to it
+  std::vector<std::vector<Three>> arrived_, leaving_;  ///< of these a place and a velocity each
 };
 
 }  // namespace nugget::system

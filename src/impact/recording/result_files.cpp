@@ -53,7 +53,7 @@ bool of_sums_and_nodes(std::string_view name) {
 }
 
 bool of_energies(std::string_view name) {
-  return name == "glstat" || name == "matsum";
+  return name == "glstat" || name == "matsum" || name == "sleout";
 }
 
 /// The first mark: the start, but with IOOPT 3 the curve's first abscissa that is not before it.

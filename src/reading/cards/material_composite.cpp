@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <numbers>
 
 #include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
-#include "reading/cards/material.hpp"
+#include "reading/cards/orthotropic_fields.hpp"
 
 // *MAT_COMPOSITE_DAMAGE and *MAT_ENHANCED_COMPOSITE_DAMAGE.
 namespace nugget::reading {
@@ -35,8 +34,6 @@ constexpr RealField of_bricks(std::string_view name, std::string_view meaning) {
 }
 constexpr RealField along_b =
     real("eb", dimension::stress, required, above_zero(), "Young's modulus across the fibres");
-constexpr RealField ratio_ba =
-    real("prba", dimension::number, 0, any_value, "strain along a over that along b, negative, under stress along b");
 
 const CardOf<CompositeCards> fibres_card{
     {&MaterialCard::mid, material_id},
@@ -45,19 +42,15 @@ const CardOf<CompositeCards> fibres_card{
      real("ea", dimension::stress, required, above_zero(), "Young's modulus along the fibres, a")},
     {&Orthotropic::young_b, along_b},
     {&Orthotropic::young_c, real("ec", dimension::stress, 0, at_least(0), "Young's modulus along c; 0: EB")},
-    {&Orthotropic::poisson_ba, ratio_ba},
-    {&Orthotropic::poisson_ca, real("prca", dimension::number, 0, any_value, "the same along a, under stress along c")},
-    {&Orthotropic::poisson_cb, real("prcb", dimension::number, 0, any_value, "the same along b, under stress along c")},
+    {&Orthotropic::poisson_ba, orthotropy::ratio_ba},
+    {&Orthotropic::poisson_ca, orthotropy::ratio_ca},
+    {&Orthotropic::poisson_cb, orthotropy::ratio_cb},
 };
 
-constexpr RealField shear_modulus_ab = real("gab", dimension::stress, required, above_zero(), "shear modulus ab");
-constexpr RealField shear_modulus_bc = real("gbc", dimension::stress, required, above_zero(), "shear modulus bc");
-constexpr RealField shear_modulus_ca = real("gca", dimension::stress, required, above_zero(), "shear modulus ca");
-
 const CardOf<CompositeCards> shears_of_022_card{
-    {&Orthotropic::shear_ab, shear_modulus_ab},
-    {&Orthotropic::shear_bc, shear_modulus_bc},
-    {&Orthotropic::shear_ca, shear_modulus_ca},
+    {&Orthotropic::shear_ab, orthotropy::shear_ab},
+    {&Orthotropic::shear_bc, orthotropy::shear_bc},
+    {&Orthotropic::shear_ca, orthotropy::shear_ca},
     of_bricks("kfail", "bulk modulus of failed solids, no effect in shells"),
     {&AxesCards::aopt, aopt::option},
     aopt::macf,
@@ -93,9 +86,9 @@ const CardOf<CompositeCards> strengths_of_022_card{
 };
 
 const CardOf<CompositeCards> shears_of_054_card{
-    {&Orthotropic::shear_ab, shear_modulus_ab},
-    {&Orthotropic::shear_bc, shear_modulus_bc},
-    {&Orthotropic::shear_ca, shear_modulus_ca},
+    {&Orthotropic::shear_ab, orthotropy::shear_ab},
+    {&Orthotropic::shear_bc, orthotropy::shear_bc},
+    {&Orthotropic::shear_ca, orthotropy::shear_ca},
     of_bricks("kf", "bulk modulus of failed material, not used"),
     {&AxesCards::aopt, aopt::option},
     real("2way", dimension::number, 0, only(0), "fibres in both directions"),
@@ -197,13 +190,7 @@ void add_composite(Builder& b, const Block& block, std::string title, std::strin
                    const RowOf<CompositeCards>& fibres, const deck::Entry& option, const deck::Entry& a1,
                    const deck::Entry& v1, const CompositeCards& cards, double deletion_step) {
   CompositeLayer law = cards;
-  if (!(law.young_c > 0.0)) law.young_c = law.young_b;
-  law.axes = material_axes(b, block, cards, option, a1, v1);
-  law.axes.angle = hand(block) * cards.beta * (std::numbers::pi / 180.0);
-  if (!(law.definiteness() > 0.0))
-    refuse(b, fibres[&Orthotropic::poisson_ba], "with these moduli and Poisson's ratios the material would give energy",
-           "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");
-  law.take_isotropic_constants();
+  complete_orthotropic(b, block, law, cards, cards.beta, {fibres[&Orthotropic::poisson_ba], option, a1, v1});
   kernel::LawComponents components = kernel::components_of(law);
   components.for_layers_only = true;
   components.deletion_step = deletion_step;

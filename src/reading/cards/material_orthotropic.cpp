@@ -4,7 +4,7 @@
 #include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
-#include "reading/cards/material.hpp"
+#include "reading/cards/orthotropic_fields.hpp"
 
 // *MAT_ORTHOTROPIC_ELASTIC.
 namespace nugget::reading {
@@ -25,16 +25,15 @@ const CardOf<OrthotropicCards> moduli_card{
     {&Orthotropic::young_a, real("ea", dimension::stress, required, above_zero(), "Young's modulus along a")},
     {&Orthotropic::young_b, real("eb", dimension::stress, required, above_zero(), "Young's modulus along b")},
     {&Orthotropic::young_c, real("ec", dimension::stress, 0, at_least(0), "Young's modulus along c; 0, of shells: EB")},
-    {&Orthotropic::poisson_ba,
-     real("prba", dimension::number, 0, any_value, "strain along a over that along b, negative, under stress along b")},
-    {&Orthotropic::poisson_ca, real("prca", dimension::number, 0, any_value, "the same along a, under stress along c")},
-    {&Orthotropic::poisson_cb, real("prcb", dimension::number, 0, any_value, "the same along b, under stress along c")},
+    {&Orthotropic::poisson_ba, orthotropy::ratio_ba},
+    {&Orthotropic::poisson_ca, orthotropy::ratio_ca},
+    {&Orthotropic::poisson_cb, orthotropy::ratio_cb},
 };
 
 const CardOf<OrthotropicCards> shears_card{
-    {&Orthotropic::shear_ab, real("gab", dimension::stress, required, above_zero(), "shear modulus ab")},
-    {&Orthotropic::shear_bc, real("gbc", dimension::stress, required, above_zero(), "shear modulus bc")},
-    {&Orthotropic::shear_ca, real("gca", dimension::stress, required, above_zero(), "shear modulus ca")},
+    {&Orthotropic::shear_ab, orthotropy::shear_ab},
+    {&Orthotropic::shear_bc, orthotropy::shear_bc},
+    {&Orthotropic::shear_ca, orthotropy::shear_ca},
     {&AxesCards::aopt, aopt::option},
     real("g", dimension::stress, 0, only(0), "shear modulus of frictional damping"),
     real("sigf", dimension::stress, 0, only(0), "limit of frictional damping"),
@@ -73,19 +72,26 @@ void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   const auto second = cursor.read(angle_card, cards);
   expect_end(b, cursor);
   Orthotropic law = cards;
-  if (!(law.young_c > 0.0)) law.young_c = law.young_b;
-  law.axes = material_axes(b, block, cards, shears[&AxesCards::aopt], first[&AxesCards::a1], second[&AxesCards::v1]);
-  law.axes.angle = hand(block) * cards.beta * (std::numbers::pi / 180.0);
-  if (!(law.definiteness() > 0.0))
-    refuse(b, moduli[&Orthotropic::poisson_ba], "with these moduli and Poisson's ratios the material would give energy",
-           "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");
-  law.take_isotropic_constants();
+  complete_orthotropic(
+      b, block, law, cards, cards.beta,
+      {moduli[&Orthotropic::poisson_ba], shears[&AxesCards::aopt], first[&AxesCards::a1], second[&AxesCards::v1]});
   const Index material =
       add_material(b, moduli, std::move(title), "MAT_ORTHOTROPIC_ELASTIC", kernel::composed_law({law}));
   take_axes_of_system(b, shears[&AxesCards::aopt], material);
 }
 
 }  // namespace
+
+void complete_orthotropic(Builder& b, const Block& block, Orthotropic& law, const AxesCards& cards, double beta,
+                          const OrthotropicEntries& entries) {
+  if (!(law.young_c > 0.0)) law.young_c = law.young_b;
+  law.axes = material_axes(b, block, cards, entries.option, entries.a1, entries.v1);
+  law.axes.angle = hand(block) * beta * (std::numbers::pi / 180.0);
+  if (!(law.definiteness() > 0.0))
+    refuse(b, entries.ratio_ba, "with these moduli and Poisson's ratios the material would give energy",
+           "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA; PRCA and PRCB are those under stress along c");
+  law.take_isotropic_constants();
+}
 
 std::vector<Keyword> orthotropic_material_keywords() {
   return {{.name = "MAT_ORTHOTROPIC_ELASTIC",
