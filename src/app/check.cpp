@@ -64,11 +64,9 @@ std::string add_holds(PreparedDeck& p) {
 }
 
 /// What the joint of each weld has, where joints are asked for: columns of welds.csv, empty where a weld gets none.
-void add_joints(PreparedDeck& p) {
-  if (p.model.control.weld_tie != model::WeldTie::joint) return;
+void add_joints(PreparedDeck& p, const std::vector<std::optional<weld::Joint>>& joints) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   const auto yield = [](double limit) { return limit < kernel::WeldJoint::never ? limit : nothing; };
-  const std::vector<std::optional<weld::Joint>> joints = weld::joints_of(p.model, p.ties);
   for (std::size_t w = 0; w < p.welds.size(); ++w) {
     const kernel::WeldJoint* joint = joints[w] ? &joints[w]->law : nullptr;
     const auto limit = joint && joint->flows() ? joint->limits(0.0) : std::array{nothing, nothing, nothing};
@@ -82,11 +80,9 @@ void add_joints(PreparedDeck& p) {
 
 /// What the place study found for welds with joints on such meshes: columns of welds.csv, and how many welds keep to
 /// the limits that a body model is held to.
-std::string add_place_errors(PreparedDeck& p) {
-  if (p.model.control.weld_tie != model::WeldTie::joint) return {};
+std::string add_place_errors(PreparedDeck& p, const std::vector<std::optional<weld::Joint>>& joints) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN(), of_lap = 0.05, of_bending = 0.12;
   const std::vector<weld::Hold> holds = weld::holds(p.model, p.ties);
-  const std::vector<std::optional<weld::Joint>> joints = weld::joints_of(p.model, p.ties);
   std::size_t joined = 0, lap = 0, peel = 0, cross = 0, unknown = 0;
   for (std::size_t w = 0; w < p.welds.size(); ++w) {
     const weld::PlaceErrors* errors = joints[w] ? weld::place_errors(holds[w].by_area) : nullptr;
@@ -172,8 +168,11 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
     audit += target_table(p.model, p.ties, p.audit, arguments.target_step);
   }
   audit += add_holds(p);
-  add_joints(p);
-  audit += add_place_errors(p);
+  if (p.model.control.weld_tie == model::WeldTie::joint) {
+    const std::vector<std::optional<weld::Joint>> joints = weld::joints_of(p.model, p.ties);
+    add_joints(p, joints);
+    audit += add_place_errors(p, joints);
+  }
   audit += ranks;
   audit += weld_table(p.model, p.ties, p.audit);
   audit +=
