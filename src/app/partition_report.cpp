@@ -52,9 +52,11 @@ void write_picture(const std::filesystem::path& path, const system::System& syst
 std::string report_partition(const std::filesystem::path& directory, impact::Simulation& run, int ranks) {
   const system::System& system = run.system();
   const system::Partition partition = run.partition(ranks);
-  std::string s = fmt::format("Elements on {} ranks (partition.vtu shows them)\n\n", ranks) + log_computed_by_all(run);
+  std::string s =
+      fmt::format("Elements on {} ranks (partition.vtu shows them)\n\n", ranks) + log_computed_by_all(run, partition);
   if (const std::size_t all = partition.elements_of_everyone(system); all > 0)
-    s += fmt::format(" {} elements are computed by every rank: springs, and those that welds look at\n\n", all);
+    s += fmt::format(
+        " {} elements are computed by every rank: springs, and those that others look at in each cycle\n\n", all);
   s += " rank  elements     nodes    shared  expected load  of contact  neighbours\n";
   const std::vector<system::Partition::Share> shares = partition.shares(system);
   const auto listed = [](const std::vector<int>& neighbours) {

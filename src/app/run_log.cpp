@@ -13,6 +13,8 @@
 #include "base/parallel.hpp"
 #include "model/units.hpp"
 #include "output/history.hpp"
+#include "system/followers.hpp"
+#include "system/share.hpp"
 #include "weld/failure/function.hpp"
 
 namespace nugget::app {
@@ -228,21 +230,22 @@ std::string log_mass(const system::System& system) {
   return s + '\n';
 }
 
-std::string log_computed_by_all(const impact::Simulation& run) {
+std::string log_computed_by_all(const impact::Simulation& run, const system::Partition& partition) {
   const impact::Simulation::ComputedByAll whole = run.computed_by_all();
   if (whole.names.empty()) return " elements and nodes are shared out\n\n";
   if (whole.every_node)
     return fmt::format(" elements are shared out; every rank moves all nodes and computes whole: {}\n\n",
                        fmt::join(whole.names, ", "));
-  const std::vector<char> followed = run.followed_by_all();
+  const auto of_all = std::ranges::count(system::followers_of_nodes(run.system(), partition, run.followed_by_all()),
+                                         true, &system::Followers::all);
   return fmt::format(" elements and nodes are shared out; every rank computes whole, and moves {} nodes for it: {}\n\n",
-                     std::ranges::count(followed, 1), fmt::join(whole.names, ", "));
+                     of_all, fmt::join(whole.names, ", "));
 }
 
 /// Of a run over several ranks: what each had, sent and waited for.
 std::string log_ranks(const impact::Simulation& run, const output::Summary& summary) {
   if (summary.rank.empty()) return {};
-  std::string s = "Ranks\n\n" + log_computed_by_all(run) +
+  std::string s = "Ranks\n\n" + log_computed_by_all(run, run.system().share()->partition()) +
                   " rank  elements     nodes    shared  neighbours  expected load  of contact  messages a cycle  bytes "
                   "a cycle  busy s  "
                   "waiting\n";

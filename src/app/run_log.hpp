@@ -18,8 +18,8 @@ namespace nugget::app {
 /// As many as there are.
 inline constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
-/// What several ranks compute whole, each for itself.
-std::string log_computed_by_all(const impact::Simulation& run);
+/// What several ranks compute whole, each for itself, and how many nodes all of them move.
+std::string log_computed_by_all(const impact::Simulation& run, const system::Partition& partition);
 std::string log_head(const std::string& version, const std::string& deck, int threads, int ranks);
 std::string log_findings(const Findings& findings);
 /// Parts with their sections, materials, element counts and masses.

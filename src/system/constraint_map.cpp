@@ -134,7 +134,30 @@ std::vector<int> ConstraintMap::sort_rows(int nodes) {
   }
   levels_.push_back(rows_.size());
   rows_ = std::move(sorted);
+  applied_.resize(rows_.size());
+  std::iota(applied_.begin(), applied_.end(), 0);
   return circular;
+}
+
+void ConstraintMap::keep_to(const std::function<bool(int)>& followed) {
+  std::vector<int> kept;
+  std::size_t first = 0;
+  for (std::size_t& last : levels_) {
+    for (std::size_t i = first; i < last; ++i)
+      if (followed(rows_[applied_[i]].dependent)) kept.push_back(applied_[i]);
+    first = last;
+    last = kept.size();
+  }
+  applied_ = std::move(kept);
+}
+
+void ConstraintMap::carry(const std::function<bool(int)>& chosen, Parcel& parcel) {
+  for (RowHead& row : rows_) {
+    if (row.removed || !chosen(row.dependent)) continue;
+    for (int i = row.begin; i < row.end; ++i) parcel(&terms_[i].arm, 1);
+    for (int i = row.first_corner; i < row.end_corner; ++i) parcel(&corners_[i].arm, 1);
+    parcel(&row.arm, 1);
+  }
 }
 
 void ConstraintMap::set_weights(int dependent, std::span<const double> weights) {
@@ -168,8 +191,8 @@ void ConstraintMap::apply_to_velocities(double dt, std::span<Row> v, std::span<R
   std::size_t first = 0;
   for (const std::size_t last : levels_) {
     parallel_for(last - first, 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t r = first + begin; r < first + end; ++r)
-        if (!rows_[r].removed) apply_to_velocities(rows_[r], dt, v, w);
+      for (std::size_t i = first + begin; i < first + end; ++i)
+        if (RowHead& row = rows_[applied_[i]]; !row.removed) apply_to_velocities(row, dt, v, w);
     });
     first = last;
   }
@@ -210,8 +233,8 @@ void ConstraintMap::apply_to_velocities(RowHead& row, double dt, std::span<Row> 
 }
 
 void ConstraintMap::transfer_forces(std::span<Row> f, std::span<Row> m) const {
-  for (auto row = rows_.rbegin(); row != rows_.rend(); ++row)
-    if (!row->removed) transfer_forces(*row, f, m);
+  for (auto r = applied_.rbegin(); r != applied_.rend(); ++r)
+    if (!rows_[*r].removed) transfer_forces(rows_[*r], f, m);
 }
 
 void ConstraintMap::transfer_forces(const RowHead& row, std::span<Row> f, std::span<Row> m) const {
@@ -305,7 +328,7 @@ std::vector<ConstraintMap::Block> ConstraintMap::blocks(int dependent) const {
 
 void ConstraintMap::archive(Archive& a) {
   a(rows_, terms_, corners_, row_of_);
-  a.built(levels_);
+  a.built(applied_, levels_);
 }
 
 }  // namespace nugget::system

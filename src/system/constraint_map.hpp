@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "base/archive.hpp"
 #include "base/row.hpp"
 #include "base/vec3.hpp"
+#include "system/parcel.hpp"
 
 namespace nugget::system {
 
@@ -63,13 +65,19 @@ class ConstraintMap {
   /// The terms of a dependent node's row; their nodes may be dependent.
   std::span<const Term> terms(int node) const;
   std::span<Term> terms(int node);
-  /// Calls `visit` with each dependent node and each node that its row names.
+  /// Calls `visit(dependent, other)` with each dependent node and each node that its row names.
   template <class Visit>
-  void each_node(const Visit& visit) const {
-    for (const RowHead& row : rows_) visit(row.dependent);
-    for (const Term& term : terms_) visit(term.node);
-    for (const Corner& corner : corners_) visit(corner.node);
+  void each_row(const Visit& visit) const {
+    for (const RowHead& row : rows_) {
+      if (row.removed) continue;
+      for (int i = row.begin; i < row.end; ++i) visit(row.dependent, terms_[i].node);
+      for (int i = row.first_corner; i < row.end_corner; ++i) visit(row.dependent, corners_[i].node);
+    }
   }
+  /// From now on applies only the rows of dependent nodes for which `followed` is true: other processes apply the rest.
+  void keep_to(const std::function<bool(int dependent)>& followed);
+  /// Arms of the rows of dependent nodes for which `chosen` is true, to or from another process.
+  void carry(const std::function<bool(int dependent)>& chosen, Parcel& parcel);
   bool rotations(int node) const { return rows_[row_of_[node]].rotations; }
   std::size_t size() const { return rows_.size(); }
 
@@ -113,7 +121,8 @@ class ConstraintMap {
   std::vector<Term> terms_;
   std::vector<Corner> corners_;
   std::vector<int> row_of_;
-  std::vector<std::size_t> levels_;  // rows of a level depend on nodes of lower levels only; where each ends
+  std::vector<int> applied_;         // rows that this process applies, in order: all of them, but after keep_to
+  std::vector<std::size_t> levels_;  // of these: those of a level depend on nodes of lower levels only; where each ends
 };
 
 /// Rodrigues' formula: `a` turned by the rotation vector `phi`.

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <vector>
 
+#include "base/archive.hpp"
+
 namespace nugget::system {
 
 /// What goes to other ranks, each with what stands before it.
@@ -37,6 +39,16 @@ class Parcel {
   std::vector<std::byte>& data_;
   bool reading_;
   std::size_t place_ = 0;
+};
+
+/// What a class archives, on the same way.
+class ParcelArchive final : public Archive {
+ public:
+  explicit ParcelArchive(Parcel& parcel) : Archive(parcel.reading()), parcel_(parcel) {}
+
+ private:
+  void bytes(void* data, std::size_t size) override { parcel_(static_cast<std::byte*>(data), size); }
+  Parcel& parcel_;
 };
 
 }  // namespace nugget::system

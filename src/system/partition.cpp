@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -159,10 +160,41 @@ std::vector<std::vector<int>> ranks_at_nodes(const System& system, const Partiti
   return at_node;
 }
 
+/// Units, by group and number in it, that one rank must have.
+using Units = std::vector<std::pair<int, std::size_t>>;
+
+/// Units of lists that have a unit in common, together; those of one unit are left out.
+std::vector<Units> joined_units(const System& system,
+                                std::span<const std::vector<System::ElementLocation>> of_one_rank) {
+  std::map<std::pair<int, std::size_t>, std::size_t> list_of;  // unit, to the list that has it
+  std::vector<Units> lists;
+  for (const std::vector<System::ElementLocation>& elements : of_one_rank) {
+    Units all;
+    for (const System::ElementLocation& one : elements) {
+      const std::pair unit{one.group, at(one.element) / Partition::unit_size(*system.groups[one.group])};
+      const auto known = list_of.find(unit);
+      if (known == list_of.end()) {
+        all.push_back(unit);
+        continue;
+      }
+      Units& before = lists[known->second];  // empty if it is in `all` by now
+      all.insert(all.end(), before.begin(), before.end());
+      before.clear();
+    }
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    if (all.empty()) continue;
+    for (const auto& unit : all) list_of[unit] = lists.size();
+    lists.push_back(std::move(all));
+  }
+  std::erase_if(lists, [](const Units& units) { return units.size() < 2; });
+  return lists;
+}
+
 }  // namespace
 
 Partition::Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
-                     const ContactCosts& contact)
+                     const ContactCosts& contact, std::span<const std::vector<System::ElementLocation>> of_one_rank)
     : ranks_(ranks) {
   for (const auto& group : system.groups) {
     const std::size_t size = unit_size(*group);
@@ -173,6 +205,13 @@ Partition::Partition(const System& system, int ranks, std::span<const System::El
   }
   for (const System::ElementLocation& one : for_everyone)
     if (one.group >= 0) rank_[one.group][at(one.element) / unit_[one.group]] = everyone;
+  constexpr std::size_t most_joined = 64;
+  std::vector<Units> joined = joined_units(system, of_one_rank);
+  for (const Units& units : joined) {
+    const auto is_everyones = [this](const auto& unit) { return rank_[unit.first][unit.second] == everyone; };
+    if (units.size() <= most_joined && std::ranges::none_of(units, is_everyones)) continue;
+    for (const auto& [g, u] : units) rank_[g][u] = everyone;
+  }
   UnitGraph graph = graph_of(system, rank_, contact);
   for (std::size_t g = 0; !contact.of_node.empty() && g < rank_.size(); ++g)
     contact_.emplace_back(rank_[g].size(), 0.0);
@@ -181,6 +220,8 @@ Partition::Partition(const System& system, int ranks, std::span<const System::El
   const std::vector<idx_t> rank = cut(graph, ranks);
   for (std::size_t v = 0; v < rank.size(); ++v)
     rank_[graph.unit[v].first][graph.unit[v].second] = static_cast<int>(rank[v]);
+  for (const Units& units : joined)
+    for (const auto& [g, u] : units) rank_[g][u] = rank_[units.front().first][units.front().second];
 }
 
 void Partition::take_from_first(Ranks& ranks) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index.hpp"
 #include "system/system.hpp"
 
 namespace nugget::system {
@@ -26,9 +27,10 @@ class Partition {
   /// deleted elements cost nothing), about the same in contact, and few nodes lie on several. `for_everyone`: elements
   /// whose state is looked at by what is computed on all ranks; so are all springs. As ranks wait for each other
   /// between elements and contact, both must be even on their own. What is joined by welds, springs and ties, or rests
-  /// on each other, is kept together.
+  /// on each other, is kept together. `of_one_rank`: lists of elements that one rank must compute, those of a weld;
+  /// where lists share so many units that much would hang together, everyone computes them.
   Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
-            const ContactCosts& contact = {});
+            const ContactCosts& contact = {}, std::span<const std::vector<System::ElementLocation>> of_one_rank = {});
 
   /// All ranks take that of the first one: METIS of another machine may cut in another way.
   void take_from_first(Ranks& ranks);
@@ -36,6 +38,7 @@ class Partition {
   int ranks() const { return ranks_; }
   static std::size_t unit_size(const ElementGroup& group) { return group.widest(); }
   int of_element(int group, std::size_t e) const { return rank_[group][e / unit_[group]]; }
+  int of_element(System::ElementLocation one) const { return of_element(one.group, at(one.element)); }
   int of_block(int group, std::size_t block, std::size_t width) const {
     return rank_[group][block * width / unit_[group]];
   }

@@ -2,9 +2,11 @@
 #include "system/share.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "system/followers.hpp"
 
 namespace nugget::system {
 namespace {
@@ -25,51 +27,15 @@ std::vector<Share::Range> ranges_of(std::size_t nodes, const Chosen& chosen) {
   return ranges;
 }
 
-/// Whose elements a node has.
-struct NodeOwners {
-  std::vector<int> ranks;  ///< rising, without everyone
-  bool everyone = false;   ///< it has elements that all ranks compute
-  bool turns = false;      ///< it has elements with moments
-  bool only(int rank) const { return !everyone && ranks.size() == 1 && ranks.front() == rank; }
-  bool has(int rank) const { return std::binary_search(ranks.begin(), ranks.end(), rank); }
-};
-
-template <class Visit>
-void each_corner(const System& system, const Visit& visit) {
-  for (std::size_t g = 0; g < system.groups.size(); ++g) {
-    const ElementGroup& group = *system.groups[g];
-    for (std::size_t e = 0; e < group.size(); ++e) {
-      const ElementNodes nodes = group.nodes(e);
-      for (int a = 0; a < group.nodes_per_element; ++a) visit(static_cast<int>(g), group, e, a, nodes[a]);
-    }
-  }
-}
-
-std::vector<NodeOwners> owners_of_nodes(const System& system, const Partition& partition) {
-  std::vector<NodeOwners> owners(system.nodes);
-  each_corner(system, [&](int g, const ElementGroup& group, std::size_t e, int, int node) {
-    NodeOwners& of = owners[node];
-    of.turns |= group.rotational;
-    const int rank = partition.of_element(g, e);
-    if (rank == Partition::everyone) {
-      of.everyone = true;
-      return;
-    }
-    const auto place = std::lower_bound(of.ranks.begin(), of.ranks.end(), rank);
-    if (place == of.ranks.end() || *place != rank) of.ranks.insert(place, rank);
-  });
-  return owners;
-}
-
 }  // namespace
 
 Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<const char> for_everyone)
     : ranks_(ranks), partition_(std::move(partition)) {
   const int count = ranks.count(), own = ranks.rank();
-  const std::vector<NodeOwners> owners = owners_of_nodes(system, partition_);
-  // A node without elements moves by what acts on it: nobody's share, so everyone's.
-  const auto for_all = [&](int k) { return for_everyone[k] != 0 || owners[k].everyone || owners[k].ranks.empty(); };
-  const auto sum_travels = [&](int k) { return for_all(k) && !owners[k].everyone && owners[k].ranks.size() == 1; };
+  const std::vector<Followers> followers = followers_of_nodes(system, partition_, for_everyone);
+  const auto sum_travels = [&](int k) {
+    return followers[k].all && !followers[k].of_everyone && followers[k].owners.size() == 1;
+  };
 
   // Slots travel to everyone, and to single ranks.
   std::vector<Message> to_all(at(count));
@@ -79,19 +45,20 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   each_corner(system, [&](int g, const ElementGroup& group, std::size_t e, int a, int node) {
     const int from = partition_.of_element(g, e);
     if (from == Partition::everyone || sum_travels(node)) return;
-    const NodeOwners& of = owners[node];
+    const Followers& of = followers[node];
     const auto add = [&](Message& message) {
       const std::size_t row = group.slot_row(e, a);
       message.rows.push_back(row);
       if (group.rotational) message.rows.push_back(row + 1);
     };
-    bool travels = for_all(node);
+    bool travels = of.all;
     if (travels) add(to_all[from]);
-    for (const int to : of.ranks) {
-      if (to == from || for_all(node) || (from != own && to != own)) continue;
-      add(between[from][to]);
-      travels = true;
-    }
+    for (const std::vector<int>* some : {&of.owners, &of.others})
+      for (const int to : *some) {
+        if (to == from || of.all || (from != own && to != own)) continue;
+        add(between[from][to]);
+        travels = true;
+      }
     if (travels && from == own) at_border[g][e / group.block_width()] = 1;
   });
   const auto keep = [&](Message& message, int from, std::vector<int> to) {
@@ -113,27 +80,28 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   sums_.resize(at(count));
   for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
     if (!sum_travels(k)) continue;
-    Sums& sums = sums_[owners[k].ranks.front()];
+    Sums& sums = sums_[followers[k].owners.front()];
     sums.nodes.push_back(k);
-    sums.turns.push_back(owners[k].turns);
+    sums.turns.push_back(followers[k].turns);
   }
   for (Sums& sums : sums_)
     sums.data.resize(sums.nodes.size() + at(static_cast<int>(std::count(sums.turns.begin(), sums.turns.end(), 1))));
-  const auto follows = [&](int k) { return for_all(k) || owners[k].has(own); };
-  followed_ = ranges_of(system.nodes, follows);
-  for (int k = static_cast<int>(system.nodes); k < static_cast<int>(system.all_nodes()); k += longest_range)
-    followed_.push_back({k, std::min(static_cast<int>(system.all_nodes()), k + longest_range)});
-  reported_.resize(at(count));
-  for (int k = 0; k < static_cast<int>(system.nodes); ++k)
-    if (!for_all(k)) reported_[owners[k].ranks.front()].push_back(k);
   first_adding_.reserve(system.nodes + 1);
   for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
+    const Followers& of = followers[k];
     first_adding_.push_back(static_cast<std::uint32_t>(adding_.size()));
-    everyone_follows_.push_back(for_all(k));
-    if (!for_all(k) || sum_travels(k)) adding_.insert(adding_.end(), owners[k].ranks.begin(), owners[k].ranks.end());
+    everyone_follows_.push_back(of.all);
+    if (sum_travels(k)) adding_.push_back(of.owners.front());
+    if (!of.all) std::ranges::merge(of.owners, of.others, std::back_inserter(adding_));
   }
   first_adding_.push_back(static_cast<std::uint32_t>(adding_.size()));
-  summed_ = ranges_of(system.nodes, [&](int k) { return follows(k) && (!sum_travels(k) || owners[k].only(own)); });
+  followed_ = ranges_of(system.nodes, [&](int k) { return follows(k); });
+  for (int k = static_cast<int>(system.nodes); k < static_cast<int>(system.all_nodes()); k += longest_range)
+    followed_.push_back({k, std::min(static_cast<int>(system.all_nodes()), k + longest_range)});
+  summed_ = ranges_of(system.nodes, [&](int k) { return adds_up(k); });
+  reported_.resize(at(count));
+  for (int k = 0; k < static_cast<int>(system.nodes); ++k)
+    if (!everyone_follows(k)) reported_[answering(k)].push_back(k);
 
   for (const bool border : {true, false}) {
     for (std::size_t g = 0; g < system.groups.size(); ++g) {

@@ -18,10 +18,11 @@ namespace nugget::system {
 /// Ranks number nodes, elements and slots alike, as one process does. A rank computes the elements of its share and
 /// knows, in each cycle, all slots around the nodes that it follows: its own, and those that others send. It adds them
 /// in the order in which one process does, so every rank that follows a node moves it by the same bits. Of a node that
-/// everyone follows, but that only one rank's elements have, that rank sends the sum.
+/// everyone follows, but that only one rank's elements have, that rank sends the sum. Who follows a tied node or one
+/// that it follows has its row of the constraint map too (followers_of_nodes).
 class Share {
  public:
-  /// `followed`: by node, whether everyone follows it, besides those whose elements have it.
+  /// `followed`: by node, whether everyone follows it, besides those of followers_of_nodes.
   Share(const System& system, Ranks& ranks, Partition partition, std::span<const char> followed);
 
   Ranks& ranks() const { return ranks_; }
@@ -71,8 +72,7 @@ class Share {
   }
   /// The first of them, who answers for the node.
   int answering(int node) const { return adding(node).empty() ? 0 : adding(node).front(); }
-  /// Nodes that not all ranks follow, by the rank that answers for them: the first one of those whose elements they
-  /// have.
+  /// Nodes that not all ranks follow, by the rank that answers for them.
   const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
   /// The rows of these nodes come to all ranks.
   void spread(std::span<Row> of_nodes) const;

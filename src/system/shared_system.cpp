@@ -26,6 +26,7 @@ void System::share_out(Ranks& ranks, Partition partition, std::span<const char> 
   partition.take_from_first(ranks);
   share_ = std::make_unique<Share>(*this, ranks, std::move(partition), followed);
   blocks_ = share_->blocks();
+  map.keep_to([this](int dependent) { return share_->follows(dependent); });
   leave_steps_to_others();
   deletions_seen_.assign(groups.size(), -1);
   deleted_.resize(groups.size());
@@ -109,6 +110,11 @@ bool System::computes(ElementLocation location) const {
 
 void System::carry(int rank, Carried what, Parcel& parcel) {
   if (what == Carried::histories) return;
+  map.carry([&](int d) { return !share_->everyone_follows(d) && share_->answering(d) == rank; }, parcel);
+  // By masses, which all have alike, and arms.
+  for (const int k : share_->reported_by(rank))
+    if (what == Carried::whole)
+      for (std::vector<double>* of_nodes : {&inertia, &carried_inertia_}) parcel(&(*of_nodes)[k], 1);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     ElementGroup& group = *groups[g];
     const std::size_t width = group.block_width(), blocks = group.blocks();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -21,6 +22,9 @@ class BrickJoints {
   explicit BrickJoints(system::System& system);
 
   bool empty() const { return joints_.empty(); }
+  bool has(std::size_t weld) const {
+    return std::ranges::any_of(joints_, [&](const Moving& joint) { return joint.source->weld == weld; });
+  }
   /// Once a cycle, when the velocities of the faces' nodes are those of their sheets, before nodes move.
   void open(system::State& state);
   /// Once a cycle, after the forces of the elements. The work of the joint of weld i on the side of each end [energy].

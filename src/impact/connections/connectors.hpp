@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ class Connectors {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
+  bool any() const {
+    return std::ranges::any_of(records_, [](const Entry& entry) { return entry.location.group >= 0; });
+  }
   /// See Components::elements_read.
   template <class Visit>
   void elements_read(const Visit& visit) const {

@@ -12,6 +12,7 @@
 #include "base/index.hpp"
 #include "kernel/contact/penalty.hpp"
 #include "model/segments.hpp"
+#include "system/share.hpp"
 #include "weld/tie/tie_findings.hpp"
 
 namespace nugget::impact {
@@ -276,6 +277,11 @@ void TieForces::report_weak(const system::State& start, double step, Findings& f
         w.limited ? "free the node and its segment of bodies, supports and other ties, so that a constraint holds it"
                   : "a larger SFSA; 1 and more tie by constraint where nothing else holds the node");
   }
+}
+
+void TieForces::carry(system::Carried, const system::System::Computed& of, system::Parcel& parcel) {
+  for (StandIn& s : stand_ins_)
+    if (!of.share.everyone_follows(s.node) && of.share.answering(s.node) == of.rank) parcel(&s.force, 1);
 }
 
 void TieForces::archive(Archive& a) {

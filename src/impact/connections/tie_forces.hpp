@@ -53,6 +53,7 @@ class TieForces {
   Vec3d resultant(model::Index contact) const;
 
   void add_energy(Energy& energy) const { energy.contact += energy_; }
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   void archive(Archive& a);
 
  private:

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 #include <variant>
 
 #include "base/index.hpp"
+#include "system/share.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::impact {
@@ -99,28 +101,74 @@ Welds::Welds(system::System& system, Findings& findings)
     works_.back() = WeldWork(system, w);
     if (w.of_bricks()) bricks_.back() = std::make_unique<Bricks>(system, w);
   }
+  length_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
+}
+
+std::vector<system::System::ElementLocation> Welds::locations(std::size_t i) const {
+  const weld::Weld& w = system_.ties.welds[i];
+  std::vector<system::System::ElementLocation> all;
+  for (const model::Index e : w.elements) all.push_back(system_.location_of(w, e));
+  return all;
+}
+
+system::System::ElementLocation Welds::first_location(std::size_t i) const {
+  const weld::Weld& w = system_.ties.welds[i];
+  return system_.location_of(w, w.elements.front());
+}
+
+bool Welds::looks_at(std::size_t i) const {
+  return system_.computes(first_location(i));
 }
 
 void Welds::update(const system::State& state) {
   for (const BrickJoints::Work& joint : joints_.book()) works_[joint.weld].add(joint.at_end);
+  std::vector<News> news;
   for (std::size_t i = 0; i < histories_.size(); ++i) {
-    weld::History* history = histories_[i].get();
-    if (history == nullptr || history->failed()) continue;
-    works_[i].add_step(system_, state);
-    if (const weld::FailureMode end = element_failure_mode(i, state); end != weld::FailureMode::intact) {
-      history->fail(state.time, end);
-      remove(i);
-      report(i, state);
+    if (histories_[i] == nullptr || !looks_at(i)) continue;
+    if (system_.share() != nullptr) length_[i] = length(i, state);
+    if (!histories_[i]->failed()) look_at(i, state, news);
+  }
+  for (const News& n : of_all_ranks(std::move(news))) {
+    const weld::Weld& w = system_.ties.welds[n.weld];
+    if (n.mode == weld::FailureMode::intact) {
+      events_.push_back(fmt::format("spotweld {} begins to be damaged  id={:8d} time={:12.5E} cycle={}",
+                                    weld::to_string(w.kind), w.id, state.time, state.cycle));
       continue;
     }
-    const bool was_undamaged = !history->damage().begun();
-    if (history->update(load(i, state))) {
-      remove(i);
-      report(i, state);
-    } else if (history->damage().begun()) {
-      apply_damage(i, was_undamaged, state);
-    }
+    if (!histories_[n.weld]->failed()) histories_[n.weld]->fail(state.time, n.mode);
+    remove(n.weld);
+    report(n.weld, state);
   }
+}
+
+void Welds::look_at(std::size_t i, const system::State& state, std::vector<News>& news) {
+  weld::History& history = *histories_[i];
+  works_[i].add_step(system_, state);
+  if (const weld::FailureMode end = element_failure_mode(i, state); end != weld::FailureMode::intact) {
+    history.fail(state.time, end);
+    news.push_back({i, end});
+    return;
+  }
+  const bool was_undamaged = !history.damage().begun();
+  if (history.update(load(i, state))) {
+    news.push_back({i, history.mode()});
+  } else if (history.damage().begun()) {
+    apply_damage(i, was_undamaged);
+    if (was_undamaged) news.push_back({i});
+  }
+}
+
+std::vector<Welds::News> Welds::of_all_ranks(std::vector<News> own) const {
+  const system::Share* share = system_.share();
+  if (share == nullptr || histories_.empty()) return own;
+  // Of a weld that every rank looks at the first one speaks.
+  std::erase_if(own, [&](const News& n) {
+    const system::System::ElementLocation one = first_location(n.weld);
+    return !share->answers_for(one.group, at(one.element));
+  });
+  std::vector<News> all = gather_lists(share->ranks(), own);
+  std::ranges::sort(all, {}, &News::weld);
+  return all;
 }
 
 template <class With>
@@ -149,16 +197,12 @@ weld::failure::Load Welds::load(std::size_t i, const system::State& state) {
   return load;
 }
 
-void Welds::apply_damage(std::size_t i, bool begins, const system::State& state) {
+void Welds::apply_damage(std::size_t i, bool begins) {
   const weld::Damage& damage = histories_[i]->damage();
   each_element(i, [&](system::ElementGroup& group, std::size_t e) {
     if (begins && damage.law().freezes_yield) group.freeze_yield(e);
     group.set_integrity(e, damage.integrity());
   });
-  if (!begins) return;
-  const weld::Weld& w = system_.ties.welds[i];
-  events_.push_back(fmt::format("spotweld {} begins to be damaged  id={:8d} time={:12.5E} cycle={}",
-                                weld::to_string(w.kind), w.id, state.time, state.cycle));
 }
 
 weld::FailureMode Welds::element_failure_mode(std::size_t i, const system::State& state) const {
@@ -200,11 +244,8 @@ weld::Resultants Welds::resultants(std::size_t i, const system::State& state) {
   return {r[0], r[1], r[2], r[3], r[4], r[5]};
 }
 
-const weld::BrickSection::Load* Welds::brick_load(std::size_t i) const {
-  return bricks_[i] ? &bricks_[i]->load : nullptr;
-}
-
 double Welds::length(std::size_t i, const system::State& state) const {
+  if (!looks_at(i) && std::isfinite(length_[i])) return length_[i];
   if (const Bricks* bricks = bricks_[i].get()) {
     std::vector<Vec3d> x;
     for (int n : bricks->nodes) x.push_back(vec(state.x[n]));
@@ -240,6 +281,15 @@ void Welds::report(std::size_t i, const system::State& state) {
                                 w.id, state.time, state.cycle, weld::to_string(histories_[i]->mode())));
 }
 
+void Welds::carry(system::Carried, const system::System::Computed& of, system::Parcel& parcel) {
+  system::ParcelArchive archive(parcel);
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    if (histories_[i] == nullptr) continue;
+    const system::System::ElementLocation one = first_location(i);
+    if (of(one.group, at(one.element))) archive(*histories_[i], bricks_[i], works_[i], length_[i]);
+  }
+}
+
 void Welds::Bricks::archive(Archive& a) {
   a(load, area);
   a.built(section, corners, nodes, x, force, jacobian, locations);
@@ -247,7 +297,7 @@ void Welds::Bricks::archive(Archive& a) {
 
 void Welds::archive(Archive& a) {
   a(histories_, bricks_, works_, joints_, failed_, events_);
-  a.built(system_, death_time_);
+  a.built(system_, death_time_, length_);
 }
 
 }  // namespace nugget::impact

@@ -8,6 +8,7 @@
 #include "base/archive.hpp"
 #include "impact/connections/brick_joints.hpp"
 #include "impact/connections/weld_work.hpp"
+#include "system/parcel.hpp"
 #include "system/system.hpp"
 #include "weld/failure/brick_section.hpp"
 #include "weld/failure/failure.hpp"
@@ -15,7 +16,8 @@
 namespace nugget::impact {
 
 /// The welds while the model moves: takes their resultants in every cycle, asks their histories whether they fail, and
-/// removes the elements of those that did. Indices are those of Ties::welds.
+/// removes the elements of those that did. Indices are those of Ties::welds. Of several ranks the one that computes a
+/// weld's elements looks at it, and passes on when it fails (docs/decisions/0119).
 class Welds {
  public:
   /// The system must outlive it. Findings: what a weld lacks for the failure function that its material asks for.
@@ -39,20 +41,24 @@ class Welds {
   void reset_work();
   /// Length of weld i now; after it has failed, of what is left between its ends [length].
   double length(std::size_t i, const system::State& state) const;
-  /// Of a weld of bricks as it is loaded now, not filtered; null for others and for those without a history.
-  const weld::BrickSection::Load* brick_load(std::size_t i) const;
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
-  /// See Components::elements_read.
+  /// See Components::elements_read: joints of weld bricks look at welds wherever their nodes are moved.
   template <class Visit>
   void elements_read(const Visit& visit) const {
-    for (std::size_t i = 0; i < histories_.size(); ++i) {
-      if (histories_[i] == nullptr) continue;
-      const weld::Weld& weld = system_.ties.welds[i];
-      for (const model::Index e : weld.elements) visit(system_.location_of(weld, e));
-    }
+    for (std::size_t i = 0; i < histories_.size(); ++i)
+      if (histories_[i] != nullptr && joints_.has(i))
+        for (const system::System::ElementLocation& one : locations(i)) visit(one);
   }
+  /// See Components::elements_of_one_rank.
+  template <class Visit>
+  void elements_of_one_rank(const Visit& visit) const {
+    for (std::size_t i = 0; i < histories_.size(); ++i)
+      if (histories_[i] != nullptr) visit(locations(i));
+  }
+  /// What results show of the welds that a rank has looked at.
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
 
   void archive(Archive& a);
 
@@ -78,12 +84,25 @@ class Welds {
     std::vector<system::System::ElementLocation> locations;  ///< of its bricks
     void archive(Archive& a);
   };
+  /// What a weld has come to in a cycle.
+  struct News {
+    std::size_t weld = 0;
+    weld::FailureMode mode = weld::FailureMode::intact;  ///< intact: it begins to be damaged
+  };
+  std::vector<system::System::ElementLocation> locations(std::size_t i) const;
+  system::System::ElementLocation first_location(std::size_t i) const;
+  /// Whether this process looks at weld i, which has a history.
+  bool looks_at(std::size_t i) const;
+  /// What weld i, which holds, comes to in this cycle; its history goes on.
+  void look_at(std::size_t i, const system::State& state, std::vector<News>& news);
+  /// From all ranks, in the order of welds.
+  std::vector<News> of_all_ranks(std::vector<News> own) const;
   weld::Resultants resultants(std::size_t i, const system::State& state);
   weld::failure::Load load(std::size_t i, const system::State& state);
   /// Calls `with(group, e)` for every element of weld i.
   template <class With>
   void each_element(std::size_t i, const With& with) const;
-  void apply_damage(std::size_t i, bool begins, const system::State& state);
+  void apply_damage(std::size_t i, bool begins);
   /// Why weld i has failed for a reason of its elements; intact: it is not.
   weld::FailureMode element_failure_mode(std::size_t i, const system::State& state) const;
   void remove(std::size_t i);
@@ -95,6 +114,7 @@ class Welds {
   std::vector<WeldWork> works_;
   BrickJoints joints_;
   std::vector<double> death_time_;  ///< of *DEFINE_ELEMENT_DEATH; infinite: none [time]
+  std::vector<double> length_;  ///< over several ranks, of the last cycle; not a number before the first one [length]
   int failed_ = 0;
   std::vector<std::string> events_;
 };

@@ -55,7 +55,9 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   add(std::ranges::any_of(c.contacts.all(), looks_everywhere), "contact of edges, glue and FTORQ");
   add(!c.interiors.all().empty(), "interior contact");
   add(!system_.bodies.empty(), "rigid bodies");
-  add(!system_.ties.ties.empty() || !model.interpolations.empty() || !model.hanging_nodes.empty(), "ties");
+  add(!system_.springs.empty(), "ties by springs");
+  add(!system_.brick_joints.empty(), "joints of weld bricks");
+  add(c.connectors.any(), "discrete beams");
   add(!c.joints.empty(), "joints");
   add(c.rivets.size() != 0, "rivets");
   add(!model.discretes.empty(), "springs");
@@ -71,9 +73,11 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
 system::Partition Simulation::partition(int ranks) {
   std::vector<system::System::ElementLocation> read;
   components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
+  std::vector<std::vector<system::System::ElementLocation>> of_one_rank;
+  components_.elements_of_one_rank([&](auto list) { of_one_rank.push_back(std::move(list)); });
   system::ContactCosts contact;
   components_.contacts.add_costs(state_.x, contact);
-  return {system_, ranks, read, contact};
+  return {system_, ranks, read, contact, of_one_rank};
 }
 
 // Of all that each rank computes whole, of loads and supports, and those that somebody looks at between results. The
@@ -93,8 +97,7 @@ std::vector<char> Simulation::followed_by_all() const {
   const auto follow_segments = [&](const std::vector<model::Segment>& segments) {
     for (const model::Segment& s : segments) std::ranges::for_each(s, follow);
   };
-  system_.map.each_node(follow_place);
-  for (const weld::Tie& tie : system_.ties.ties) follow(tie.node);
+  for (const system::System::TieSpring& spring : system_.springs) follow_place(spring.node);
   for (std::size_t i = 0; i < c.rivets.size(); ++i) std::ranges::for_each(c.rivets.rivet(i).nodes, follow);
   for (const contact::PenaltyContact& contact : c.contacts.all())
     if (contact.looks_everywhere()) contact.each_node(follow_place);
@@ -161,6 +164,7 @@ void Simulation::collect(system::Carried what) {
       if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
       parcel(&booked, 1);
       if (parcel.reading()) step_change_of_node_[k] = booked;
+      if (what == system::Carried::whole) parcel(&inverse_inertia_[k], 1);
     }
     components_.for_each([&](auto& component) {
       if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);

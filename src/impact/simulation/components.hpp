@@ -75,6 +75,13 @@ struct Components {
       if constexpr (requires { component.elements_read(visit); }) component.elements_read(visit);
     });
   }
+  /// Calls `visit` with lists of elements that some component looks at together: one rank computes them, and the
+  /// component passes on what it finds. Found by name, `elements_of_one_rank(visit)`.
+  void elements_of_one_rank(const std::function<void(std::vector<system::System::ElementLocation>)>& visit) const {
+    for_each([&](const auto& component) {
+      if constexpr (requires { component.elements_of_one_rank(visit); }) component.elements_of_one_rank(visit);
+    });
+  }
   /// Welds of every kind that have failed so far.
   int failed_welds() const;
   void archive(Archive& a);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "system/partition.hpp"
+
+namespace nugget::system {
+
+/// Of one node in a run over several ranks: whose elements it has, and which ranks move it (docs/decisions/0101, 0119).
+struct Followers {
+  std::vector<int> owners;   ///< ranks whose elements it has, rising, without elements that all ranks compute
+  std::vector<int> others;   ///< ranks that follow it besides, rising: it is tied to nodes of theirs
+  bool of_everyone = false;  ///< it has elements that all ranks compute
+  bool turns = false;        ///< it has elements with moments
+  bool all = false;          ///< every rank follows it
+
+  bool owned_by(int rank) const { return std::binary_search(owners.begin(), owners.end(), rank); }
+  /// Of a node that not all follow.
+  bool has(int rank) const { return owned_by(rank) || std::binary_search(others.begin(), others.end(), rank); }
+};
+
+/// Followers of each node. All follow those of `for_everyone` (by node), those that have elements of everyone, those of
+/// bodies and anchors, and those that nobody's elements have. Who follows a node follows all nodes of the rows of the
+/// constraint map in which it stands, and so on: forces on a tied node end up at those that it follows.
+std::vector<Followers> followers_of_nodes(const System& system, const Partition& partition,
+                                          std::span<const char> for_everyone);
+
+/// Calls `visit(group number, group, element, corner, node)` with each node of each element; not with the ground.
+template <class Visit>
+void each_corner(const System& system, const Visit& visit) {
+  for (std::size_t g = 0; g < system.groups.size(); ++g) {
+    const ElementGroup& group = *system.groups[g];
+    for (std::size_t e = 0; e < group.size(); ++e) {
+      const ElementNodes nodes = group.nodes(e);
+      for (int a = 0; a < group.nodes_per_element; ++a)
+        if (nodes[a] >= 0) visit(static_cast<int>(g), group, e, a, nodes[a]);
+    }
+  }
+}
+
+}  // namespace nugget::system
