@@ -81,6 +81,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
   pending_energy_ = power_on_change_ = 0.0;
   const double between_middles = 0.5 * (dt + dt_previous);
   Step step{dt, between_middles, x, v, f, mass, skip, prescribed_velocity(time, dt), fastest, share};
+  if (share != nullptr) list_followed(*share);
   const bool active = acts(time);
   if (mass_ > 0.0 && time >= birth_) {
     if (bodies_) velocity_ -= between_middles / mass_ * dot(bodies_->force(), normal_);
@@ -209,16 +210,20 @@ void RigidWall::look_at_group(const Shape& shape, std::size_t g, const Step& ste
   found.clear = std::numeric_limits<double>::infinity();
   found.attached = false;
   found.stopped.clear();
-  for (std::size_t i = g * nodes_per_sum; i < std::min(tracked_.size(), (g + 1) * nodes_per_sum); ++i) {
+  const bool all = step.share == nullptr;
+  const auto tracked = [&](std::size_t i) { return all ? i : at(followed_[i]); };
+  const std::size_t begin = all ? g * nodes_per_sum : first_followed_[g],
+                    end = all ? std::min(tracked_.size(), (g + 1) * nodes_per_sum) : first_followed_[g + 1];
+  for (std::size_t i = begin; i < end; ++i) {
     // The nodes of a wall are in the order of the deck, not of memory: not asked for ahead, each is waited for.
-    const int soon = tracked_[std::min(i + nodes_ahead, tracked_.size() - 1)].node;
+    const int soon = tracked_[tracked(std::min(i + nodes_ahead, end - 1))].node;
     __builtin_prefetch(&step.x[soon]);
     __builtin_prefetch(&step.v[soon], 1);
-    if (step.share != nullptr && !step.share->follows(tracked_[i].node)) continue;
-    stop(shape, static_cast<int>(i), slept, step, found.stopped);
-    const double free = clearance(shape, vec(step.x[tracked_[i].node]) - origin_);
+    const std::size_t now = tracked(i);
+    stop(shape, static_cast<int>(now), slept, step, found.stopped);
+    const double free = clearance(shape, vec(step.x[tracked_[now].node]) - origin_);
     if (!(free >= found.clear)) found.clear = free;
-    found.attached = found.attached || tracked_[i].attachment != kernel::WallAttachment::none;
+    found.attached = found.attached || tracked_[now].attachment != kernel::WallAttachment::none;
   }
 }
 
@@ -264,6 +269,15 @@ void RigidWall::stop(const Shape& shape, int index, bool slept, const Step& step
   stopped.push_back({index,
                      {impulse, dot(impulse, p.normal), -0.5 * dot(impulse, before), -0.5 * dot(impulse, after),
                       dot(vec(step.f[tracked.node]), after - free), 1}});
+}
+
+void RigidWall::list_followed(const system::Share& share) {
+  if (!first_followed_.empty()) return;
+  for (std::size_t i = 0; i < tracked_.size(); ++i) {
+    if (i % nodes_per_sum == 0) first_followed_.push_back(followed_.size());
+    if (share.follows(tracked_[i].node)) followed_.push_back(static_cast<int>(i));
+  }
+  first_followed_.push_back(followed_.size());
 }
 
 /// What all ranks have found in the groups that are awake takes the place of what this one has.
@@ -319,7 +333,7 @@ void RigidWall::archive(Archive& a) {
     energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_);
   if (bodies_) a(*bodies_);
   a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
-          birth_, death_, found_);
+          birth_, death_, found_, followed_, first_followed_);
 }
 
 }  // namespace nugget::contact

@@ -158,6 +158,8 @@ class RigidWall {
   void look_at_group(const Shape& shape, std::size_t group, const Step& step);
   template <class Shape>
   void stop(const Shape& shape, int index, bool slept, const Step& step, std::vector<Stopped>& stopped);
+  /// Over several ranks, once: the tracked nodes that this one follows.
+  void list_followed(const system::Share& share);
   void share_found(const system::Share& share);
   Vec3d friction(const Vec3d& slip, double normal_change) const;
 
@@ -174,10 +176,12 @@ class RigidWall {
   double birth_ = 0.0, death_ = 0.0;
 
   std::vector<Tracked> tracked_;
-  std::vector<Group> groups_;  // of tracked nodes
-  std::vector<Found> found_;   // by group
-  double travelled_ = 0.0;     // by how much a node can have come closer to the wall since the start, at most
-  bool started_ = false;       // `last` holds
+  std::vector<Group> groups_;                // of tracked nodes
+  std::vector<Found> found_;                 // by group
+  std::vector<int> followed_;                // over several ranks: tracked nodes, and
+  std::vector<std::size_t> first_followed_;  // where those of each group begin and the last one's end
+  double travelled_ = 0.0;  // by how much a node can have come closer to the wall since the start, at most
+  bool started_ = false;    // `last` holds
   std::optional<WallPenalty> bodies_;
 
   PeriodMean mean_force_, mean_normal_;

@@ -52,6 +52,8 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
     rank_of_block_.push_back(*most > 0 ? static_cast<int>(most - nodes_of.begin())
                                        : static_cast<int>(rank_of_block_.size() % at(count)));
   }
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (!computes(b)) blocks_[b].clear_hits();
   std::vector<char> left_out;
   others_add_.clear();
   answered_.assign(at(count), {});
@@ -133,12 +135,10 @@ Box SurfaceContact::over_all_ranks(const Box& own) const {
 /// blocks and hits.
 void SurfaceContact::exchange_hits() {
   for (std::vector<std::byte>& data : out_) data.clear();
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (!computes(b))
-      blocks_[b].clear_hits();
-    else if (at_border_[b])
-      put_hits(static_cast<int>(b));
-  }
+  for (const int b : arrived_) blocks_[b].clear_hits();
+  arrived_.clear();
+  for (const int b : active_blocks_)
+    if (at_border_[b]) put_hits(b);
   system::exchange(share_->ranks(), out_, in_);
   for (const std::vector<std::byte>& data : in_)
     for (std::size_t place = 0; place < data.size();) {
@@ -150,7 +150,9 @@ void SurfaceContact::exchange_hits() {
       std::memcpy(static_cast<void*>(block.hits.data()), data.data() + place, block.hits.size() * sizeof(Hit));
       place += block.hits.size() * sizeof(Hit);
       share_out(block, work_of_thread().shares);
+      arrived_.push_back(head.block);
     }
+  std::ranges::sort(arrived_);
 }
 
 /// Puts the hits of a block into the messages to those who add up the forces on one of their nodes.
@@ -190,7 +192,10 @@ void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parce
     parcel(&block.energies, 1);
     parcel(&block.resultant, 1);
     parcel(&block.deepest, 1);
-    if (whole || results_need_hits_) carry_list(parcel, block.hits);
+    if (whole || results_need_hits_) {
+      carry_list(parcel, block.hits);
+      if (parcel.reading()) arrived_.push_back(static_cast<int>(b));
+    }
     if (!whole) continue;
     parcel(&block.asleep_until, 1);
     carry_list(parcel, block.first);

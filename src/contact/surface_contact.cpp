@@ -580,8 +580,8 @@ void SurfaceContact::archive(Archive& a) {
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, blocks_, acts_);
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, excluded_,
           stays_active_, thickest_segment_, pressing_, margin_, moved_, active_segments_, active_blocks_, sources_,
-          results_need_hits_, share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, followed_,
-          ghosts_, answered_, out_, in_, hits_for_);
+          results_need_hits_, share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_,
+          followed_, ghosts_, answered_, out_, in_, hits_for_);
 }
 
 }  // namespace nugget::contact

@@ -415,6 +415,7 @@ class SurfaceContact {
   bool looks_everywhere_ = false;
   std::vector<char> others_add_;  // by place in forces_: other ranks add up the forces on the node
   std::vector<char> at_border_;   // by block: some of its pairs touch such nodes
+  std::vector<int> arrived_;      // blocks whose hits in this cycle came from others, rising
   std::vector<int> followed_;     // places in active_nodes_ of nodes that this rank follows
   system::GhostNodes ghosts_;
   std::vector<std::vector<int>> answered_;        // by rank: places in forces_ of the nodes for which it answers

@@ -85,12 +85,20 @@ void SurfaceContact::spread(std::size_t part, const Step& step) {
 /// Sums up what the blocks found, and books the work of the step.
 void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
   for (std::vector<Source>& sources : sources_) sources.clear();
-  for (std::size_t b = 0; acts_ && b < blocks_.size(); ++b) {
+  const auto add = [this](int b) {
     const Block& block = blocks_[b];
     for (std::size_t i = 0; i < block.parts.size(); ++i) {
       const int end = i + 1 < block.parts.size() ? block.parts[i + 1].begin : static_cast<int>(block.shares.size());
-      sources_[block.parts[i].part].push_back({static_cast<int>(b), block.parts[i].begin, end});
+      sources_[block.parts[i].part].push_back({b, block.parts[i].begin, end});
     }
+  };
+  if (acts_) {
+    auto next = arrived_.begin();
+    for (const int b : active_blocks_) {
+      for (; next != arrived_.end() && *next < b; ++next) add(*next);
+      add(b);
+    }
+    std::for_each(next, arrived_.end(), add);
   }
   parallel_for(forces_.parts(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {

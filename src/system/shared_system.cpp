@@ -26,6 +26,8 @@ void System::share_out(Ranks& ranks, Partition partition, std::span<const char> 
   partition.take_from_first(ranks);
   share_ = std::make_unique<Share>(*this, ranks, std::move(partition), followed);
   blocks_ = share_->blocks();
+  computed_ = blocks_;
+  std::ranges::sort(computed_);
   map.keep_to([this](int dependent) { return share_->follows(dependent); });
   leave_steps_to_others();
   deletions_seen_.assign(groups.size(), -1);

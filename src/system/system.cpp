@@ -416,19 +416,20 @@ System::Controlling System::controlling() const {
   Controlling c;
   c.step = std::numeric_limits<double>::infinity();
   std::size_t block = 0;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::vector<double>& steps = groups[g]->block_step;
-    for (std::size_t b = 0; b < steps.size(); ++b) {
-      const double step = groups[g]->step_share * groups[g]->damped_step(steps[b]) / groups[g]->period;
-      if (!(step >= c.step)) {  // a NaN comes through, and stays
-        c.step = step;
-        c.group = static_cast<int>(g);
-        block = b;
-        if (step != step) break;
-      }
+  const auto look_at = [&](std::size_t g, std::size_t b) {
+    const ElementGroup& group = *groups[g];
+    const double step = group.step_share * group.damped_step(group.block_step[b]) / group.period;
+    if (!(step >= c.step)) {  // a NaN comes through, and stays
+      c.step = step;
+      c.group = static_cast<int>(g);
+      block = b;
     }
-    if (c.step != c.step) break;
-  }
+  };
+  const auto is_number = [&] { return c.step == c.step; };
+  for (std::size_t i = 0; i < computed_.size() && is_number(); ++i)
+    look_at(at(computed_[i].first), computed_[i].second);
+  for (std::size_t g = 0; !share_ && g < groups.size(); ++g)
+    for (std::size_t b = 0; b < groups[g]->block_step.size() && is_number(); ++b) look_at(g, b);
   if (c.group < 0) return c;
   const ElementGroup& group = *groups[c.group];
   const std::size_t width = group.block_width();
@@ -576,7 +577,7 @@ void System::archive(Archive& a) {
   if (!single_slots_.empty()) a(single_slots_);
   a.built(model, ties, brick_joints, nodes, node_of, model_node, body_of, springs, shell_location, solid_location,
           beam_location, discrete_location, start_, mass_only_elements_, constraint_source_, damping_slots,
-          gather_start_, gather_, blocks_, periods_, share_, deleted_, deletions_seen_, steps_of_others_,
+          gather_start_, gather_, blocks_, periods_, share_, computed_, deleted_, deletions_seen_, steps_of_others_,
           reported_below);
   a.section("elements");
   a(groups);

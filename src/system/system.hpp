@@ -317,8 +317,9 @@ class System {
   void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
                     std::span<Row> moment) const;
   std::unique_ptr<Share> share_;
-  std::vector<std::vector<char>> deleted_;  ///< known to all, by group and element
-  std::vector<int> deletions_seen_;         ///< by group: ElementGroup::deletions when `deleted_` was made
+  std::vector<std::pair<int, std::size_t>> computed_;  ///< its blocks, in the order of groups
+  std::vector<std::vector<char>> deleted_;             ///< known to all, by group and element
+  std::vector<int> deletions_seen_;                    ///< by group: ElementGroup::deletions when `deleted_` was made
 };
 
 }  // namespace nugget::system

@@ -16,7 +16,9 @@ Connectors::Connectors(const system::System& system) : system_(system) {
     works_.emplace_back();
     if (w.kind != weld::Weld::Kind::connector) continue;
     entry.location = system.beam_location[w.element];
-    if (entry.location.group >= 0) works_.back() = WeldWork(system, w);
+    if (entry.location.group < 0) continue;
+    works_.back() = WeldWork(system, w);
+    connectors_.push_back(records_.size() - 1);
   }
 }
 
@@ -46,9 +48,9 @@ void Connectors::follow_joint(const Joint& joint, const std::array<double, 8>& r
 }
 
 void Connectors::update(const system::State& state) {
-  for (std::size_t i = 0; i < records_.size(); ++i) {
+  for (const std::size_t i : connectors_) {
     auto& [location, record] = records_[i];
-    if (location.group < 0 || record.failed) continue;
+    if (record.failed) continue;
     works_[i].add_step(system_, state);
     const system::ElementGroup& group = *system_.groups[location.group];
     if (!group.alive(at(location.element))) {
@@ -90,7 +92,7 @@ void Connectors::reset_work() {
 
 void Connectors::archive(Archive& a) {
   a(records_, works_, failed_, events_);
-  a.built(system_);
+  a.built(system_, connectors_);
 }
 
 }  // namespace nugget::impact

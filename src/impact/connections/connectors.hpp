@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -44,9 +43,7 @@ class Connectors {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
-  bool any() const {
-    return std::ranges::any_of(records_, [](const Entry& entry) { return entry.location.group >= 0; });
-  }
+  bool empty() const { return connectors_.empty(); }
   /// See Components::elements_read.
   template <class Visit>
   void elements_read(const Visit& visit) const {
@@ -65,6 +62,7 @@ class Connectors {
   std::string event(std::size_t i, const system::State& state) const;
   const system::System& system_;
   std::vector<Entry> records_;
+  std::vector<std::size_t> connectors_;  ///< those that are connectors
   std::vector<WeldWork> works_;
   int failed_ = 0;
   std::vector<std::string> events_;

@@ -102,6 +102,14 @@ Welds::Welds(system::System& system, Findings& findings)
     if (w.of_bricks()) bricks_.back() = std::make_unique<Bricks>(system, w);
   }
   length_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
+  list_own();
+}
+
+void Welds::list_own() {
+  share_ = system_.share();
+  looked_at_.clear();
+  for (std::size_t i = 0; i < histories_.size(); ++i)
+    if (histories_[i] != nullptr && looks_at(i)) looked_at_.push_back(i);
 }
 
 std::vector<system::System::ElementLocation> Welds::locations(std::size_t i) const {
@@ -122,10 +130,10 @@ bool Welds::looks_at(std::size_t i) const {
 
 void Welds::update(const system::State& state) {
   for (const BrickJoints::Work& joint : joints_.book()) works_[joint.weld].add(joint.at_end);
+  if (share_ != system_.share()) list_own();
   std::vector<News> news;
-  for (std::size_t i = 0; i < histories_.size(); ++i) {
-    if (histories_[i] == nullptr || !looks_at(i)) continue;
-    if (system_.share() != nullptr) length_[i] = length(i, state);
+  for (const std::size_t i : looked_at_) {
+    if (share_ != nullptr) length_[i] = length(i, state);
     if (!histories_[i]->failed()) look_at(i, state, news);
   }
   for (const News& n : of_all_ranks(std::move(news))) {
@@ -159,14 +167,13 @@ void Welds::look_at(std::size_t i, const system::State& state, std::vector<News>
 }
 
 std::vector<Welds::News> Welds::of_all_ranks(std::vector<News> own) const {
-  const system::Share* share = system_.share();
-  if (share == nullptr || histories_.empty()) return own;
+  if (share_ == nullptr || histories_.empty()) return own;
   // Of a weld that every rank looks at the first one speaks.
   std::erase_if(own, [&](const News& n) {
     const system::System::ElementLocation one = first_location(n.weld);
-    return !share->answers_for(one.group, at(one.element));
+    return !share_->answers_for(one.group, at(one.element));
   });
-  std::vector<News> all = gather_lists(share->ranks(), own);
+  std::vector<News> all = gather_lists(share_->ranks(), own);
   std::ranges::sort(all, {}, &News::weld);
   return all;
 }
@@ -297,7 +304,7 @@ void Welds::Bricks::archive(Archive& a) {
 
 void Welds::archive(Archive& a) {
   a(histories_, bricks_, works_, joints_, failed_, events_);
-  a.built(system_, death_time_, length_);
+  a.built(system_, death_time_, looked_at_, share_, length_);
 }
 
 }  // namespace nugget::impact

@@ -93,6 +93,7 @@ class Welds {
   system::System::ElementLocation first_location(std::size_t i) const;
   /// Whether this process looks at weld i, which has a history.
   bool looks_at(std::size_t i) const;
+  void list_own();
   /// What weld i, which holds, comes to in this cycle; its history goes on.
   void look_at(std::size_t i, const system::State& state, std::vector<News>& news);
   /// From all ranks, in the order of welds.
@@ -113,7 +114,9 @@ class Welds {
   std::vector<std::unique_ptr<Bricks>> bricks_;  ///< null for other welds
   std::vector<WeldWork> works_;
   BrickJoints joints_;
-  std::vector<double> death_time_;  ///< of *DEFINE_ELEMENT_DEATH; infinite: none [time]
+  std::vector<double> death_time_;        ///< of *DEFINE_ELEMENT_DEATH; infinite: none [time]
+  std::vector<std::size_t> looked_at_;    ///< welds with a history whose elements this process computes
+  const system::Share* share_ = nullptr;  ///< when `looked_at_` was listed
   std::vector<double> length_;  ///< over several ranks, of the last cycle; not a number before the first one [length]
   int failed_ = 0;
   std::vector<std::string> events_;

@@ -57,7 +57,7 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   add(!system_.bodies.empty(), "rigid bodies");
   add(!system_.springs.empty(), "ties by springs");
   add(!system_.brick_joints.empty(), "joints of weld bricks");
-  add(c.connectors.any(), "discrete beams");
+  add(!c.connectors.empty(), "discrete beams");
   add(!c.joints.empty(), "joints");
   add(c.rivets.size() != 0, "rivets");
   add(!model.discretes.empty(), "springs");
