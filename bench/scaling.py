@@ -7,12 +7,12 @@
 The body is that of bench/body.py: sheets in one contact with themselves, welds, a wall. `nugget check -n N` partitions it; of partition.vtu are counted,
 for each rank: elements, nodes, nodes that others have too (shared), ranks that have them (neighbours), bytes that it sends in a cycle (6 doubles for each
 element at a shared node, to each other rank that has it), and ghosts: nodes of others within REACH of its own, which contact needs positions and
-velocities of; `check` says how many nodes every rank follows. From these, costs by element (--costs: elements, contact, motion of nodes, ties and welds
+velocities of; `check` says how many nodes every rank follows besides. From these, costs by element (--costs: elements, contact, motion of nodes, ties and welds
 [ns]) and a network (--latency, --bandwidth) two times of a cycle:
 
-  built    what runs do today: elements, contact and nodes shared out, ghosts sent, eight collective agreements a cycle, in every SEARCH cycles the positions
-           of all nodes; ties and welds by each rank, which gets the forces on all of their nodes
-  shared   the same with ties and welds shared out, two agreements a cycle and positions for a search from neighbours alone
+  built    what runs do today: elements, contact, nodes, ties and welds shared out, ghosts sent, nine collective agreements a cycle, in every SEARCH cycles the
+           positions of all nodes; what every rank follows it moves, and gets the forces on it
+  aimed    the same with two agreements a cycle and positions for a search from neighbours alone
 
 --runs: runs of the deck over so many ranks here. What each needs of the processor is what `built` says; where there are more ranks than cores, they share
 them. Run nothing else meanwhile. --json FILE, --plot FILE.svg keep the table and draw it.
@@ -100,11 +100,11 @@ def count(path, ranks):
 
 
 def predict(arguments, all_elements, ranks, counts, of_all):
-    """Seconds of a cycle: as built, and with ties and welds shared out; `of_all`: nodes that every rank follows."""
+    """Seconds of a cycle: as built, and with fewer agreements and searches among neighbours; `of_all`: nodes that every rank follows."""
     element, contact, motion, ties = (1e-9 * cost * all_elements for cost in arguments.costs)
     if ranks == 1:
         whole = element + contact + motion + ties
-        return {"built": whole, "shared": whole}
+        return {"built": whole, "aimed": whole}
     most = {name: float(values.max()) for name, values in counts.items()}
     latency, bandwidth = 1e-6 * arguments.latency, 1e9 * arguments.bandwidth
     agreement = math.ceil(math.log2(ranks)) * latency
@@ -115,7 +115,8 @@ def predict(arguments, all_elements, ranks, counts, of_all):
     own = element * most["elements"] / all_elements + contact * nodes + forces + ghosts
     sums = of_all * (ROW / bandwidth + SUM)
     places = PLACE * all_nodes / bandwidth / SEARCH
-    return {"built": own + motion * (nodes + of_all / all_nodes) + ties + sums + places + 8 * agreement, "shared": own + (motion + ties) * nodes + 2 * agreement}
+    own += (motion + ties) * nodes
+    return {"built": own + motion * of_all / all_nodes + sums + places + 9 * agreement, "aimed": own + 2 * agreement}
 
 
 def run_here(nugget, folder, ranks, cycles):
@@ -140,7 +141,7 @@ def draw(rows, path):
     for shells in sorted({row["shells"] for row in rows}):
         of = [row for row in rows if row["shells"] == shells]
         whole = of[0]["whole"]
-        for name, style in (("built", ":"), ("shared", "-")):
+        for name, style in (("built", ":"), ("aimed", "-")):
             axes.plot([row["ranks"] for row in of], [whole / row[name] for row in of], style + "o", label=f"{shells:,} shells, {name}")
     ranks = sorted({row["ranks"] for row in rows})
     axes.plot(ranks, ranks, color="0.7", label="ideal")
@@ -175,19 +176,20 @@ def main():
             arguments.costs = [1e9 * phases.get(name, 0.0) / elements for name in ("elements", "contact", "motion", "constraints")]
         print(f"{elements} shells; costs {', '.join(f'{c:.1f}' for c in arguments.costs)} ns")
         print(f"{'ranks':>6}{'elements':>10}{'nodes':>8}{'shared':>8}{'neighbours':>11}{'ghosts':>8}{'kB sent':>9}"
-              f"{'built ms':>11}{'times':>7}{'shared ms':>11}{'times':>7}" + ("   run ms" if measured else ""))
+              f"{'built ms':>11}{'times':>7}{'aimed ms':>11}{'times':>7}" + ("   run ms" if measured else ""))
         whole = predict(arguments, elements, 1, {}, 0)["built"]
         for ranks in arguments.ranks:
             counts, of_all = {}, 0
             if ranks > 1:
                 said = subprocess.run([nugget, "check", "crash.k", "-n", str(ranks), "-o", "partition", "-j", "2"], cwd=folder, check=True, capture_output=True, text=True).stdout
                 counts = count(folder / "partition" / "partition.vtu", ranks)
-                of_all = int(re.search(r"moves (\d+) nodes for it", said)[1])
+                moved = re.search(r"moves (\d+) nodes for it", said)
+                of_all = int(moved[1]) if moved else 0
             time = predict(arguments, elements, ranks, counts, of_all)
             most = {name: int(values.max()) for name, values in counts.items()}
             row = {"shells": elements, "ranks": ranks, "whole": whole, **{f"most_{name}": value for name, value in most.items()}, **time}
             line = f"{ranks:6}" + "".join(f"{most.get(name, 0):{width}}" for name, width in (("elements", 10), ("nodes", 8), ("shared", 8), ("neighbours", 11), ("ghosts", 8)))
-            line += f"{most.get('bytes', 0) / 1e3:9.0f}" + "".join(f"{1e3 * time[name]:11.3f}{whole / time[name]:7.1f}" for name in ("built", "shared"))
+            line += f"{most.get('bytes', 0) / 1e3:9.0f}" + "".join(f"{1e3 * time[name]:11.3f}{whole / time[name]:7.1f}" for name in ("built", "aimed"))
             if ranks in measured:
                 row["run"] = measured[ranks][0]
                 at_once = max(1.0, ranks / os.cpu_count())

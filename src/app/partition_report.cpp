@@ -58,7 +58,7 @@ std::string report_partition(const std::filesystem::path& directory, impact::Sim
     s += fmt::format(
         " {} elements are computed by every rank: springs, and those that others look at in each cycle\n\n", all);
   s += " rank  elements     nodes    shared  expected load  of contact  neighbours\n";
-  const std::vector<system::Partition::Share> shares = partition.shares(system);
+  const std::vector<system::Partition::Share> shares = partition.shares(system, run.followed_by_all());
   const auto listed = [](const std::vector<int>& neighbours) {
     constexpr std::size_t on_a_line = 12;
     return neighbours.size() > on_a_line ? fmt::format("{} ranks", neighbours.size())

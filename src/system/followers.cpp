@@ -40,6 +40,7 @@ struct Family {
 
 std::vector<Followers> followers_of_nodes(const System& system, const Partition& partition,
                                           std::span<const char> for_everyone) {
+  const auto everyone_is_to = [&](int node) { return !for_everyone.empty() && for_everyone[node] != 0; };
   std::vector<Followers> of_node(system.nodes);
   each_corner(system, [&](int g, const ElementGroup& group, std::size_t e, int, int node) {
     Followers& followers = of_node[node];
@@ -68,14 +69,14 @@ std::vector<Followers> followers_of_nodes(const System& system, const Partition&
       of.all = true;
       continue;
     }
-    of.all |= for_everyone[k] != 0 || of_node[k].of_everyone;
+    of.all |= everyone_is_to(k) || of_node[k].of_everyone;
     for (const int rank : of_node[k].owners) insert(of.owners, rank);
   }
   for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
     Followers& followers = of_node[k];
     if (family_of[k] < 0) {
       // Without elements a node moves by what acts on it: nobody's share, so everyone's.
-      followers.all = for_everyone[k] != 0 || followers.of_everyone || followers.owners.empty();
+      followers.all = everyone_is_to(k) || followers.of_everyone || followers.owners.empty();
       continue;
     }
     const Family& of = family[family_of[k]];

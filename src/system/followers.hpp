@@ -22,9 +22,10 @@ struct Followers {
   bool has(int rank) const { return owned_by(rank) || std::binary_search(others.begin(), others.end(), rank); }
 };
 
-/// Followers of each node. All follow those of `for_everyone` (by node), those that have elements of everyone, those of
-/// bodies and anchors, and those that nobody's elements have. Who follows a node follows all nodes of the rows of the
-/// constraint map in which it stands, and so on: forces on a tied node end up at those that it follows.
+/// Followers of each node. All follow those of `for_everyone` (by node; empty: none), those that have elements of
+/// everyone, those of bodies and anchors, and those that nobody's elements have. Who follows a node follows all nodes
+/// of the rows of the constraint map in which it stands, and so on: forces on a tied node end up at those that it
+/// follows.
 std::vector<Followers> followers_of_nodes(const System& system, const Partition& partition,
                                           std::span<const char> for_everyone);
 

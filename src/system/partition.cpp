@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "base/index.hpp"
+#include "system/followers.hpp"
 
 namespace nugget::system {
 namespace {
@@ -142,24 +143,6 @@ std::vector<idx_t> cut(UnitGraph& graph, int ranks) {
   return rank;
 }
 
-/// Nodes by rank: to whom the elements around each belong, everyone's left out.
-std::vector<std::vector<int>> ranks_at_nodes(const System& system, const Partition& partition) {
-  std::vector<std::vector<int>> at_node(system.nodes);
-  for (std::size_t g = 0; g < system.groups.size(); ++g) {
-    const ElementGroup& group = *system.groups[g];
-    for (std::size_t e = 0; e < group.size(); ++e) {
-      const int rank = partition.of_element(static_cast<int>(g), e);
-      const ElementNodes nodes = group.nodes(e);
-      for (int a = 0; a < group.nodes_per_element; ++a) {
-        if (nodes[a] < 0) continue;  // a spring to the ground
-        std::vector<int>& here = at_node[nodes[a]];
-        if (std::find(here.begin(), here.end(), rank) == here.end()) here.push_back(rank);
-      }
-    }
-  }
-  return at_node;
-}
-
 /// Units, by group and number in it, that one rank must have.
 using Units = std::vector<std::pair<int, std::size_t>>;
 
@@ -235,7 +218,7 @@ std::size_t Partition::elements_of_everyone(const System& system) const {
   return count;
 }
 
-std::vector<Partition::Share> Partition::shares(const System& system) const {
+std::vector<Partition::Share> Partition::shares(const System& system, std::span<const char> for_everyone) const {
   std::vector<Share> all(at(ranks_));
   double whole = 0.0;
   for (std::size_t g = 0; g < system.groups.size(); ++g) {
@@ -258,29 +241,22 @@ std::vector<Partition::Share> Partition::shares(const System& system) const {
       all[at(rank_[g][u])].contact += contact_[g][u];
       all_contact += contact_[g][u];
     }
-  std::size_t of_everyone = 0;  // nodes
-  for (const std::vector<int>& here : ranks_at_nodes(system, *this)) {
-    if (std::find(here.begin(), here.end(), everyone) != here.end()) {
-      ++of_everyone;
-      continue;
-    }
-    for (const int r : here) {
-      ++all[at(r)].nodes;
-      if (here.size() == 1) continue;
-      ++all[at(r)].shared_nodes;
-      std::vector<int>& known = all[at(r)].neighbours;
-      for (const int other : here)
-        if (other != r && std::find(known.begin(), known.end(), other) == known.end()) known.push_back(other);
-    }
-  }
-  for (int r = 0; of_everyone > 0 && r < ranks_; ++r) {
-    Share& share = all[at(r)];
-    share.nodes += of_everyone;
-    if (ranks_ == 1) continue;
-    share.shared_nodes += of_everyone;
-    share.neighbours.resize(at(ranks_));
-    std::iota(share.neighbours.begin(), share.neighbours.end(), 0);
-    share.neighbours.erase(share.neighbours.begin() + r);
+  const auto add_node = [&](int rank, const std::vector<int>& others) {
+    Share& share = all[at(rank)];
+    ++share.nodes;
+    if (others.size() < 2) return;
+    ++share.shared_nodes;
+    for (const int other : others)
+      if (other != rank && std::ranges::find(share.neighbours, other) == share.neighbours.end())
+        share.neighbours.push_back(other);
+  };
+  std::vector<int> every_rank(at(ranks_)), these;
+  std::iota(every_rank.begin(), every_rank.end(), 0);
+  for (const Followers& followers : followers_of_nodes(system, *this, for_everyone)) {
+    these = followers.owners;
+    these.insert(these.end(), followers.others.begin(), followers.others.end());
+    const std::vector<int>& followed_by = followers.all ? every_rank : these;
+    for (const int rank : followed_by) add_node(rank, followed_by);
   }
   for (Share& share : all) {
     if (whole > 0.0) share.cost *= ranks_ / whole;

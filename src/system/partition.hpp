@@ -46,13 +46,14 @@ class Partition {
   /// What a rank has.
   struct Share {
     std::size_t elements = 0;      ///< those that everyone computes included
-    std::size_t nodes = 0;         ///< of these elements
-    std::size_t shared_nodes = 0;  ///< of them, those that other ranks have too
+    std::size_t nodes = 0;         ///< that it follows (Followers)
+    std::size_t shared_nodes = 0;  ///< of them, those that other ranks follow too
     std::vector<int> neighbours;   ///< these ranks
     double cost = 0.0;             ///< of its elements, as a share of the mean
     double contact = 0.0;          ///< the same of what its nodes cost in contact; 0 where none does
   };
-  std::vector<Share> shares(const System& system) const;
+  /// `for_everyone`: as for followers_of_nodes.
+  std::vector<Share> shares(const System& system, std::span<const char> for_everyone) const;
   /// How many elements everyone computes.
   std::size_t elements_of_everyone(const System& system) const;
 

@@ -142,7 +142,8 @@ void Simulation::report_ranks() {
   own.bytes = static_cast<double>(now.bytes - traffic_before_.bytes) / cycles;
   own.waiting = waiting;
   own.busy = seconds - waiting;
-  const system::Partition::Share share = system_.share()->partition().shares(system_)[at(ranks_->rank())];
+  const system::Partition::Share share =
+      system_.share()->partition().shares(system_, followed_by_all())[at(ranks_->rank())];
   own.elements = share.elements;
   own.nodes = share.nodes;
   own.shared_nodes = share.shared_nodes;

@@ -15,6 +15,7 @@
 #include "base/index.hpp"
 #include "deck/deck.hpp"
 #include "reading/build.hpp"
+#include "system/followers.hpp"
 #include "system/ghost_nodes.hpp"
 
 namespace nugget::system {
@@ -22,8 +23,8 @@ namespace {
 
 constexpr std::size_t side = 24;
 
-/// A bent sheet of side x side shells.
-std::string text_of_sheet() {
+/// A bent sheet of side x side shells, and more keywords.
+std::string text_of_sheet(const std::string& more) {
   std::string nodes, shells;
   char line[160];
   const int row = static_cast<int>(side) + 1;
@@ -41,7 +42,7 @@ std::string text_of_sheet() {
     }
   return "*KEYWORD\n*CONTROL_TERMINATION\n1e-3\n*PART\nsheet\n1,1,1\n*SECTION_SHELL\n1,2\n1.0,1.0,1.0,1.0\n"
          "*MAT_ELASTIC\n1,7.85e-9,210000.0,0.3\n*NODE\n" +
-         nodes + "*ELEMENT_SHELL\n" + shells + "*END\n";
+         nodes + "*ELEMENT_SHELL\n" + shells + more + "*END\n";
 }
 
 struct Sheet {
@@ -50,8 +51,8 @@ struct Sheet {
   weld::Ties ties;
   System system;
   State state;
-  Sheet()
-      : model(reading::build(deck::read_text(text_of_sheet(), findings), findings)),
+  explicit Sheet(const std::string& more = {})
+      : model(reading::build(deck::read_text(text_of_sheet(more), findings), findings)),
         ties(weld::tie(model, findings)),
         system(model, ties, findings),
         state(system.initial_state()) {}
@@ -230,7 +231,7 @@ TEST(Share, TheFirstRankCollectsWhatOthersComputed) {
 TEST(Partition, CutsASquareInHalves) {
   const Sheet sheet;
   const Partition halves(sheet.system, 2, {});
-  const std::vector<Partition::Share> shares = halves.shares(sheet.system);
+  const std::vector<Partition::Share> shares = halves.shares(sheet.system, {});
   for (const Partition::Share& share : shares) {
     EXPECT_NEAR(static_cast<double>(share.elements), 288.0, 8.0);
     EXPECT_GE(share.shared_nodes, 25u);
@@ -249,7 +250,7 @@ TEST(Partition, BalancesContactAsWell) {
   for (std::size_t e = 0; e < side * side; ++e)
     if (e % side < side / 2 && e / side < side / 2)
       for (const int node : sheet.system.groups[0]->nodes(e)) contact.of_node[at(node)] = 5.0;
-  for (const Partition::Share& share : Partition(sheet.system, 2, {}, contact).shares(sheet.system)) {
+  for (const Partition::Share& share : Partition(sheet.system, 2, {}, contact).shares(sheet.system, {})) {
     EXPECT_NEAR(share.cost, 1.0, 0.06);
     EXPECT_NEAR(share.contact, 1.0, 0.1);
     EXPECT_LE(share.shared_nodes, 60u);
@@ -297,11 +298,64 @@ TEST(Partition, ElementsThatAreLookedAtAreEveryones) {
   EXPECT_EQ(partition.elements_of_everyone(sheet.system), Partition::unit_size(*sheet.system.groups[0]));
 }
 
+// The elements of a weld, say, in two units or in three that hang together; as many as there are hang together for all.
+TEST(Partition, OneRankHasWhatOneLooksAt) {
+  const Sheet sheet;
+  const std::size_t last = side * side - 1, middle = 284;
+  const auto list = [](std::initializer_list<std::size_t> elements) {
+    std::vector<System::ElementLocation> all;
+    for (const std::size_t e : elements) all.push_back({0, static_cast<int>(e)});
+    return all;
+  };
+  using Lists = std::vector<std::vector<System::ElementLocation>>;
+  const Lists apart{list({0, last})}, chained{list({0, middle}), list({middle + 1, last})};
+  EXPECT_NE(Partition(sheet.system, 4, {}).of_element(0, 0), Partition(sheet.system, 4, {}).of_element(0, last));
+  for (const Lists& lists : {apart, chained}) {
+    const Partition partition(sheet.system, 4, {}, {}, lists);
+    EXPECT_EQ(partition.of_element(0, 0), partition.of_element(0, last));
+    EXPECT_NE(partition.of_element(0, 0), Partition::everyone);
+    EXPECT_TRUE(lists.size() == 1 || partition.of_element(0, 0) == partition.of_element(0, middle));
+  }
+  Lists long_chain;
+  for (std::size_t e = 0; e + 8 <= last; e += 8) long_chain.push_back(list({e, e + 8}));
+  const Partition whole(sheet.system, 4, {}, {}, long_chain);
+  EXPECT_EQ(whole.elements_of_everyone(sheet.system), side * side);
+}
+
+// A node that hangs between two corners of the sheet is followed, like them, by the ranks of both: its force goes
+// there.
+TEST(Followers, ThoseOfATiedNodeFollowWhatItFollows) {
+  const Sheet sheet(
+      "*NODE\n    9001           120.0           120.0            2.88\n*CONSTRAINED_ADAPTIVITY\n9001,1,625\n");
+  ASSERT_EQ(sheet.findings.errors(), 0u);
+  const auto node = [&](int id) {
+    return at(sheet.system.node_of[std::ranges::find(sheet.model.nodes.id, id) - sheet.model.nodes.id.begin()]);
+  };
+  for (const int ranks : {2, 4}) {
+    const Partition partition(sheet.system, ranks, {});
+    const std::vector<Followers> of_node = followers_of_nodes(sheet.system, partition, {});
+    const Followers &first = of_node[node(1)], &second = of_node[node(625)], &between = of_node[node(9001)];
+    ASSERT_EQ(first.owners.size() + second.owners.size(), 2u);
+    ASSERT_NE(first.owners, second.owners);
+    EXPECT_TRUE(between.owners.empty());
+    for (const Followers* one : {&first, &second, &between}) {
+      EXPECT_FALSE(one->all);
+      EXPECT_EQ(one->owners.size() + one->others.size(), 2u);
+      EXPECT_TRUE(one->has(first.owners.front()) && one->has(second.owners.front()));
+    }
+    EXPECT_TRUE(of_node[node(313)].others.empty());
+  }
+  std::vector<char> for_everyone(sheet.system.nodes, 0);
+  for_everyone[node(625)] = 1;
+  const std::vector<Followers> of_node = followers_of_nodes(sheet.system, Partition(sheet.system, 2, {}), for_everyone);
+  EXPECT_TRUE(of_node[node(1)].all && of_node[node(9001)].all);
+}
+
 TEST(Partition, MoreRanksThanUnits) {
   const Sheet sheet;
   const Partition partition(sheet.system, 200, {});
   std::size_t sum = 0;
-  for (const Partition::Share& share : partition.shares(sheet.system)) sum += share.elements;
+  for (const Partition::Share& share : partition.shares(sheet.system, {})) sum += share.elements;
   EXPECT_EQ(sum, side * side);
 }
 
