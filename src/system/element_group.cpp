@@ -7,6 +7,14 @@
 
 namespace nugget::system {
 
+void ElementGroup::take_physical_mass_scale(std::size_t e, double physical) {
+  if (physical_mass_scale_.empty()) {
+    if (physical == 1.0) return;
+    physical_mass_scale_.assign(size(), 1.0);
+  }
+  physical_mass_scale_[e] = physical;
+}
+
 double ElementGroup::wanted_mass_scale(std::size_t e) {
   const double step = stable_step(e), now = mass_scale(e);
   const auto raised = [&](double scale, double target) {

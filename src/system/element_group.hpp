@@ -197,6 +197,8 @@ class ElementGroup {
   double physical_mass_scale(std::size_t e) const {
     return physical_mass_scale_.empty() ? 1.0 : physical_mass_scale_[e];
   }
+  /// Another process has computed element e, and has found this.
+  void take_physical_mass_scale(std::size_t e, double physical);
   /// The density factor that brings element e up to these steps; that of DT is kept.
   double wanted_mass_scale(std::size_t e);
 

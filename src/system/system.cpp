@@ -30,7 +30,7 @@ void regularize_inertia(Inertia& i) {
 
 /// An element whose density is scaled, on its way to other ranks.
 struct ScaledMass {
-  double factor;
+  double factor, physical;
   std::size_t element;
   int group;
   friend bool operator<(const ScaledMass& a, const ScaledMass& b) {
@@ -500,16 +500,18 @@ bool System::scale_mass(bool at_start) {
     for (std::size_t b = 0; b < group->blocks(); ++b) {
       if (!exactly && !(group->block_step[b] < target * (1.0 - 1e-9))) continue;
       for (std::size_t e = b * width; e < std::min(group->size(), (b + 1) * width); ++e) {
-        const double step = group->stable_step(e), now = group->mass_scale(e);
+        const double step = group->stable_step(e), now = group->mass_scale(e), by_dt = group->physical_mass_scale(e);
         // What is inside out has no step, and no mass would give it one.
         if (!group->alive(e) || step == 0.0) continue;
         const double wanted = exactly ? now * (target / step) * (target / step) : group->wanted_mass_scale(e);
-        if (!exactly && wanted == now) continue;
         if (share_) {
           const auto g = static_cast<int>(&group - groups.data());
-          if (share_->answers_for(g, e)) scaled.push_back({wanted, e, g});
+          const double physical = group->physical_mass_scale(e);
+          if ((wanted != now || physical != by_dt) && share_->answers_for(g, e))
+            scaled.push_back({wanted, physical, e, g});
           continue;
         }
+        if (!exactly && wanted == now) continue;
         set_mass_scale(*group, e, wanted);
         changed = true;
       }
@@ -518,8 +520,13 @@ bool System::scale_mass(bool at_start) {
   if (share_ && any) {
     scaled = gather_lists(share_->ranks(), scaled);
     std::sort(scaled.begin(), scaled.end());
-    for (const ScaledMass& s : scaled) set_mass_scale(*groups[s.group], s.element, s.factor);
-    changed = !scaled.empty();
+    for (const ScaledMass& s : scaled) {
+      ElementGroup& group = *groups[s.group];
+      group.take_physical_mass_scale(s.element, s.physical);
+      if (s.factor == group.mass_scale(s.element)) continue;
+      set_mass_scale(group, s.element, s.factor);
+      changed = true;
+    }
   }
   if (changed) transfer_dependent_mass();
   return changed;

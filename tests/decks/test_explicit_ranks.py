@@ -168,6 +168,17 @@ class ExplicitRanks(RepeatedRuns):
     def test_a_weld_that_fails(self):
         self.compare_ranks(lap_joint(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0")), ranks=((2, 1),))
 
+    def test_a_weld_whose_mass_grows(self):
+        """DT of the weld's material adds mass as the weld is squeezed, which gravity pulls at: all ranks must know it as physical. Sabotage: news of scaled
+        masses without their physical part."""
+        weld, way = "         3  7.85e-09  210000.0       0.3     500.0    1000.0\n", "             1.0e-05               500.0\n             1.0e-01               500.0\n"
+        gravity = "*LOAD_BODY_Z\n" + card(7, 9.81e6) + curve(7, (0.0, 1.0), (1.0, 1.0))
+        text = lap_joint((weld, weld[:-1] + "   1.0e-06\n"), (way, way.replace("  500.0", "-50000.0")), ("    8000.0    6000.0    6000.0", "   80000.0   60000.0   60000.0"),
+                         ("         2         1         0         1\n", "         2         3         0         1\n"), ("*DEFINE_CURVE\n", gravity + "*DEFINE_CURVE\n"))
+        mass = self.compare_ranks(text)["mass"]
+        self.assertEqual(mass["added"], 0.0)
+        self.assertGreater(mass["added_to_welds"], 1e-6)
+
     def test_a_weld_of_bricks_with_a_joint(self):
         bricks = "*CONTROL_SPOTWELD_BEAM\n         0         0         0         0         0         4\n"
         self.compare_ranks(lap_joint(("*CONTROL_TERMINATION\n", bricks + "*CONTROL_TERMINATION\n")), "--weld-tie", "joint")
