@@ -168,6 +168,22 @@ class ExplicitRanks(RepeatedRuns):
     def test_a_weld_that_fails(self):
         self.compare_ranks(lap_joint(("    8000.0    6000.0    6000.0", "    8000.0    1000.0    1000.0")), ranks=((2, 1),))
 
+    def test_welds_that_fail_on_several_ranks(self):
+        """Each rank looks at the welds that it computes, beams or clusters of bricks, and passes on which of them fail. Sabotage: news that do not come, or
+        in the order of ranks; a tied node that is not moved by all who follow its segment."""
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        text = (self.folder / "double_hat.k").read_text(encoding="ascii")
+        strength = "    6000.0    9000.0    9000.0       0.0   20000.0   20000.0       0.0\n"
+        self.assertIn(strength, text)
+        beams = text.replace(strength, "     300.0     400.0     400.0       0.0   20000.0   20000.0      10.0\n")
+        bricks = "*CONTROL_SPOTWELD_BEAM\n         0         0         0         0         0         4\n"
+        for name, deck in (("beams", beams), ("bricks", beams.replace("*CONTROL_TERMINATION\n", bricks + "*CONTROL_TERMINATION\n"))):
+            with self.subTest(name):
+                self.compare_ranks(deck, "--until", "1.1e-4", ranks=((4, 1),))
+                failures = re.findall(r"spotweld \w+ failed .*", self.log("one"))
+                self.assertGreaterEqual(len(failures), 4)
+                self.assertEqual(re.findall(r"spotweld \w+ failed .*", self.log("r4_1")), failures)
+
     def test_a_weld_whose_mass_grows(self):
         """DT of the weld's material adds mass as the weld is squeezed, which gravity pulls at: all ranks must know it as physical. Sabotage: news of scaled
         masses without their physical part."""
