@@ -173,15 +173,18 @@ class ExplicitRanks(RepeatedRuns):
         in the order of ranks; a tied node that is not moved by all who follow its segment."""
         subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
         text = (self.folder / "double_hat.k").read_text(encoding="ascii")
-        strength = "    6000.0    9000.0    9000.0       0.0   20000.0   20000.0       0.0\n"
+        strength, lasting = "    6000.0    9000.0    9000.0       0.0   20000.0   20000.0       0.0\n", "     500.0    1000.0       0.0       0.0\n"
         self.assertIn(strength, text)
+        self.assertIn(lasting, text)
         beams = text.replace(strength, "     300.0     400.0     400.0       0.0   20000.0   20000.0      10.0\n")
+        beams = beams.replace(lasting, "     500.0    1000.0       0.0   1.0e-04\n")  # then all at once
         bricks = "*CONTROL_SPOTWELD_BEAM\n         0         0         0         0         0         4\n"
         for name, deck in (("beams", beams), ("bricks", beams.replace("*CONTROL_TERMINATION\n", bricks + "*CONTROL_TERMINATION\n"))):
             with self.subTest(name):
                 self.compare_ranks(deck, "--until", "1.1e-4", ranks=((4, 1),))
                 failures = re.findall(r"spotweld \w+ failed .*", self.log("one"))
-                self.assertGreaterEqual(len(failures), 4)
+                self.assertEqual(len(failures), 40)
+                self.assertGreaterEqual(sum("by failure time" not in failure for failure in failures), 4)
                 self.assertEqual(re.findall(r"spotweld \w+ failed .*", self.log("r4_1")), failures)
 
     def test_a_weld_whose_mass_grows(self):
