@@ -66,7 +66,7 @@ KeywordLookup classify(const std::string& keyword) {
 /// A slip of the pen is likely only where no row names the keyword, or one for a whole family does (`CONTROL_*`).
 std::string correction(const deck::Block& block, const KeywordLookup& lookup) {
   if (lookup.row && !lookup.row->name.ends_with("_*")) return {};
-  const std::string_view similar = similar_keyword(block.keyword);
+  const std::string similar = similar_keyword(block.keyword);
   return similar.empty() ? std::string{} : fmt::format("is it *{}?", similar);
 }
 

@@ -165,7 +165,7 @@ std::string describe_keyword(std::string_view name) {
   if (const std::string members = family(written); !members.empty()) return fmt::format("*{}...: {}", written, members);
   if (const std::string members = namesakes(written); !keyword && !members.empty())
     return fmt::format("*...{}...: {}", written, members);
-  const std::string_view similar = similar_keyword(written);
+  const std::string similar = similar_keyword(written);
   if (keyword) return describe(*keyword) + (similar.empty() ? "" : fmt::format("is it *{}?\n", similar));
   return fmt::format("*{}: not a keyword that this program knows{}\n", written,
                      similar.empty() ? "" : fmt::format("; is it *{}?", similar));
@@ -187,28 +187,34 @@ std::string keyword_use_table(const Model& model) {
   return text;
 }
 
-std::string_view similar_keyword(std::string_view written) {
+std::string similar_keyword(std::string_view written) {
   const std::string whole = upper(written);
   std::string_view name = whole;
+  std::vector<std::string_view> options;
   for (const std::string_view option : {"_TITLE", "_ID", "_MPP"})
-    if (name.ends_with(option)) name.remove_suffix(option.size());
+    if (name.ends_with(option)) {
+      name.remove_suffix(option.size());
+      options.push_back(option);
+    }
   // One slip in a short name, two in a long one; numbers of laws (MAT_123) are too short to be guessed at.
   const std::size_t allowed = name.size() < 8 ? 0 : name.size() < 16 ? 1 : 2;
-  std::string_view best;
+  std::string best;
   std::size_t nearest = allowed + 1;
-  const auto consider = [&](std::string_view known) {
+  const auto consider = [&](std::string_view known, const Keyword& row) {
     if (known.ends_with('*')) return;
     const std::size_t difference = known.size() > name.size() ? known.size() - name.size() : name.size() - known.size();
     if (difference > allowed) return;
     if (const std::size_t d = distance(name, known); d > 0 && d < nearest) {
       nearest = d;
       best = known;
+      for (auto option = options.rbegin(); option != options.rend(); ++option)
+        if (std::ranges::find(row.options, option->substr(1)) != row.options.end()) best += *option;
     }
   };
   for (const Keyword& keyword : keywords()) {
     if (keyword.status == KeywordStatus::refused) continue;
-    consider(keyword.name);
-    for (const auto alias : keyword.aliases) consider(alias);
+    consider(keyword.name, keyword);
+    for (const auto alias : keyword.aliases) consider(alias, keyword);
   }
   return best;
 }

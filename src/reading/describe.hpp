@@ -23,7 +23,8 @@ std::string describe_keyword(std::string_view name);
 /// What became of each keyword of a deck, for run.log.
 std::string keyword_use_table(const model::Model& model);
 
-/// A known keyword that `written` is probably meant to be, without its star; empty where none is near.
-std::string_view similar_keyword(std::string_view written);
+/// A known keyword that `written` is probably meant to be, with its _ID, _TITLE or _MPP but without its star; empty
+/// where none is near.
+std::string similar_keyword(std::string_view written);
 
 }  // namespace nugget::reading

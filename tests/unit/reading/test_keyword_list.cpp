@@ -113,12 +113,13 @@ TEST(KeywordList, DynamicRelaxation) {
 }
 
 TEST(KeywordList, MisspeltNamesAreGuessed) {
-  EXPECT_EQ(similar_keyword("CONTACT_SPOTWELDS_ID"), "CONTACT_SPOTWELD");
+  EXPECT_EQ(similar_keyword("CONTACT_SPOTWELDS_ID"), "CONTACT_SPOTWELD_ID");
   EXPECT_EQ(similar_keyword("initial_velocty"), "INITIAL_VELOCITY");
   EXPECT_EQ(similar_keyword("MAT_101"), "") << "numbers are not guessed at";
   EXPECT_EQ(similar_keyword("AIRBAG_SIMPLE"), "");
   EXPECT_TRUE(Built(small_deck("*INITIAL_VELOCTY\n         0\n       1.0\n")).error("is it *INITIAL_VELOCITY?"));
   EXPECT_TRUE(Built(small_deck("*INITAL_VELOCITY\n         0\n       1.0\n")).error("is it *INITIAL_VELOCITY?"));
+  EXPECT_TRUE(Built(small_deck("*MAT_ELASTC_TITLE\nsteel\n         9\n")).error("is it *MAT_ELASTIC_TITLE?"));
 }
 
 TEST(KeywordList, DescribesCardsFieldByField) {
