@@ -12,6 +12,7 @@
 #include "base/denormals.hpp"
 #include "base/index.hpp"
 #include "base/row.hpp"
+#include "system/archive_by_element.hpp"
 #include "system/before_cycle.hpp"
 #include "system/element_group.hpp"
 #include "system/imposed_stress.hpp"
@@ -293,8 +294,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   void archive(Archive& a) override {
     ElementGroup::archive(a);
-    archive_by_element(a, state_, at(state_size()));
-    archive_by_element(a, reference_state_, reference_fields_.size());
+    archive_by_element(a, state_, at(state_size()), width);
+    archive_by_element(a, reference_state_, reference_fields_.size(), width);
     a(energy_, step_);
     if (a.reading())
       for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
@@ -655,27 +656,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     values.assign(at(state_size() * width), N(0.0));
     for (std::size_t i = 0; i < fields; ++i)
       real_store(&values[reference_fields_[i] * width], real_load<R>(reference + i * width));
-  }
-  /// Values that stand block by block, field by field, lane by lane: in the file the fields of an element follow each
-  /// other, so that programs of every width read it.
-  static void archive_by_element(Archive& a, Numbers& values, std::size_t fields) {
-    constexpr std::size_t at_a_time = 512 * widest_block;
-    std::size_t size = values.size();
-    a(size);
-    values.resize(size);
-    std::vector<N> piece;
-    for (std::size_t begin = 0; fields != 0 && begin < size / fields; begin += at_a_time) {
-      const std::size_t end = std::min(begin + at_a_time, size / fields);
-      piece.resize((end - begin) * fields);
-      const auto each = [&](const auto& visit) {
-        for (std::size_t e = begin; e < end; ++e)
-          for (std::size_t i = 0; i < fields; ++i)
-            visit(piece[(e - begin) * fields + i], values[(e / width * fields + i) * width + e % width]);
-      };
-      each([](N& kept, const N& value) { kept = value; });
-      a(piece);
-      each([](const N& kept, N& value) { value = kept; });
-    }
   }
   static void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
     set_lane(to.x, l, nugget::lane(from.x, l));
