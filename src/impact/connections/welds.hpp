@@ -41,6 +41,8 @@ class Welds {
   void reset_work();
   /// Length of weld i now; after it has failed, of what is left between its ends [length].
   double length(std::size_t i, const system::State& state) const;
+  /// Of a weld of bricks as it is loaded now, not filtered; null for others and for those without a history.
+  const weld::BrickSection::Load* brick_load(std::size_t i) const { return bricks_[i] ? &bricks_[i]->load : nullptr; }
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
