@@ -10,6 +10,7 @@
 
 #include "base/index.hpp"
 #include "kernel/element/quadratic_tetrahedron.hpp"
+#include "kernel/element/section_shape.hpp"
 #include "model/segments.hpp"
 #include "reading/builder/passes.hpp"
 
@@ -373,6 +374,12 @@ std::array<Index, 2> tied_parts(Builder& b, Elements& elements, std::size_t row)
   return parts;
 }
 
+/// Of an integrated beam, whose t points to the other side in the mirror.
+bool same_turned_over(const SectionBeam& section) {
+  if (section.elform != 1) return true;
+  return section.points ? kernel::same_turned_over(section.points->fibres) : section.location[1] == 0.0;
+}
+
 std::vector<std::size_t> make_beams(Builder& b) {
   const auto& table = b.beam_table;
   const auto rows = rows_by_id(b, table, "beam", "*ELEMENT_BEAM");
@@ -391,6 +398,13 @@ std::vector<std::size_t> make_beams(Builder& b) {
     const Index section = b.model.parts[part].section;
     if (is_mirrored(table, r) && section != none && b.model.beam_sections[section].elform == 6) {
       elements.refuse(r, "a discrete beam (ELFORM 6) in a file that *INCLUDE_TRANSFORM mirrors is not built",
+                      "write it in a file that is not mirrored");
+      continue;
+    }
+    if (is_mirrored(table, r) && section != none && !same_turned_over(b.model.beam_sections[section])) {
+      elements.refuse(r,
+                      "a beam whose cross-section is not the same turned over, t for -t, is not built in a file that "
+                      "*INCLUDE_TRANSFORM mirrors",
                       "write it in a file that is not mirrored");
       continue;
     }
