@@ -7,8 +7,8 @@
 
 namespace nugget::model {
 
-/// *CONSTRAINED_RIGID_BODY_STOPPERS: bounds of the place and speed of a body's centre along a direction, or of its angle
-/// [rad] and spin about one.
+/// *CONSTRAINED_RIGID_BODY_STOPPERS: bounds of the place and speed of a body's centre along a direction, or of its
+/// angle [rad] and spin about one.
 struct BodyStopper {
   /// A bound over time; none where there is no curve.
   struct Bound {

@@ -75,6 +75,12 @@ class Stoppers(RepeatedRuns):
                 self.assertAlmostEqual(place[0], 6.0 - 200.0 * time, delta=1e-9)  # also behind 6 ms
         self.assertAlmostEqual(last["external work"], 0.5 * MASS * (200.0**2 - 100.0**2), delta=1e-3 * MASS * 200.0**2)
 
+    def test_too_fast_from_the_start(self):
+        """Thrown at 400 mm/s where 100 are allowed: the loss is work of the stop."""
+        states, last = self.places(level(1, (0, 100.0), (1, 100.0)) + stopper(fastest=1), (400.0, 0.0, 0.0))
+        self.assertAlmostEqual(states[-1][1][0], CENTRE[0] + 100.0 * END, delta=1e-9)
+        self.assertAlmostEqual(last["external work"], -0.5 * MASS * (400.0**2 - 100.0**2), delta=1e-6 * MASS * 400.0**2)
+
     def test_the_greatest_speed(self):
         """Pulled by a constant force: F t / m up to 100 mm/s, then even motion; the force's work goes into the stop."""
         force = MASS * 20000.0
@@ -102,7 +108,7 @@ class Stoppers(RepeatedRuns):
 
     def test_a_stop_of_turning(self):
         """A box that turns about z stops at an angle, by a place or by a displacement; what it had is the work of the stop."""
-        inertia = MASS * (SIDE**2 + SIDE**2) / 12
+        inertia = MASS * (SIDE**2 + SIDE**2) / 4  # of eight masses at the corners
         for most in (1, -1):
             states, energies = self.angles(level(1, (0, 0.5), (1, 0.5)) + stopper(most=most, direction=7), 200.0)
             for time, angle, spin in states:
@@ -127,7 +133,7 @@ class Stoppers(RepeatedRuns):
         states, energies = self.angles(cards, 50.0, box=(20.0, 6.0, 10.0))
         # 50 rad/s about z are 40 about n: met after 1e-3/40 s, when the box has hardly turned.
         mass = DENSITY * 20 * 6 * 10
-        inertia = [mass * (6**2 + 10**2) / 12, mass * (20**2 + 10**2) / 12, mass * (20**2 + 6**2) / 12]
+        inertia = [mass * (6**2 + 10**2) / 4, mass * (20**2 + 10**2) / 4, mass * (20**2 + 6**2) / 4]  # of eight masses at the corners
         ease = sum(a * a / i for a, i in zip(n, inertia))
         loss = 0.5 * 40.0**2 / ease
         after = next(state for state in energies if state["time"] > 1.5e-4)

@@ -51,7 +51,7 @@ struct Lever {
 // Sabotage: the force on one node only; masses out of the weights.
 TEST(LinearConstraints, LeverSwings) {
   Lever lever;
-  const double force = 8.0, static_u2 = 2 * force / Lever::k, period = 1.0 / Lever::frequency();
+  const double force = 0.08, static_u2 = 2 * force / Lever::k, period = 1.0 / Lever::frequency();
   lever.s.text(constant_curve(1)).text("*LOAD_NODE_POINT\n" + fields({double(lever.first), 1, 1, force}));
   lever.s.text(constant_curve(8, period / 2000)).card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 8});
   lever.s.card("CONTROL_TERMINATION", {2.25 * period});
@@ -64,7 +64,7 @@ TEST(LinearConstraints, LeverSwings) {
     apart = std::max(apart, std::abs(u1 - 2 * u2));
     // u2 = us (1 - cos wt): passes us for the third time at 5/4 of a period.
     if (now.state.time > period) back.add(now.state.time, u2 / static_u2);
-    drift = std::max(drift, std::abs(now.energy.ratio() - 1.0));
+    if (now.state.time > 0.1 * period) drift = std::max(drift, std::abs(now.energy.ratio() - 1.0));
   });
   expect_reference("linear equations", "lever under a sudden force: largest displacement [mm]", most, 2 * static_u2,
                    1e-4);

@@ -32,8 +32,8 @@ class Stoppers {
   struct Stop {
     const model::BodyStopper* card = nullptr;
     int body = 0;
-    double force = 0.0, velocity = 0.0;  ///< of the last `apply`; torque and spin of a rotation
-    double angle = 0.0;                  ///< of a rotation [rad]
+    double force = 0.0, before = 0.0, velocity = 0.0;  ///< of the last `apply`; torque and spins of a rotation
+    double angle = 0.0;                                ///< of a rotation [rad]
     void archive(Archive& a);
   };
   /// The velocity along its direction that a stop allows, of `free`.
@@ -43,7 +43,7 @@ class Stoppers {
 
   const system::System& system_;
   std::vector<Stop> stops_;
-  double work_ = 0.0, power_on_change_ = 0.0;
+  double work_ = 0.0, power_on_change_ = 0.0, dt_previous_ = 0.0;
 };
 
 }  // namespace nugget::impact

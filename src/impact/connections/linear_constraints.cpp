@@ -64,10 +64,11 @@ LinearConstraints::LinearConstraints(const system::System& system, const Support
   for (const model::RigidWall& wall : model.walls)
     for (const Site& s : sites_)
       if (std::binary_search(wall.nodes.begin(), wall.nodes.end(), system.model_node[s.node])) {
-        findings.error(wall.place, "*RIGIDWALL",
-                       fmt::format("node {} of a linear equation is stopped by this wall, too: both at once is not built",
-                                   model.nodes.id[system.model_node[s.node]]),
-                       "leave the nodes of equations out of the wall's");
+        findings.error(
+            wall.place, "*RIGIDWALL",
+            fmt::format("node {} of a linear equation is stopped by this wall, too: both at once is not built",
+                        model.nodes.id[system.model_node[s.node]]),
+            "leave the nodes of equations out of the wall's");
         break;
       }
 }

@@ -37,10 +37,10 @@ class LinearConstraints {
   struct Site {
     std::size_t node = 0;
     bool rotation = false;
-    std::vector<Vec3d> held;           ///< directions that supports hold, at right angles
-    std::vector<std::size_t> driven;   ///< of Supports
-    std::array<Vec3d, 3> mobility{};   ///< now, times the inverse mass
-    Vec3d after, force;                ///< velocity without the equations; C^t lambda
+    std::vector<Vec3d> held;          ///< directions that supports hold, at right angles
+    std::vector<std::size_t> driven;  ///< of Supports
+    std::array<Vec3d, 3> mobility{};  ///< now, times the inverse mass
+    Vec3d after, force;               ///< velocity without the equations; C^t lambda
   };
   struct Term {
     std::size_t site;

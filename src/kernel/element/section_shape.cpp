@@ -330,20 +330,4 @@ SectionPoints user_points(const FibreRule& fibres) {
   return {fibres, 1.0, s / area, t / area};
 }
 
-bool same_turned_over(const FibreRule& f) {
-  double size = 0.0;
-  for (std::size_t k = 0; k < at(f.count); ++k) size = std::max({size, std::abs(f.s[k]), std::abs(f.t[k])});
-  const double near = 1e-9 * size;
-  for (std::size_t k = 0; k < at(f.count); ++k) {
-    const auto is_image = [&](std::size_t l) {
-      return std::abs(f.s[l] - f.s[k]) <= near && std::abs(f.t[l] + f.t[k]) <= near &&
-             std::abs(f.area[l] - f.area[k]) <= 1e-9 * f.area[k];
-    };
-    bool found = false;
-    for (std::size_t l = 0; l < at(f.count) && !found; ++l) found = is_image(l);
-    if (!found) return false;
-  }
-  return true;
-}
-
 }  // namespace nugget::kernel

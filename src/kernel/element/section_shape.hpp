@@ -54,7 +54,4 @@ SectionPoints shape_points(const SectionShape& shape, int refinement, double nod
 /// torsion constant.
 SectionPoints user_points(const FibreRule& fibres);
 
-/// Whether the points are the same turned over, t for -t.
-bool same_turned_over(const FibreRule& fibres);
-
 }  // namespace nugget::kernel

@@ -291,7 +291,8 @@ Equations::Equations(const system::System& system, Findings& findings) {
         continue;
       }
       const auto& taken = (t.rotation ? held.rotation : held.translation)[k].direction;
-      if (std::any_of(taken.begin(), taken.end(), [&](const Vec3d& h) { return std::abs(dot(h, t.direction)) > 1e-9; })) {
+      if (std::any_of(taken.begin(), taken.end(),
+                      [&](const Vec3d& h) { return std::abs(dot(h, t.direction)) > 1e-9; })) {
         refuse("is held or driven in this direction, which is not built in linear analyses",
                "take it out of the equation where it is held");
         continue;

@@ -35,7 +35,8 @@ const CardOf<EquationTermCard> global_term_card{
 const CardOf<EquationTermCard> local_term_card{
     {&EquationTermCard::nid, id("nid", IdSpace::node, required, "node")},
     {&EquationTermCard::dof, freedom_of_equation()},
-    {&EquationTermCard::cid, id("cid", IdSpace::define, 0, "coordinate system of x, y, z, as it is at time 0; 0: global")},
+    {&EquationTermCard::cid,
+     id("cid", IdSpace::define, 0, "coordinate system of x, y, z, as it is at time 0; 0: global")},
     {&EquationTermCard::coef, real("coef", dimension::number, 0, any_value, "its factor, not 0")},
 };
 

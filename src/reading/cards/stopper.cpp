@@ -54,7 +54,8 @@ void add_stopper(Builder& b, const RowOf<StopperCards>& row, const RowOf<Stopper
   if (row->dir == 4 || row->dir == 8) {
     const Vec3d* vector = row->vid == 0 ? nullptr : b.vector(row[&StopperCards::vid]);
     if (vector == nullptr || !(norm(*vector) > 0.0))
-      return refuse(b, row[&StopperCards::vid], fmt::format("DIR {} needs a vector", row->dir), "name a *DEFINE_VECTOR");
+      return refuse(b, row[&StopperCards::vid], fmt::format("DIR {} needs a vector", row->dir),
+                    "name a *DEFINE_VECTOR");
     direction = unit(*vector);
   }
   stop.direction = direction;

@@ -10,7 +10,6 @@
 
 #include "base/index.hpp"
 #include "kernel/element/quadratic_tetrahedron.hpp"
-#include "kernel/element/section_shape.hpp"
 #include "model/segments.hpp"
 #include "reading/builder/passes.hpp"
 
@@ -374,12 +373,6 @@ std::array<Index, 2> tied_parts(Builder& b, Elements& elements, std::size_t row)
   return parts;
 }
 
-/// Of an integrated beam, whose t points to the other side in the mirror.
-bool same_turned_over(const SectionBeam& section) {
-  if (section.elform != 1) return true;
-  return section.points ? kernel::same_turned_over(section.points->fibres) : section.location[1] == 0.0;
-}
-
 std::vector<std::size_t> make_beams(Builder& b) {
   const auto& table = b.beam_table;
   const auto rows = rows_by_id(b, table, "beam", "*ELEMENT_BEAM");
@@ -395,19 +388,6 @@ std::vector<std::size_t> make_beams(Builder& b) {
       elements.refuse(r, "needs two different nodes", "remove it or correct its nodes");
       continue;
     }
-    const Index section = b.model.parts[part].section;
-    if (is_mirrored(table, r) && section != none && b.model.beam_sections[section].elform == 6) {
-      elements.refuse(r, "a discrete beam (ELFORM 6) in a file that *INCLUDE_TRANSFORM mirrors is not built",
-                      "write it in a file that is not mirrored");
-      continue;
-    }
-    if (is_mirrored(table, r) && section != none && !same_turned_over(b.model.beam_sections[section])) {
-      elements.refuse(r,
-                      "a beam whose cross-section is not the same turned over, t for -t, is not built in a file that "
-                      "*INCLUDE_TRANSFORM mirrors",
-                      "write it in a file that is not mirrored");
-      continue;
-    }
     beams.id.push_back(table.id[r]);
     beams.part.push_back(part);
     beams.node.push_back({n[0], n[1]});
@@ -420,6 +400,23 @@ std::vector<std::size_t> make_beams(Builder& b) {
   }
   b.beams.assign(beams.id);
   return made;
+}
+
+/// `rows`: of the table, by beam.
+void refuse_mirrored_discrete_beams(Builder& b, const std::vector<std::size_t>& rows) {
+  Tally refused(b.findings, Severity::error, "*ELEMENT_BEAM");
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    const Index section = b.model.parts[b.model.beams.part[e]].section;
+    if (!is_mirrored(b.beam_table, rows[e]) || section == none || b.model.beam_sections[section].elform != 6) continue;
+    refused.add(
+        b.model.beams.place[e],
+        [&] {
+          return fmt::format(
+              "beam {} is a discrete one (ELFORM 6), which is not built in a file that *INCLUDE_TRANSFORM mirrors",
+              b.model.beams.id[e]);
+        },
+        "write it in a file that is not mirrored");
+  }
 }
 
 /// Mean of the nodal thicknesses; where one is not given, that of the section stands in.
@@ -599,7 +596,10 @@ void make_mesh(Builder& b) {
       b.model.hanging_nodes.push_back(
           {b.nodes.find(h.node), {b.nodes.find(h.ends[0]), b.nodes.find(h.ends[1])}, b.model.coarsen.place});
   set_thickness(b, shell_rows);
-  b.defer(Phase::bodies, [beam_rows](Builder& late) { check_single_sections(late, beam_rows); });
+  b.defer(Phase::bodies, [beam_rows](Builder& late) {
+    refuse_mirrored_discrete_beams(late, beam_rows);
+    check_single_sections(late, beam_rows);
+  });
 }
 
 }  // namespace nugget::reading

@@ -8,9 +8,10 @@ namespace nugget::reading {
 namespace {
 
 TEST(LinearConstraintCards, AreRead) {
-  const Built built(small_deck("*CONSTRAINED_LINEAR_GLOBAL\n7\n1,1,1.0\n2,2,-0.5\n3,6,2.0\n"
-                               "*DEFINE_COORDINATE_VECTOR\n5,0.0,1.0,0.0,-1.0,0.0,0.0\n"
-                               "*CONSTRAINED_LINEAR_LOCAL\n8\n1,1,5,1.0\n4,3,0,-1.0\n"));
+  const Built built(
+      small_deck("*CONSTRAINED_LINEAR_GLOBAL\n7\n1,1,1.0\n2,2,-0.5\n3,6,2.0\n"
+                 "*DEFINE_COORDINATE_VECTOR\n5,0.0,1.0,0.0,-1.0,0.0,0.0\n"
+                 "*CONSTRAINED_LINEAR_LOCAL\n8\n1,1,5,1.0\n4,3,0,-1.0\n"));
   ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
   const auto& all = built.model.linear_constraints;
   ASSERT_EQ(all.size(), 2u);
@@ -43,7 +44,8 @@ TEST(LinearConstraintCards, NodesThatMoveAlike) {
   EXPECT_EQ(all[1].terms[0].direction.z, 1.0);
   EXPECT_EQ(all[3].terms[1].factor, -1.0);
   EXPECT_TRUE(Built(small_deck("*SET_NODE_LIST\n3\n1,2,4\n*CONSTRAINED_NODE_SET\n3,8\n")).error("", "dof"));
-  EXPECT_TRUE(Built(small_deck("*SET_NODE_LIST\n3\n1,2,4\n*CONSTRAINED_NODE_SET\n3,1,0.5\n")).error("part at a time", "tf"));
+  EXPECT_TRUE(
+      Built(small_deck("*SET_NODE_LIST\n3\n1,2,4\n*CONSTRAINED_NODE_SET\n3,1,0.5\n")).error("part at a time", "tf"));
 }
 
 }  // namespace
