@@ -64,15 +64,16 @@ TEST(LinearConstraints, LeverSwings) {
     apart = std::max(apart, std::abs(u1 - 2 * u2));
     // u2 = us (1 - cos wt): passes us for the third time at 5/4 of a period.
     if (now.state.time > period) back.add(now.state.time, u2 / static_u2);
-    if (now.state.time > 0.1 * period) drift = std::max(drift, std::abs(now.energy.ratio() - 1.0));
+    // Once in a period all energies are 0 but for round-off, and so is what they are measured by.
+    drift = std::max(drift, std::abs(now.energy.kinetic + now.energy.internal - now.energy.external));
   });
   expect_reference("linear equations", "lever under a sudden force: largest displacement [mm]", most, 2 * static_u2,
                    1e-4);
   ASSERT_TRUE(back.seen());
   expect_reference("linear equations", "lever under a sudden force: 5/4 of its period [s]", back.time(), 1.25 * period,
                    1e-3);
-  EXPECT_LT(apart, 1e-9 * most);
-  EXPECT_LT(drift, 1e-3);
+  EXPECT_LT(apart, 1e-12 * Lever::length);
+  EXPECT_LT(drift, 1e-3 * force * 2 * most);
 }
 
 TEST(LinearConstraints, LeverInModesAndStatics) {
