@@ -53,6 +53,8 @@ std::string section_name(const model::Model& model, const model::Part& part, con
       if (s.elform == 6)
         return fmt::format("discrete beam, ELFORM 6, VOL = {:.4g}{}, SCOOR = {}", s.volume,
                            model::unit_of(units, dimension::volume), s.scoor);
+      if (s.area > 0.0)
+        return fmt::format("beam, ELFORM {}, A = {:.4g}{}", s.elform, s.area, model::unit_of(units, dimension::area));
       return fmt::format("beam, ELFORM {}, d = {:.4g}{}", s.elform, 0.5 * (s.outer[0] + s.outer[1]), length);
     }
     case model::ElementKind::discrete: {

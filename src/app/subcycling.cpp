@@ -56,6 +56,8 @@ void check_subcycling(const impact::Simulation& simulation, Findings& findings) 
   };
   if (!acting.welds.joints().empty())
     refuse("joints of welds of bricks", "which share out motions with the forces of each cycle");
+  if (!acting.linear_constraints.empty())
+    refuse("linear equations between nodes", "which share out the forces of each cycle");
   in_each_cycle(acting.rigid_welds.size() > 0, "rigid welds");
   in_each_cycle(acting.rivets.size() > 0, "rivets");
   in_each_cycle(!acting.joints.empty(), "joints");

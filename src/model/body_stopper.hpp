@@ -7,7 +7,8 @@
 
 namespace nugget::model {
 
-/// *CONSTRAINED_RIGID_BODY_STOPPERS: bounds of the place and speed of a body's centre along a direction.
+/// *CONSTRAINED_RIGID_BODY_STOPPERS: bounds of the place and speed of a body's centre along a direction, or of its
+/// angle [rad] and spin about one.
 struct BodyStopper {
   /// A bound over time; none where there is no curve.
   struct Bound {
@@ -16,6 +17,7 @@ struct BodyStopper {
   };
   Index body = none;
   Vec3d direction;  ///< unit vector
+  bool rotation = false;
   Bound most, least;
   Index fastest = none;  ///< curve: the greatest speed, without its sign
   double birth = 0.0, death = 1e20;

@@ -28,6 +28,7 @@
 #include "model/interpolation.hpp"
 #include "model/interpolation_spotweld.hpp"
 #include "model/joint.hpp"
+#include "model/linear_constraint.hpp"
 #include "model/loads.hpp"
 #include "model/parts.hpp"
 #include "model/requests.hpp"
@@ -239,6 +240,7 @@ struct Model : LoadLists {
   Damping damping;
   RunEnds run_ends;
   std::vector<BodyStopper> body_stoppers;
+  std::vector<LinearConstraint> linear_constraints;
   InitialState initial_state;
   std::vector<RigidWall> walls;
   std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order

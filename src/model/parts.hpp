@@ -13,6 +13,7 @@
 #include "base/finding.hpp"
 #include "base/vec3.hpp"
 #include "kernel/contact/friction.hpp"
+#include "kernel/element/fibre_rule.hpp"
 #include "kernel/law/composed_law.hpp"
 #include "kernel/law/discrete_beam.hpp"
 #include "kernel/law/elastic.hpp"
@@ -97,9 +98,11 @@ struct SectionBeam {
   bool torsion = true;            ///< ITOFF = 0
   // Of an integrated beam (ELFORM 1), of a resultant beam (2) and of a truss (3):
   std::array<double, 2> location{};  ///< NSLOC, NTLOC: place of the nodes on the section, -1 to 1 along s and t
-  double area = 0.0;                 ///< A [length^2]
+  double area = 0.0;                 ///< A, of a shape or rule its own [length^2]
   double shear_area = 0.0;           ///< SA; 0: no shear deformation [length^2]
   double moment_s = 0.0, moment_t = 0.0, torsion_constant = 0.0;  ///< ISS, ITT, J [length^4]
+  /// Of an integrated beam: points of a standard cross-section or of the user, in the place of QR and CST.
+  std::optional<kernel::SectionPoints> points;
   // Of a discrete beam (ELFORM 6):
   double volume = 0.0;   ///< VOL; its mass is density times that [length^3]
   double inertia = 0.0;  ///< INER [mass length^2]

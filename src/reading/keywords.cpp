@@ -21,6 +21,7 @@ std::vector<Keyword> all_families() {
            node_merge_keywords,
            sensor_keywords,
            stopper_keywords,
+           linear_constraint_keywords,
            part_keywords,
            section_keywords,
            material_keywords,

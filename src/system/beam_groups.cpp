@@ -27,6 +27,13 @@ kernel::WeldBeamProperties integrated_beam(const model::SectionBeam& section, do
   beam.mass_per_length = section.extra_mass;
   const double first = 0.5 * (section.outer[0] + section.outer[1]),
                second = 0.5 * (section.inner[0] + section.inner[1]);
+  if (section.points) {
+    beam.fibres = section.points->fibres;
+    beam.torsion_share = section.points->torsion_share;
+    beam.offset_s = section.points->offset_s;
+    beam.offset_t = section.points->offset_t;
+    return beam;
+  }
   if (section.cross_section == 1) {
     beam.fibres = kernel::disc_fibres(first, second, section.quadrature);
     return beam;

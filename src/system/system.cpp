@@ -149,6 +149,13 @@ void System::make_constraints(Findings& findings) {
         {{node_of[h.ends[0]], 1.0 - share, arm}, {node_of[h.ends[1]], share, arm}}};
     map.add(node_of[h.node], true, terms);
   }
+  for (const model::LinearConstraint& equation : model.linear_constraints)
+    for (const model::LinearConstraint::Term& term : equation.terms)
+      if (const ConstraintSource& held = constraint_source_[node_of[term.node]]; !held.none())
+        findings.error(equation.place, equation.keyword,
+                       fmt::format("node {} of equation {} moves with {}, and an equation cannot move it",
+                                   model.nodes.id[term.node], equation.id, name(held)),
+                       "take nodes that follow neither a rigid body nor a tie");
   for (int node : map.sort_rows(static_cast<int>(all_nodes())))
     findings.error({model.deck, 0, 0}, "", fmt::format("node {} is tied to itself through other ties", node_id(node)),
                    "tie the weld to a sheet whose nodes are free");

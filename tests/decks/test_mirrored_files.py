@@ -241,6 +241,11 @@ class MirroredFiles(CommandTest):
                 self.assertRegex(self.refusal(f"{mesh}*{keyword}\n1\n"),
                                  rf"inner.k:7:1: error: \*{keyword}: is not built in a file that \*INCLUDE_TRANSFORM mirrors")
 
+    def test_discrete_beams_are_refused(self):
+        text = ("*NODE\n1,0,0,0\n2,10,0,0\n3,0,10,0\n*PART\n\n1,1,1\n*ELEMENT_BEAM\n1,1,1,2,3\n*SECTION_BEAM\n1,6\n1.0,1.0\n"
+                "*MAT_LINEAR_ELASTIC_DISCRETE_BEAM\n1,1e-9,100.0\n")
+        self.assertIn("beam 1 is a discrete one (ELFORM 6), which is not built in a file", self.refusal(text))
+
     def test_left_handed_systems_are_refused(self):
         self.write("*KEYWORD\n*END\n", "inner.k")
         self.assertRegex(self.refusal("*NODE\n1,0,0,0", master(line="MIRROR,0,0,0,1,0,0,1")), "A7 = 1 of MIRROR, left-handed")

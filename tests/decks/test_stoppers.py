@@ -75,6 +75,12 @@ class Stoppers(RepeatedRuns):
                 self.assertAlmostEqual(place[0], 6.0 - 200.0 * time, delta=1e-9)  # also behind 6 ms
         self.assertAlmostEqual(last["external work"], 0.5 * MASS * (200.0**2 - 100.0**2), delta=1e-3 * MASS * 200.0**2)
 
+    def test_too_fast_from_the_start(self):
+        """Thrown at 400 mm/s where 100 are allowed: the loss is work of the stop."""
+        states, last = self.places(level(1, (0, 100.0), (1, 100.0)) + stopper(fastest=1), (400.0, 0.0, 0.0))
+        self.assertAlmostEqual(states[-1][1][0], CENTRE[0] + 100.0 * END, delta=1e-9)
+        self.assertAlmostEqual(last["external work"], -0.5 * MASS * (400.0**2 - 100.0**2), delta=1e-6 * MASS * 400.0**2)
+
     def test_the_greatest_speed(self):
         """Pulled by a constant force: F t / m up to 100 mm/s, then even motion; the force's work goes into the stop."""
         force = MASS * 20000.0
@@ -86,12 +92,61 @@ class Stoppers(RepeatedRuns):
         self.assertAlmostEqual(states[-1][1][0], CENTRE[0] + 0.25 + 100.0 * (END - 5e-3), delta=2e-3)
         self.assertAlmostEqual(last["external work"], 0.5 * MASS * 100.0**2, delta=1e-2 * MASS * 100.0**2)
 
+    def angles(self, cards, spin, box=(SIDE, SIDE, SIDE)):
+        """[(time, angle about z, spin about z)] of a box that turns, and the states of glstat; nodes tell the angle."""
+        a, b, c = box
+        text = deck(cards).replace("*INITIAL_VELOCITY_RIGID_BODY\n7,0,0,0", f"*INITIAL_VELOCITY_RIGID_BODY\n7,0,0,0,0,0,{spin}")
+        corners = [(x, y, z) for z in (10, 10 + c) for x, y in ((0, 0), (a, 0), (a, b), (0, b))]
+        text = text[:text.index("*NODE\n")] + "*NODE\n" + "\n".join(f"{11 + i},{x},{y},{z}" for i, (x, y, z) in enumerate(corners)) + "\n*END\n"
+        self.nugget("run", self.write(text).name, "-o", "run", "--quiet")
+        states = lsda.states(lsda.read(self.folder / "run" / "binout0000"), "rbdout")
+        energies = self.glstat("run/glstat")
+        start, most = energies[0]["total energy"], max(state["kinetic energy"] for state in energies)
+        for state in energies:
+            self.assertAlmostEqual(state["total energy"], start + state["external work"], delta=1e-4 * most)
+        return [(s["time"][0], s["global_rdz"][0], s["global_rvz"][0]) for s in states], energies
+
+    def test_a_stop_of_turning(self):
+        """A box that turns about z stops at an angle, by a place or by a displacement; what it had is the work of the stop."""
+        inertia = MASS * (SIDE**2 + SIDE**2) / 4  # of eight masses at the corners
+        for most in (1, -1):
+            states, energies = self.angles(level(1, (0, 0.5), (1, 0.5)) + stopper(most=most, direction=7), 200.0)
+            for time, angle, spin in states:
+                self.assertAlmostEqual(angle, min(200.0 * time, 0.5), delta=1e-6)
+                if abs(time - 0.5 / 200.0) > 2e-5:
+                    self.assertAlmostEqual(spin, 200.0 if time < 0.5 / 200.0 else 0.0, delta=1e-6)
+            self.assertAlmostEqual(energies[-1]["external work"], -0.5 * inertia * 200.0**2, delta=2e-3 * 0.5 * inertia * 200.0**2)
+
+    def test_a_stop_that_turns_back_and_a_greatest_spin(self):
+        cards = level(1, (0, 0.5), (1e-2, -0.5)) + stopper(most=1, direction=7)
+        states, _ = self.angles(cards, 100.0)
+        met = 0.5 / 200.0  # 100 t = 0.5 - 100 t
+        for time, angle, _spin in states:
+            self.assertAlmostEqual(angle, 100.0 * time if time < met else 0.5 - 100.0 * time, delta=1e-6)
+        states, _ = self.angles(level(1, (0, 30.0), (1, 30.0)) + stopper(fastest=1, direction=7), 100.0)
+        self.assertAlmostEqual(states[-1][1], 30.0 * END, delta=30.0 * 2e-5)
+
+    def test_a_stop_about_an_axis_of_no_symmetry(self):
+        """Stopped about an axis askew to its own, a box gets a torque about that axis only: momentum across it stays."""
+        n = (0.6, 0.0, 0.8)
+        cards = "*DEFINE_VECTOR\n3,0,0,0,3,0,4\n" + level(1, (0, 1e-3), (1, 1e-3)) + stopper(most=1, direction=8, vector=3)
+        states, energies = self.angles(cards, 50.0, box=(20.0, 6.0, 10.0))
+        # 50 rad/s about z are 40 about n: met after 1e-3/40 s, when the box has hardly turned.
+        mass = DENSITY * 20 * 6 * 10
+        inertia = [mass * (6**2 + 10**2) / 4, mass * (20**2 + 10**2) / 4, mass * (20**2 + 6**2) / 4]  # of eight masses at the corners
+        ease = sum(a * a / i for a, i in zip(n, inertia))
+        loss = 0.5 * 40.0**2 / ease
+        after = next(state for state in energies if state["time"] > 1.5e-4)
+        self.assertAlmostEqual(after["external work"], -loss, delta=0.02 * loss)
+
     def test_restart(self):
+        turning = deck(level(1, (0, 0.5), (1e-2, -0.5)) + stopper(most=1, direction=7, death=6e-3))
+        self.resumed(turning.replace("*INITIAL_VELOCITY_RIGID_BODY\n7,0,0,0", "*INITIAL_VELOCITY_RIGID_BODY\n7,0,0,0,0,0,100.0"), shares=(0.2, 0.5))
         self.resumed(deck(level(1, (0, 6.0), (1e-2, 4.0)) + stopper(most=1, death=6e-3), (100.0, 0, 0)), shares=(0.2, 0.5, 0.8))
 
     def test_what_is_refused(self):
         curve = level(1, (0, 6.0), (1, 6.0))
-        for cards, text in ((curve + stopper(most=1, direction=5), "dir = 5: stops of rotations are not built"),
+        for cards, text in ((curve + stopper(most=1, direction=8), "DIR 8 needs a vector"),
                             (curve + "*CONSTRAINED_RIGID_BODY_STOPPERS\n7,1,0,3,0,0,1\n\n", "psidmx = 3: bodies that stop with another one"),
                             (curve + stopper(most=1, direction=4), "DIR 4 needs a vector"), (stopper(most=-9), "lcmax = -9: curve 9 is not defined")):
             self.assertIn(text, self.nugget("check", self.write(deck(cards)).name, expect=1).stderr)

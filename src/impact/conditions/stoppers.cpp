@@ -5,8 +5,17 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "system/constraint_map.hpp"
+#include "system/mobility.hpp"
 
 namespace nugget::impact {
+namespace {
+
+Frame3d turned(const Frame3d& axes, const Vec3d& by) {
+  return {system::turned(axes.e1, by), system::turned(axes.e2, by), system::turned(axes.e3, by)};
+}
+
+}  // namespace
 
 Stoppers::Stoppers(const system::System& system) : system_(system) {
   for (const model::BodyStopper& card : system.model.body_stoppers)
@@ -25,7 +34,8 @@ double Stoppers::allowed(const Stop& stop, const system::State& state, double fr
     const double most = std::abs(at_end(card.fastest));
     velocity = std::clamp(velocity, -most, most);
   }
-  const double place = dot(card.direction, vec(state.x[at(body.node)])), start = dot(card.direction, body.center0);
+  const double place = card.rotation ? stop.angle : dot(card.direction, vec(state.x[at(body.node)]));
+  const double start = card.rotation ? 0.0 : dot(card.direction, body.center0);
   const auto to_bound = [&](const model::BodyStopper::Bound& bound) {
     return (at_end(bound.curve) + (bound.of_displacement ? start : 0.0) - place) / state.dt;
   };
@@ -34,35 +44,72 @@ double Stoppers::allowed(const Stop& stop, const system::State& state, double fr
   return velocity;
 }
 
-void Stoppers::apply(system::State& state, double velocity_interval) {
+void Stoppers::apply(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies) {
   power_on_change_ = 0.0;
+  dt_previous_ = state.dt_previous;
   for (Stop& stop : stops_) {
-    const system::RigidBody& body = system_.bodies[at(stop.body)];
-    const Vec3d& n = stop.card->direction;
-    Row& v = state.v[at(body.node)];
-    const double free = dot(n, vec(v)), velocity = allowed(stop, state, free);
     stop.force = 0.0;
-    if (velocity != free) {
-      add(v, (velocity - free) * n);
-      power_on_change_ += (velocity - free) * dot(n, vec(state.f[at(body.node)]));
-      if (velocity_interval > 0.0) stop.force = body.mass * (velocity - free) / velocity_interval;
-      work_ += 0.5 * stop.force * stop.velocity * state.dt_previous;
-    }
-    stop.velocity = velocity;
+    stop.before = stop.velocity;
+    if (stop.card->rotation)
+      stop_turning(stop, bodies[at(stop.body)], state, velocity_interval);
+    else
+      stop_centre(stop, bodies[at(stop.body)], state, velocity_interval);
   }
 }
 
+void Stoppers::stop_centre(Stop& stop, const system::RigidBody& body, system::State& state, double velocity_interval) {
+  const Vec3d& n = stop.card->direction;
+  Row& v = state.v[at(body.node)];
+  const double free = dot(n, vec(v)), velocity = allowed(stop, state, free);
+  if (state.cycle == 0) stop.before = free;
+  if (velocity != free) {
+    add(v, (velocity - free) * n);
+    power_on_change_ += (velocity - free) * dot(n, vec(state.f[at(body.node)]));
+    if (velocity_interval > 0.0) stop.force = body.mass * (velocity - free) / velocity_interval;
+    work_ += 0.5 * stop.force * stop.before * state.dt_previous;
+  }
+  stop.velocity = velocity;
+}
+
+void Stoppers::stop_turning(Stop& stop, system::RigidBody& body, system::State& state, double velocity_interval) {
+  const Vec3d& n = stop.card->direction;
+  const Vec3d w = vec(state.w[at(body.node)]);
+  const double free = dot(n, w), spin = allowed(stop, state, free);
+  if (state.cycle == 0) stop.before = free;
+  // A torque about n alone changes the spin about other axes too, where n is not one of the body's own.
+  const system::Mobility::Matrix inverse = system::inverse_inertia(body);
+  Vec3d answer{};
+  for (std::size_t i = 0; i < 3; ++i)
+    (i == 0   ? answer.x
+     : i == 1 ? answer.y
+              : answer.z) = inverse[i][0] * n.x + inverse[i][1] * n.y + inverse[i][2] * n.z;
+  const double ease = dot(n, answer);
+  if (spin != free && ease > 0.0) {
+    const Vec3d change = ((spin - free) / ease) * answer, before = body.angular_momentum;
+    set(state.w[at(body.node)], w + change);
+    body.angular_momentum = body.momentum(w + change, turned(body.axes, (0.5 * state.dt) * (w + change)));
+    power_on_change_ += dot(change, vec(state.m[at(body.node)]));
+    if (velocity_interval > 0.0) stop.force = dot(n, body.angular_momentum - before) / velocity_interval;
+    work_ += 0.5 * stop.force * stop.before * state.dt_previous;
+  }
+  stop.velocity = dot(n, vec(state.w[at(body.node)]));
+}
+
 void Stoppers::book_opening_work(double dt) {
-  for (const Stop& stop : stops_) work_ += 0.5 * stop.force * stop.velocity * dt;
+  // Both halves together are the impulse times the mean of the velocities before and after, whatever the two steps.
+  for (Stop& stop : stops_) {
+    work_ += 0.25 * stop.force * ((dt + dt_previous_) * stop.velocity + (dt - dt_previous_) * stop.before);
+    if (stop.card->rotation) stop.angle += stop.velocity * dt;
+  }
 }
 
 void Stoppers::Stop::archive(Archive& a) {
-  a(force, velocity);
+  a(force, before, velocity, angle);
   a.built(card, body);
 }
 
 void Stoppers::archive(Archive& a) {
-  a(stops_, work_);
+  a(stops_, work_, dt_previous_);
   a.built(system_, power_on_change_);
 }
 

@@ -247,6 +247,32 @@ void Supports::hold_for_good(std::span<Row> v, std::span<Row> w) const {
     if (!d.motion->circular && d.oblique_to.empty() && !(d.body >= 0 && d.rotation)) hold(d);
 }
 
+Supports::OfNode Supports::of_node(int node, bool rotation) const {
+  OfNode found;
+  const double end = system_.model.control.end_time;
+  for (const ConstrainedDof& h : constrained_dofs_) {
+    if (h.node != node || h.rotation != rotation) continue;
+    found.held.push_back(h.axis);
+    found.passing = found.passing || h.birth > 0.0 || h.death < end;
+  }
+  for (std::size_t d = 0; d < prescribed_dofs_.size(); ++d) {
+    const PrescribedDof& p = prescribed_dofs_[d];
+    if (p.node != node || p.rotation != rotation || p.body >= 0) continue;
+    found.driven.push_back(d);
+    found.passing = found.passing || p.birth > 0.0 || p.death < end;
+    found.turning = found.turning || p.motion->circular || !p.oblique_to.empty();
+  }
+  return found;
+}
+
+std::optional<double> Supports::coming_velocity(std::size_t driven, const system::State& state,
+                                                double velocity_interval) const {
+  PrescribedDof d = prescribed_dofs_[driven];
+  if (!in_force(system_.model.curves[d.motion->curve], state)) return {};
+  if (!d.active && state.cycle == 0) d.velocity = dot(d.axis, vec(d.rotation ? state.w[d.node] : state.v[d.node]));
+  return target(d, state, d.velocity, velocity_interval);
+}
+
 double Supports::target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
                         double velocity_interval) const {
   if (prescribed.motion->circular) return circular_target(prescribed, state, old_velocity, velocity_interval);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,18 @@ class Supports {
   };
   const std::vector<Reaction>& spc_reactions() const { return spc_; }
   const std::vector<Reaction>& motion_reactions() const { return motion_; }
+
+  /// What of a node's translations or rotations is held or driven, for those who share out forces among nodes.
+  struct OfNode {
+    std::vector<Vec3d> held;          ///< directions
+    std::vector<std::size_t> driven;  ///< numbers for `axis_of` and `coming_velocity`
+    bool passing = false;             ///< some of it not from the beginning to the end
+    bool turning = false;             ///< some of it on a circle, or askew to what holds the node
+  };
+  OfNode of_node(int node, bool rotation) const;
+  const Vec3d& axis_of(std::size_t driven) const { return prescribed_dofs_[driven].axis; }
+  /// The velocity along it that the next `prescribe` will set; nothing where its curve is not in force.
+  std::optional<double> coming_velocity(std::size_t driven, const system::State& state, double velocity_interval) const;
 
   void add_energy(Energy& energy) const { energy.external += work_; }
   void archive(Archive& a);

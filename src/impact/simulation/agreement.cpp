@@ -60,6 +60,7 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   add(!c.connectors.empty(), "discrete beams");
   add(!c.joints.empty(), "joints");
   add(c.rivets.size() != 0, "rivets");
+  add(!c.linear_constraints.empty(), "linear equations between nodes");
   add(!model.discretes.empty(), "springs");
   add(!model.accelerometers.empty(), "accelerometers");
   add(!model.control_volumes.empty(), "gas in volumes");
@@ -99,6 +100,8 @@ std::vector<char> Simulation::followed_by_all() const {
   };
   for (const system::System::TieSpring& spring : system_.springs) follow_place(spring.node);
   for (std::size_t i = 0; i < c.rivets.size(); ++i) std::ranges::for_each(c.rivets.rivet(i).nodes, follow);
+  for (const model::LinearConstraint& equation : model.linear_constraints)
+    for (const model::LinearConstraint::Term& term : equation.terms) follow(term.node);
   for (const contact::PenaltyContact& contact : c.contacts.all())
     if (contact.looks_everywhere()) contact.each_node(follow_place);
   for (const contact::InteriorContact& contact : c.interiors.all())

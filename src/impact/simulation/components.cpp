@@ -11,6 +11,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       welds(system, findings),
       rigid_welds(system, findings),
       rivets(system, findings),
+      linear_constraints(system, supports, findings),
       connectors(system),
       tie_forces(system),
       tie_releases(system, welds, tie_forces),

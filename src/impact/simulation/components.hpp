@@ -13,6 +13,7 @@
 #include "impact/conditions/supports.hpp"
 #include "impact/connections/connectors.hpp"
 #include "impact/connections/joints.hpp"
+#include "impact/connections/linear_constraints.hpp"
 #include "impact/connections/rigid_welds.hpp"
 #include "impact/connections/rivets.hpp"
 #include "impact/connections/tie_forces.hpp"
@@ -40,6 +41,7 @@ struct Components {
   Welds welds;
   RigidWelds rigid_welds;
   Rivets rivets;
+  LinearConstraints linear_constraints;
   Connectors connectors;
   TieForces tie_forces;
   TieReleases tie_releases;  ///< of `welds` and `tie_forces`
@@ -90,9 +92,9 @@ struct Components {
   template <class Self, class Visit>
   static void visit_all(Self& c, Visit& visit) {
     const auto all = [&](auto&... component) { (visit(component), ...); };
-    all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.connectors, c.tie_forces,
-        c.tie_releases, c.joints, c.element_alive, c.erosion, c.strains, c.nodal_forces, c.accelerometers, c.contacts,
-        c.interiors, c.walls, c.stoppers, c.ends);
+    all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.linear_constraints,
+        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.element_alive, c.erosion, c.strains, c.nodal_forces,
+        c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.ends);
   }
 };
 

@@ -244,12 +244,14 @@ void Simulation::write_checkpoint_if_due(const Options& options) {
 
 void Simulation::update_velocities() {
   components_.rivets.apply(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
+  components_.linear_constraints.apply(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_, inverse_inertia_,
+                                       components_.supports);
   accelerate();
   components_.supports.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
   power_on_change_ += components_.supports.power_on_change();
   for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
   components_.walls.constrain(system_, state_, dependent_, power_on_change_);
-  components_.stoppers.apply(state_, 0.5 * (state_.dt + state_.dt_previous));
+  components_.stoppers.apply(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
   power_on_change_ += components_.stoppers.power_on_change();
   add_time(motion);
 }
@@ -312,6 +314,7 @@ void Simulation::start() {
   components_.accelerometers.start(state_);
   components_.erosion.start(state_);
   if (!at_rest_) find_steps_at_rest();
+  components_.linear_constraints.constrain_at_start(state_, inverse_mass_, inverse_inertia_);
   state_.dt = 0.0;
   remove_deleted_elements();
   contact_forces();

@@ -17,7 +17,7 @@ namespace {
 
 /// Second moments about the nodes' line and area of the points, for masses.
 struct Moments {
-  double area = 0.0, ss = 0.0, tt = 0.0;  ///< tt = sum of area t^2 (bending about s)
+  double area = 0.0, ss = 0.0, tt = 0.0, st = 0.0;  ///< tt = sum of area t^2 (bending about s)
 };
 Moments moments(const FibreRule& rule) {
   Moments m;
@@ -25,8 +25,15 @@ Moments moments(const FibreRule& rule) {
     m.area += rule.area[k];
     m.ss += rule.area[k] * rule.s[k] * rule.s[k];
     m.tt += rule.area[k] * rule.t[k] * rule.t[k];
+    m.st += rule.area[k] * rule.s[k] * rule.t[k];
   }
   return m;
+}
+
+/// The larger principal one of second moments. Where the product is no more than rounding, the larger of the two.
+double principal(double ss, double tt, double st) {
+  if (!(std::abs(st) > 1e-12 * std::max(ss, tt))) return std::max(ss, tt);
+  return 0.5 * (ss + tt) + std::hypot(0.5 * (ss - tt), st);
 }
 
 /// What the section moves a unit of time and length: axial, shears at its middle, curvatures about s and t.
@@ -264,15 +271,16 @@ double weld_beam_stable_step(double length, double E, double density) {
 NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, double density, double nu) {
   const Moments section = moments(beam.fibres);
   const double mass = 0.5 * (density * section.area + beam.mass_per_length) * length,
-               bend = std::max(section.ss, section.tt);
+               bend = principal(section.ss, section.tt, section.st);
   const double shear_over_E = 0.5 / (1.0 + nu), k = beam.shear_factor * shear_over_E;
   const double cube = density * section.area * length * length * length;
   const double bending = 0.5 * density * bend * length + cube / 24.0;
   const double torsion = 0.5 * density * (section.ss + section.tt) * length;
   const double shear_mode = cube * k / (8.0 * (1.0 - k));
   const double arm2 = beam.offset_s * beam.offset_s + beam.offset_t * beam.offset_t;
-  const double about_middle = std::max(section.ss / section.area - beam.offset_s * beam.offset_s,
-                                       section.tt / section.area - beam.offset_t * beam.offset_t);
+  const double about_middle = principal(section.ss / section.area - beam.offset_s * beam.offset_s,
+                                        section.tt / section.area - beam.offset_t * beam.offset_t,
+                                        section.st / section.area - beam.offset_s * beam.offset_t);
   const double eccentric = mass * eccentric_gyration2(std::sqrt(arm2), about_middle);
   return {mass, std::max({bending, torsion, shear_mode, eccentric})};
 }

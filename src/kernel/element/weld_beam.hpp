@@ -5,18 +5,12 @@
 #include <vector>
 
 #include "base/batch.hpp"
+#include "kernel/element/fibre_rule.hpp"
 #include "kernel/element/shell.hpp"
 #include "kernel/element/weld_joint.hpp"
 
 namespace nugget::kernel {
 
-inline constexpr int most_fibres = 48;
-
-/// Points of a cross-section: places s, t [length] and areas [length^2].
-struct FibreRule {
-  int count = 0;
-  std::array<double, most_fibres> s{}, t{}, area{};
-};
 /// Rule for a disc or ring of the diameters given, by QR/IRID: up to 2: 4 points; 3: 2 radii x 8 angles; from 4 on: 3
 /// x 16. All have the exact area and second moments; their fully plastic moments are those of
 /// docs/theory/beam.md#section-points.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/index.hpp"
 #include "model/circular_motion.hpp"
@@ -170,6 +171,66 @@ Supports supports_of(const system::System& system, Findings& findings) {
   return held;
 }
 
+/// Linear equations of the model in the unknowns: one after the other gives one unknown by the others.
+class Eliminated {
+ public:
+  explicit Eliminated(int unknowns) : given_(at(unknowns)), is_given_(at(unknowns), 0) {}
+
+  void add(std::map<int, double> row) {
+    double most = 0.0;
+    for (const auto& [unknown, factor] : row) most = std::max(most, std::abs(factor));
+    resolve(row);
+    const double nothing = 1e-12 * most;
+    auto pivot = row.end();
+    for (auto it = row.begin(); it != row.end(); ++it)
+      if (std::abs(it->second) > (pivot == row.end() ? nothing : std::abs(pivot->second) * (1.0 + 1e-12))) pivot = it;
+    if (pivot == row.end()) return;  // follows from those before it
+    std::vector<Equations::Term>& given = given_[at(pivot->first)];
+    for (const auto& [unknown, factor] : row)
+      if (unknown != pivot->first && std::abs(factor) > nothing) given.push_back({unknown, -factor / pivot->second});
+    is_given_[at(pivot->first)] = 1;
+    order_.push_back(pivot->first);
+  }
+  /// When all are there: what is given names only what is not. Later ones first, which those before them may name.
+  void finish() {
+    for (auto it = order_.rbegin(); it != order_.rend(); ++it) {
+      std::map<int, double> row;
+      for (const Equations::Term& t : given_[at(*it)]) row[t.equation] += t.factor;
+      resolve(row);
+      given_[at(*it)].clear();
+      for (const auto& [unknown, factor] : row) given_[at(*it)].push_back({unknown, factor});
+    }
+  }
+  bool empty() const { return order_.empty(); }
+  bool given(int unknown) const { return is_given_[at(unknown)] != 0; }
+  void replace(std::vector<Equations::Term>& row) const {
+    if (std::none_of(row.begin(), row.end(), [&](const Equations::Term& t) { return given(t.equation); })) return;
+    std::map<int, double> all;
+    for (const Equations::Term& t : row) all[t.equation] += t.factor;
+    resolve(all);
+    row.clear();
+    for (const auto& [unknown, factor] : all) row.push_back({unknown, factor});
+  }
+
+ private:
+  void resolve(std::map<int, double>& row) const {
+    for (bool again = true; again;) {
+      again = false;
+      for (auto it = row.begin(); it != row.end(); ++it) {
+        if (!given(it->first)) continue;
+        const auto [unknown, factor] = *it;
+        row.erase(it);
+        for (const Equations::Term& t : given_[at(unknown)]) row[t.equation] += factor * t.factor;
+        again = true;
+        break;
+      }
+    }
+  }
+  std::vector<std::vector<Equations::Term>> given_;
+  std::vector<char> is_given_;
+  std::vector<int> order_;
+};
+
 }  // namespace
 
 Equations::Equations(const system::System& system, Findings& findings) {
@@ -213,6 +274,50 @@ Equations::Equations(const system::System& system, Findings& findings) {
     for (const system::ConstraintMap::Block& b : system.map.blocks(static_cast<int>(d)))
       for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j) put(i, b.node, j, b.of[i][j]);
+  }
+
+  Eliminated linear(size_);
+  for (const model::LinearConstraint& equation : system.model.linear_constraints) {
+    std::map<int, double> row;
+    for (const model::LinearConstraint::Term& t : equation.terms) {
+      const std::size_t k = at(system.node_of[t.node]);
+      const auto refuse = [&](std::string_view why, const char* remedy) {
+        findings.error(equation.place, equation.keyword,
+                       fmt::format("equation {}: node {} {}", equation.id, system.model.nodes.id[t.node], why), remedy);
+      };
+      if (!(t.rotation ? needs.rotation : needs.translation)[k]) {
+        refuse(t.rotation ? "has no rotation that an element knows" : "belongs to no element and no mass",
+               "take nodes of elements");
+        continue;
+      }
+      const auto& taken = (t.rotation ? held.rotation : held.translation)[k].direction;
+      if (std::any_of(taken.begin(), taken.end(),
+                      [&](const Vec3d& h) { return std::abs(dot(h, t.direction)) > 1e-9; })) {
+        refuse("is held or driven in this direction, which is not built in linear analyses",
+               "take it out of the equation where it is held");
+        continue;
+      }
+      const double component[3] = {t.direction.x, t.direction.y, t.direction.z};
+      for (int i = 0; i < 3; ++i)
+        for (const Term& own_term : own[6 * k + at(i) + (t.rotation ? 3u : 0u)])
+          row[own_term.equation] += t.factor * component[i] * own_term.factor;
+    }
+    linear.add(std::move(row));
+  }
+  if (!linear.empty()) {
+    linear.finish();
+    std::vector<int> renumbered(at(size_), -1), owner;
+    for (int i = 0; i < size_; ++i) {
+      if (linear.given(i)) continue;
+      renumbered[at(i)] = static_cast<int>(owner.size());
+      owner.push_back(owner_[at(i)]);
+    }
+    for (std::vector<Term>& row : own) {
+      linear.replace(row);
+      for (Term& t : row) t.equation = renumbered[at(t.equation)];
+    }
+    size_ = static_cast<int>(owner.size());
+    owner_ = std::move(owner);
   }
 
   start_.reserve(own.size() + 1);

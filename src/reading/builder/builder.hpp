@@ -15,6 +15,7 @@
 
 #include "deck/deck.hpp"
 #include "model/model.hpp"
+#include "reading/builder/beam_rule.hpp"
 #include "reading/builder/body_cards.hpp"
 #include "reading/builder/layer_stack.hpp"
 #include "reading/builder/set_recipe.hpp"
@@ -127,9 +128,10 @@ class Builder {
   std::vector<Vec3d> vector_tails;                             ///< of the same: points
   std::vector<SetRecipe> set_recipes;
   std::vector<deck::RowOf<NodeMergeCard>> merge_rows;
-  std::map<int, std::optional<BlastLoad>> blasts;  ///< *LOAD_BLAST_ENHANCED by BID; nothing: refused
-  double merge_tolerance = 0.0;                    ///< TOLR of *NODE_MERGE_TOLERANCE; 0: not given
-  std::map<int, LayerStack> layer_rules;           ///< *INTEGRATION_SHELL by IRID
+  std::map<int, std::optional<BlastLoad>> blasts;     ///< *LOAD_BLAST_ENHANCED by BID; nothing: refused
+  double merge_tolerance = 0.0;                       ///< TOLR of *NODE_MERGE_TOLERANCE; 0: not given
+  std::map<int, LayerStack> layer_rules;              ///< *INTEGRATION_SHELL by IRID
+  std::map<int, std::optional<BeamRule>> beam_rules;  ///< *INTEGRATION_BEAM by IRID; nothing: refused
   std::map<Index, LayerStack> layer_stacks;  ///< by shell section: layers that cards give; known after Phase::curves
   BodyCards body_cards;
 

@@ -55,6 +55,7 @@ constexpr auto mirrored = std::to_array<std::string_view>({
     "INITIAL_STRESS_SOLID",
     "INITIAL_STRAIN_SHELL",
     "INITIAL_VELOCITY",
+    "INTEGRATION_BEAM",
     "INTEGRATION_SHELL",
     "INTERFACE_SPRINGBACK_",
     "KEYWORD",

@@ -14,6 +14,7 @@ std::vector<Keyword> mesh_keywords();                    ///< nodes, elements, p
 std::vector<Keyword> move_keywords();                    ///< nodes moved before anything is computed
 std::vector<Keyword> node_merge_keywords();              ///< nodes at one place that become one
 std::vector<Keyword> stopper_keywords();                 ///< *CONSTRAINED_RIGID_BODY_STOPPERS
+std::vector<Keyword> linear_constraint_keywords();       ///< *CONSTRAINED_LINEAR_GLOBAL, _LOCAL
 std::vector<Keyword> sensor_keywords();                  ///< *SENSOR_..., *TERMINATION_...
 std::vector<Keyword> part_keywords();                    ///< *PART
 std::vector<Keyword> section_keywords();                 ///< *SECTION_..., *HOURGLASS

@@ -116,7 +116,7 @@ Rows other_elements() {
       refused("ELEMENT_DIRECT_MATRIX_INPUT*", "superelements are not built"),
       refused("ELEMENT_*", "this element is not built; shells, bricks, beams, springs and masses are"),
       refused("SECTION_*", "this section is not built; *SECTION_SHELL, _SOLID, _BEAM and _DISCRETE are"),
-      refused("INTEGRATION_*", "this integration rule of the user is not built; *INTEGRATION_SHELL is"),
+      refused("INTEGRATION_*", "this integration rule of the user is not built; *INTEGRATION_SHELL and _BEAM are"),
       refused("PART_COMPOSITE_*", "this form of *PART_COMPOSITE is not built; LONG and CONTACT are"),
       refused("PART_*", "this form of *PART is not built; INERTIA and CONTACT are"),
       refused("NODE_*", "this form of *NODE is not built"),

@@ -11,6 +11,7 @@
 #include "deck/text.hpp"
 #include "kernel/element/shell.hpp"
 #include "reading/builder/common_cards.hpp"
+#include "reading/cards/beam_rule.hpp"
 #include "reading/cards/families.hpp"
 
 // *SECTION_..., *HOURGLASS. An element formulation is judged where the part that uses it is known (check_parts): a
@@ -149,9 +150,13 @@ const CardOf<BeamCards> beam_card{
              "formulation: 1 Hughes-Liu, 2 Belytschko-Schwer, 3 truss, 6 discrete beam, 9 spot weld")},
     {&BeamCards::shear_factor, real("shrf", dimension::number, 1, above_zero(), "shear factor")},
     {&BeamCards::quadrature,
-     integer("qr_irid", 2, any_value, "points: 1 one, 2 2x2 Gauss, 3 3x3 Gauss, 4 3x3 Lobatto, 5 4x4 Gauss")},
+     or_negative(integer("qr_irid", 2, any_value,
+                         "points: 1 one, 2 2x2 Gauss, 3 3x3 Gauss, 4 3x3 Lobatto, 5 4x4 Gauss; below 0: of "
+                         "*INTEGRATION_BEAM, whose IRID is this without its sign"),
+                 IdSpace::other)},
     {&BeamCards::cross_section,
-     integer("cst", 0, any_value, "cross section: 0 rectangle, 1 tube; a weld is round in any case")},
+     integer("cst", 0, any_value,
+             "cross section: 0 rectangle, 1 tube, 2 of *INTEGRATION_BEAM; a weld is round in any case")},
     {&BeamCards::scoor_written,
      real(
          "scoor", dimension::number, 0, any_value,
@@ -172,7 +177,8 @@ const CardOf<BeamCards> weld_card{
 
 const CardOf<BeamCards> integrated_card{
     {at(&BeamCards::outer, 0),
-     real("ts1", dimension::length, required, above_zero(), "extent along s at node 1; tube: outer diameter")},
+     real("ts1", dimension::length, 0, at_least(0),
+          "extent along s at node 1; tube: outer diameter; a standard cross-section of *INTEGRATION_BEAM needs none")},
     {at(&BeamCards::outer, 1), real("ts2", dimension::length, 0, at_least(0), "at node 2; 0: ts1")},
     {at(&BeamCards::inner, 0),
      real("tt1", dimension::length, 0, at_least(0), "extent along t at node 1; tube: inner diameter")},
@@ -354,7 +360,7 @@ void read_diameters(Builder& b, const RowOf<BeamCards>& row, Cursor& cursor, Bea
     row[&BeamCards::cross_section].report(b.findings, Severity::warning,
                                           "a weld is round: TS and TT are taken as diameters", "write 1");
   if (s.quadrature < 1 || s.quadrature > 5)
-    refuse(b, row[&BeamCards::quadrature], "integration rules of the user are not built", "write 1 to 5");
+    refuse(b, row[&BeamCards::quadrature], "welds with integration rules of the user are not built", "write 1 to 5");
   else if (s.quadrature == 1)
     row[&BeamCards::quadrature].report(b.findings, Severity::warning,
                                        "one point has no bending stiffness: a weld gets four", "write 2");
@@ -372,15 +378,24 @@ void read_discrete(Builder& b, const RowOf<BeamCards>& row, Cursor& cursor, Beam
   });
 }
 
-/// ELFORM 1: a rectangle or a tube with points of its own.
+/// ELFORM 1: a rectangle or a tube with points of its own, or what *INTEGRATION_BEAM says.
 void read_integrated(Builder& b, const RowOf<BeamCards>& row, Cursor& cursor, BeamCards& s) {
   const auto size = cursor.read(integrated_card, s);
   complete_ends(s);
-  if (s.quadrature < 1 || s.quadrature > 5)
-    refuse(b, row[&BeamCards::quadrature], "integration rules of the user are not built", "write 1 to 5");
-  if (s.cross_section != 0 && s.cross_section != 1)
-    refuse(b, row[&BeamCards::cross_section], "cross-sections of the user (*INTEGRATION_BEAM) are not built",
-           "write 0 or 1");
+  if (s.cross_section < 0 || s.cross_section > 2)
+    refuse(b, row[&BeamCards::cross_section], "this cross-section is not known", "write 0, 1 or 2");
+  if (s.quadrature < 0)
+    return take_beam_rule(b, -s.quadrature, row[&BeamCards::quadrature], size[at(&BeamCards::location, 0)],
+                          size[at(&BeamCards::outer, 0)]);
+  if (s.quadrature > 5)
+    refuse(b, row[&BeamCards::quadrature], "there is no rule of this number",
+           "write 1 to 5, or the id of an *INTEGRATION_BEAM with a minus");
+  if (s.cross_section == 2)
+    refuse(b, row[&BeamCards::quadrature], "a cross-section of *INTEGRATION_BEAM (CST 2) needs the id of its rule",
+           "write it with a minus");
+  if (!(s.outer[0] > 0.0))
+    refuse(b, size[at(&BeamCards::outer, 0)], "must be given, above 0",
+           s.cross_section == 1 ? "give the outer diameter" : "give the extent along s");
   const deck::Entry across = size[at(&BeamCards::inner, 0)];
   if (s.cross_section == 0 && !(s.inner[0] > 0.0))
     refuse(b, across, "a rectangle needs its extent along t", "give TT1");
@@ -388,18 +403,6 @@ void read_integrated(Builder& b, const RowOf<BeamCards>& row, Cursor& cursor, Be
     refuse(b, across, "the inner diameter must be smaller than the outer one", "leave it 0 for a full section");
   if (s.cross_section == 1 && (s.location[0] != 0.0 || s.location[1] != 0.0))
     refuse(b, size[at(&BeamCards::location, 0)], "nodes off the axis of a tube are not built", "leave it 0");
-}
-
-/// True (and a finding) where the next card names a shape (STYPE, SECTION_01 to SECTION_22) in place of an area.
-bool refuse_shape(Builder& b, Cursor& cursor, int elform) {
-  const std::string line = deck::upper(cursor.peek());
-  const std::string shape(deck::trimmed(line.substr(0, std::min<std::size_t>(10, line.find(',')))));
-  if (!shape.starts_with("SECTION_")) return false;
-  b.findings.add({Severity::error, cursor.place(), cursor.block().starred(), "stype", shape,
-                  "cross-sections by the name of their shape, with D1 to D6, are not built",
-                  elform == 2 ? "write A, ISS, ITT, J and SA of the shape" : "write A of the shape"});
-  cursor.skip();
-  return true;
 }
 
 void read_resultant(Cursor& cursor, BeamCards& s) {
@@ -419,8 +422,8 @@ void read_beam(Builder& b, const Block& block, const Options& options) {
       read_discrete(b, row, cursor, s);
     else if (s.elform == 1)
       read_integrated(b, row, cursor, s);
-    else if ((s.elform == 2 || s.elform == 3) && refuse_shape(b, cursor, s.elform))
-      s.area = std::numeric_limits<double>::quiet_NaN();  // reported; the section exists for the parts that use it
+    else if ((s.elform == 2 || s.elform == 3) && names_a_shape(cursor))
+      read_named_shape(b, cursor, s);
     else if (s.elform == 2)
       read_resultant(cursor, s);
     else if (s.elform == 3)
@@ -468,8 +471,14 @@ std::vector<Keyword> section_keywords() {
                   {"if ELFORM = 6", &discrete_card},
                   {"if ELFORM = 1", &integrated_card},
                   {"if ELFORM = 2", &resultant_card},
-                  {"if ELFORM = 3", &truss_card}},
+                  {"if ELFORM = 3", &truss_card},
+                  {"in place of these, if it begins with SECTION_", &named_shape_card}},
        .read = read_beam},
+      {.name = "INTEGRATION_BEAM",
+       .layout = {{"", &beam_rule_card},
+                  {"if ICST is above 0", &beam_shape_card},
+                  {"if ICST = 0, NIP times", &beam_point_card}},
+       .read = read_beam_rule},
       {.name = "HOURGLASS", .options = {"TITLE"}, .layout = {{"", &hourglass_card}}, .read = read_hourglass},
   };
 }

@@ -34,8 +34,8 @@ const CardOf<StopperCards> stopper_card{
     {&StopperCards::psidmn, id("psidmn", IdSpace::set, 0, "part set that stops with it: not built")},
     {&StopperCards::lcvmnx, id("lcvmnx", IdSpace::function, 0, "curve over time: the greatest speed; 0: none")},
     {&StopperCards::dir, integer("dir", required, between(1, 8),
-                                 "direction 1 x, 2 y, 3 z, 4 the vector VID; 5 to 8, rotations: not built")},
-    {&StopperCards::vid, id("vid", IdSpace::define, 0, "*DEFINE_VECTOR of DIR 4")},
+                                 "direction 1 x, 2 y, 3 z, 4 the vector VID; rotation about 5 x, 6 y, 7 z, 8 VID")},
+    {&StopperCards::vid, id("vid", IdSpace::define, 0, "*DEFINE_VECTOR of DIR 4 and 8")},
 };
 const CardOf<StopperCards> stopper_times_card{
     {&StopperCards::tb, real("tb", dimension::time, 0, at_least(0), "it acts from this time on")},
@@ -50,10 +50,12 @@ void add_stopper(Builder& b, const RowOf<StopperCards>& row, const RowOf<Stopper
   stop.body = find_body(b, row[&StopperCards::pid]);
   stop.birth = times->tb;
   stop.death = death_time(times->td);
-  if (row->dir == 4) {
+  stop.rotation = row->dir > 4;
+  if (row->dir == 4 || row->dir == 8) {
     const Vec3d* vector = row->vid == 0 ? nullptr : b.vector(row[&StopperCards::vid]);
     if (vector == nullptr || !(norm(*vector) > 0.0))
-      return refuse(b, row[&StopperCards::vid], "DIR 4 needs a vector", "name a *DEFINE_VECTOR");
+      return refuse(b, row[&StopperCards::vid], fmt::format("DIR {} needs a vector", row->dir),
+                    "name a *DEFINE_VECTOR");
     direction = unit(*vector);
   }
   stop.direction = direction;
@@ -85,11 +87,9 @@ void read_stoppers(Builder& builder, const Block& block, const Options&) {
     for (const auto field : {&StopperCards::psidmx, &StopperCards::psidmn})
       refuse_nonzero(builder, row[field], "bodies that stop with another one are not built",
                      "give each body a stopper of its own");
-    if (row->dir > 4)
-      refuse(builder, row[&StopperCards::dir], "stops of rotations are not built",
-             "use stop angles of *CONSTRAINED_JOINT_STIFFNESS_GENERALIZED");
-    if (row->dir < 4) warn_of_global_axis(builder, block, row[&StopperCards::dir]);
-    const Vec3d axis{row->dir == 1 ? 1.0 : 0.0, row->dir == 2 ? 1.0 : 0.0, row->dir == 3 ? 1.0 : 0.0};
+    if (row->dir % 4 != 0) warn_of_global_axis(builder, block, row[&StopperCards::dir]);
+    const int along = row->dir > 4 ? row->dir - 4 : row->dir;
+    const Vec3d axis{along == 1 ? 1.0 : 0.0, along == 2 ? 1.0 : 0.0, along == 3 ? 1.0 : 0.0};
     builder.defer(Phase::conditions, [=](Builder& b) { add_stopper(b, row, times, axis); });
   }
 }

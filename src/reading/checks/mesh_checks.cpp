@@ -194,6 +194,7 @@ void check_solids(Builder& b) {
 /// Whether it matters how the cross-section is turned about the beam.
 bool directed(const SectionBeam& s) {
   if (s.elform == 2) return s.moment_s != s.moment_t;
+  if (s.points) return true;
   return s.cross_section == 0 && (s.outer != s.inner || s.quadrature != 2);
 }
 

@@ -388,12 +388,6 @@ std::vector<std::size_t> make_beams(Builder& b) {
       elements.refuse(r, "needs two different nodes", "remove it or correct its nodes");
       continue;
     }
-    const Index section = b.model.parts[part].section;
-    if (is_mirrored(table, r) && section != none && b.model.beam_sections[section].elform == 6) {
-      elements.refuse(r, "a discrete beam (ELFORM 6) in a file that *INCLUDE_TRANSFORM mirrors is not built",
-                      "write it in a file that is not mirrored");
-      continue;
-    }
     beams.id.push_back(table.id[r]);
     beams.part.push_back(part);
     beams.node.push_back({n[0], n[1]});
@@ -406,6 +400,23 @@ std::vector<std::size_t> make_beams(Builder& b) {
   }
   b.beams.assign(beams.id);
   return made;
+}
+
+/// `rows`: of the table, by beam.
+void refuse_mirrored_discrete_beams(Builder& b, const std::vector<std::size_t>& rows) {
+  Tally refused(b.findings, Severity::error, "*ELEMENT_BEAM");
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    const Index section = b.model.parts[b.model.beams.part[e]].section;
+    if (!is_mirrored(b.beam_table, rows[e]) || section == none || b.model.beam_sections[section].elform != 6) continue;
+    refused.add(
+        b.model.beams.place[e],
+        [&] {
+          return fmt::format(
+              "beam {} is a discrete one (ELFORM 6), which is not built in a file that *INCLUDE_TRANSFORM mirrors",
+              b.model.beams.id[e]);
+        },
+        "write it in a file that is not mirrored");
+  }
 }
 
 /// Mean of the nodal thicknesses; where one is not given, that of the section stands in.
@@ -585,7 +596,10 @@ void make_mesh(Builder& b) {
       b.model.hanging_nodes.push_back(
           {b.nodes.find(h.node), {b.nodes.find(h.ends[0]), b.nodes.find(h.ends[1])}, b.model.coarsen.place});
   set_thickness(b, shell_rows);
-  b.defer(Phase::bodies, [beam_rows](Builder& late) { check_single_sections(late, beam_rows); });
+  b.defer(Phase::bodies, [beam_rows](Builder& late) {
+    refuse_mirrored_discrete_beams(late, beam_rows);
+    check_single_sections(late, beam_rows);
+  });
 }
 
 }  // namespace nugget::reading

@@ -86,14 +86,8 @@ TEST(Beams, SectionsOfTheStructure) {
 
   EXPECT_TRUE(beam("1,1\n0.2,,0.1\n", elastic, "0").error("no third node off its line"));
   EXPECT_TRUE(beam("1,1\n0.2,,0.1\n", elastic, "4").error("no third node off its line"));
-  EXPECT_TRUE(beam("1,1,,-3\n0.2,,0.1\n", elastic).error("integration rules of the user", "qr_irid"));
-  EXPECT_TRUE(beam("1,1,,2,2\n0.2,,0.1\n", elastic).error("cross-sections of the user", "cst"));
   EXPECT_TRUE(beam("1,2\n0.5,0.1\n", plastic).error("elastic here", "mid"));
   EXPECT_TRUE(beam("1,3\n\n", elastic).error("must be given", "a"));
-  const Built shape = beam("1,2\nsection_11,0.2,0.1\n", elastic);
-  EXPECT_TRUE(shape.error("cross-sections by the name of their shape", "stype")) << shape.all_findings();
-  EXPECT_EQ(shape.findings.errors(), 1) << shape.all_findings();
-  EXPECT_EQ(beam("1,3\nSECTION_08       0.2\n", elastic).findings.errors(), 1);
   EXPECT_TRUE(beam("1,4\n0.2\n", elastic).error("beam formulation 4 is not built", "elform"));
 }
 
