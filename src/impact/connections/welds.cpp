@@ -86,7 +86,7 @@ void Welds::Bricks::gather(const system::System& system, const system::State& st
 }
 
 Welds::Welds(system::System& system, Findings& findings)
-    : system_(system), joints_(system), death_time_(first_deaths(system)) {
+    : system_(system), joints_(system), stacks_(system, joints_), death_time_(first_deaths(system)) {
   for (const weld::Weld& w : system.ties.welds) {
     histories_.emplace_back();
     bricks_.emplace_back();
@@ -110,6 +110,14 @@ void Welds::list_own() {
   looked_at_.clear();
   for (std::size_t i = 0; i < histories_.size(); ++i)
     if (histories_[i] != nullptr && looks_at(i)) looked_at_.push_back(i);
+}
+
+std::vector<std::size_t> Welds::with_joints_of_each_cycle() const {
+  std::vector<std::size_t> welds;
+  for (const system::BrickJoint& joint : system_.brick_joints) welds.push_back(joint.weld);
+  for (const weld::Stack& stack : system_.weld_stacks)
+    for (const weld::Stack::Member& member : stack.welds) welds.push_back(member.weld);
+  return welds;
 }
 
 std::vector<system::System::ElementLocation> Welds::locations(std::size_t i) const {
@@ -303,7 +311,7 @@ void Welds::Bricks::archive(Archive& a) {
 }
 
 void Welds::archive(Archive& a) {
-  a(histories_, bricks_, works_, joints_, failed_, events_);
+  a(histories_, bricks_, works_, joints_, stacks_, failed_, events_);
   a.built(system_, death_time_, looked_at_, share_, length_);
 }
 

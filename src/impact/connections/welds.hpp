@@ -7,6 +7,7 @@
 
 #include "base/archive.hpp"
 #include "impact/connections/brick_joints.hpp"
+#include "impact/connections/stack_joints.hpp"
 #include "impact/connections/weld_work.hpp"
 #include "system/parcel.hpp"
 #include "system/system.hpp"
@@ -23,9 +24,14 @@ class Welds {
   /// The system must outlive it. Findings: what a weld lacks for the failure function that its material asks for.
   Welds(system::System& system, Findings& findings);
 
-  /// To be called once a cycle, before nodes move: the joints of welds of bricks.
-  void open_joints(system::State& state) { joints_.open(state); }
-  const BrickJoints& joints() const { return joints_; }
+  /// To be called once a cycle, before nodes move: the joints of stacks and of welds of bricks.
+  void open_joints(system::State& state) {
+    joints_.meet(state);
+    stacks_.flow(state);
+    joints_.slide(state);
+  }
+  /// Whether joints share out motions with the forces of each cycle.
+  bool joints_need_each_cycle() const { return !joints_.empty() || !stacks_.empty(); }
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
 
@@ -46,12 +52,11 @@ class Welds {
   int failed() const { return failed_; }
   const std::vector<std::string>& events() const { return events_; }  ///< failures, a line each, for run.log
 
-  /// See Components::elements_read: joints of weld bricks look at welds wherever their nodes are moved.
+  /// See Components::elements_read: joints of bricks and of stacks act wherever the nodes of their welds are moved.
   template <class Visit>
   void elements_read(const Visit& visit) const {
-    for (std::size_t i = 0; i < histories_.size(); ++i)
-      if (histories_[i] != nullptr && joints_.has(i))
-        for (const system::System::ElementLocation& one : locations(i)) visit(one);
+    for (const std::size_t i : with_joints_of_each_cycle())
+      for (const system::System::ElementLocation& one : locations(i)) visit(one);
   }
   /// See Components::elements_of_one_rank.
   template <class Visit>
@@ -91,6 +96,7 @@ class Welds {
     std::size_t weld = 0;
     weld::FailureMode mode = weld::FailureMode::intact;  ///< intact: it begins to be damaged
   };
+  std::vector<std::size_t> with_joints_of_each_cycle() const;
   std::vector<system::System::ElementLocation> locations(std::size_t i) const;
   system::System::ElementLocation first_location(std::size_t i) const;
   /// Whether this process looks at weld i, which has a history.
@@ -116,6 +122,7 @@ class Welds {
   std::vector<std::unique_ptr<Bricks>> bricks_;  ///< null for other welds
   std::vector<WeldWork> works_;
   BrickJoints joints_;
+  StackJoints stacks_;
   std::vector<double> death_time_;        ///< of *DEFINE_ELEMENT_DEATH; infinite: none [time]
   std::vector<std::size_t> looked_at_;    ///< welds with a history whose elements this process computes
   const system::Share* share_ = nullptr;  ///< when `looked_at_` was listed

@@ -56,7 +56,7 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   add(!c.interiors.all().empty(), "interior contact");
   add(!system_.bodies.empty(), "rigid bodies");
   add(!system_.springs.empty(), "ties by springs");
-  add(!system_.brick_joints.empty(), "joints of weld bricks");
+  add(c.welds.joints_need_each_cycle(), "joints of weld bricks and of stacks of welds");
   add(!c.connectors.empty(), "discrete beams");
   add(!c.joints.empty(), "joints");
   add(c.rivets.size() != 0, "rivets");
