@@ -18,43 +18,30 @@ constexpr std::size_t joint_size = kernel::WeldJoint::size;
 constexpr std::size_t of_faces = 12;
 using FaceVector = std::array<double, of_faces>;
 using FaceMatrix = std::array<FaceVector, of_faces>;
-using CornerVector = std::array<double, 24>;   ///< freedoms of the corners of a brick
 using OfCorners = std::array<FaceVector, 24>;  ///< of the freedoms of a brick's corners, those of the faces
 
 Vec3d global_axis(std::size_t i) {
   return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
 }
 
-/// Where the corners of a brick are, and how far from the first end face to the second: 0, 1, between layers a share.
+/// Which end faces the corners of a brick lie in, and where they are.
 struct Corners {
-  std::array<double, 8> along{};
+  std::array<std::size_t, 8> end{};
   std::array<Vec3d, 8> x;
 };
 
-/// Rigid motion of a place for a unit of each of the six freedoms of a face.
-std::array<std::array<double, 6>, 3> motion_of_place(const Vec3d& x, const Vec3d& middle) {
-  std::array<std::array<double, 6>, 3> moved{};
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Vec3d turned = cross(global_axis(j), x - middle);
-    moved[j][j] = 1.0;
-    moved[0][j + 3] = turned.x;
-    moved[1][j + 3] = turned.y;
-    moved[2][j + 3] = turned.z;
-  }
-  return moved;
-}
-
-/// How the corners move with rigid faces, and in proportion between.
+/// How the corners move with rigid faces.
 OfCorners motion_of_corners(const Corners& corners, const Vec3d& middle) {
   OfCorners moved{};
-  for (std::size_t a = 0; a < 8; ++a) {
-    const std::array<std::array<double, 6>, 3> rigid = motion_of_place(corners.x[a], middle);
-    for (std::size_t end = 0; end < 2; ++end) {
-      const double share = end == 0 ? 1.0 - corners.along[a] : corners.along[a];
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 6; ++j) moved[3 * a + i][6 * end + j] = share * rigid[i][j];
+  for (std::size_t a = 0; a < 8; ++a)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t column = 6 * corners.end[a] + j;
+      const Vec3d turned = cross(global_axis(j), corners.x[a] - middle);
+      moved[3 * a + j][column] = 1.0;
+      moved[3 * a][column + 3] = turned.x;
+      moved[3 * a + 1][column + 3] = turned.y;
+      moved[3 * a + 2][column + 3] = turned.z;
     }
-  }
   return moved;
 }
 
@@ -65,7 +52,7 @@ std::array<std::array<double, 24>, of_faces> motion_of_faces(const Corners& corn
     std::vector<std::size_t> at_end;
     std::vector<Vec3d> x;
     for (std::size_t a = 0; a < 8; ++a)
-      if (corners.along[a] == static_cast<double>(end)) {
+      if (corners.end[a] == end) {
         at_end.push_back(a);
         x.push_back(corners.x[a]);
       }
@@ -113,35 +100,28 @@ JointMatrix inverse(JointMatrix a) {
   return b;
 }
 
-template <std::size_t n>
-double product(const std::array<double, n>& a, const std::array<double, n>& b) {
+double product(const FaceVector& a, const FaceVector& b) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
+  for (std::size_t i = 0; i < of_faces; ++i) sum += a[i] * b[i];
   return sum;
 }
 
-template <std::size_t n>
-using Square = std::array<std::array<double, n>, n>;
-
-template <std::size_t n>
-std::array<double, n> product(const Square<n>& k, const std::array<double, n>& b) {
-  std::array<double, n> all{};
-  for (std::size_t i = 0; i < n; ++i) all[i] = product(k[i], b);
+FaceVector product(const FaceMatrix& k, const FaceVector& b) {
+  FaceVector all{};
+  for (std::size_t i = 0; i < of_faces; ++i) all[i] = product(k[i], b);
   return all;
 }
 
 /// What flexibilities c in series with the freedoms B, `motion`, do to the stiffness k: what they take away from it,
 ///     -k B q,  q = c^1/2 (1 + c^1/2 B^t k B c^1/2)^-1 c^1/2 B^t k,
 /// and q, what they move.
-template <std::size_t n>
 struct InSeries {
-  Square<n> change{};
-  std::array<std::array<double, n>, joint_size> moved{};
+  FaceMatrix change{};
+  std::array<FaceVector, joint_size> moved{};
 };
-template <std::size_t n>
-InSeries<n> in_series(const Square<n>& k, const std::array<std::array<double, n>, joint_size>& motion,
-                      const kernel::WeldJoint::Freedoms& flexibility) {
-  std::array<std::array<double, n>, joint_size> force{};
+InSeries in_series(const FaceMatrix& k, const std::array<FaceVector, joint_size>& motion,
+                   const kernel::WeldJoint::Freedoms& flexibility) {
+  std::array<FaceVector, joint_size> force{};
   JointMatrix system{};
   for (std::size_t i = 0; i < joint_size; ++i) {
     force[i] = product(k, motion[i]);
@@ -151,12 +131,12 @@ InSeries<n> in_series(const Square<n>& k, const std::array<std::array<double, n>
     for (std::size_t j = 0; j < joint_size; ++j)
       system[i][j] = (i == j ? 1.0 : 0.0) + std::sqrt(flexibility[i]) * product(motion[i], force[j]);
   const JointMatrix solved = inverse(system);
-  InSeries<n> s;
+  InSeries s;
   for (std::size_t i = 0; i < joint_size; ++i)
     for (std::size_t j = 0; j < joint_size; ++j)
-      for (std::size_t b = 0; b < n; ++b) {
+      for (std::size_t b = 0; b < of_faces; ++b) {
         s.moved[i][b] += std::sqrt(flexibility[i]) * solved[i][j] * force[j][b];
-        for (std::size_t a = 0; a < n; ++a) s.change[a][b] -= force[i][a] * solved[i][j] * force[j][b];
+        for (std::size_t a = 0; a < of_faces; ++a) s.change[a][b] -= force[i][a] * solved[i][j] * force[j][b];
       }
   return s;
 }
@@ -208,68 +188,38 @@ void System::make_brick_joints() {
     for (const model::Index node : section.nodes()) x.push_back(ties.x[node]);
     const weld::BrickSection::Shape shape = section.shape(x);
     const JointMotions motions{shape.axes, 0.5 * (shape.centre[0] + shape.centre[1])};
-    const auto in_face = [&](std::size_t end, int node) {
-      const std::vector<model::Index>& face = weld.face[end];
-      return std::find(face.begin(), face.end(), model_node[node]) != face.end();
-    };
     const auto corners_of = [&](ElementLocation location) {
       Corners corners;
       const ElementNodes node = groups[location.group]->nodes(at(location.element));
       for (std::size_t a = 0; a < 8; ++a) {
+        const std::vector<model::Index>& second = weld.face[1];
+        corners.end[a] = std::find(second.begin(), second.end(), model_node[node[a]]) != second.end() ? 1 : 0;
         corners.x[a] = start_[node[a]];
-        const double along = dot(shape.axes.e1, corners.x[a] - shape.centre[0]) / shape.length;
-        corners.along[a] = in_face(1, node[a]) ? 1.0 : in_face(0, node[a]) ? 0.0 : along;
       }
       return corners;
     };
     FaceMatrix stiffness{};
     std::vector<double> k(24 * 24);
-    const auto entry = [&](std::size_t i, std::size_t j) { return k[24 * i + j]; };
     for (const model::Index e : weld.elements) {
       const ElementLocation location = location_of(weld, e);
       groups[location.group]->stiffness(at(location.element), rest, k);
-      const FaceMatrix one = transformed(motion_of_corners(corners_of(location), motions.middle), entry);
+      const FaceMatrix one = transformed(motion_of_corners(corners_of(location), motions.middle),
+                                         [&](std::size_t i, std::size_t j) { return k[24 * i + j]; });
       for (std::size_t i = 0; i < of_faces; ++i)
         for (std::size_t j = 0; j < of_faces; ++j) stiffness[i][j] += one[i][j];
     }
-    BrickJoint joint{.weld = w, .joint = *joints[w], .motions = motions};
+    BrickJoint joint{w, *joints[w], {}, motions, {}};
     const std::array<FaceVector, joint_size> motion = motions_of_joint(motions, joint.joint.share);
     for (std::size_t i = 0; i < joint_size; ++i) joint.stiffness[i] = product(motion[i], product(stiffness, motion[i]));
-
-    const model::Index softened = joint.joint.softened == model::none ? weld.elements.front() : joint.joint.softened;
-    const ElementLocation location = location_of(weld, softened);
-    const ElementNodes of_brick = groups[location.group]->nodes(at(location.element));
-    std::copy_n(of_brick.begin(), 8, joint.of_corners.begin());
-    const Corners corners = corners_of(location);
-    Square<24> change{};
-    if (joint.joint.softened == model::none) {
-      // Rigid faces move as one brick of the layer says, so it takes the change for all of them.
-      const InSeries<of_faces> series = in_series(stiffness, motion, joint.joint.law.flexibility());
-      const auto faces = motion_of_faces(corners, motions.middle);
-      change = transformed(faces, [&](std::size_t i, std::size_t j) { return series.change[i][j]; });
-      for (std::size_t i = 0; i < joint_size; ++i)
-        for (std::size_t face = 0; face < of_faces; ++face)
-          for (std::size_t c = 0; c < 24; ++c) joint.elastic[i][c] += series.moved[i][face] * faces[face][c];
-    } else {
-      // The face of the brick at one end moves against its disc; what is behind that brick stays as it is.
-      groups[location.group]->stiffness(at(location.element), rest, k);
-      Square<24> own{};
-      for (std::size_t i = 0; i < 24; ++i)
-        for (std::size_t j = 0; j < 24; ++j) own[i][j] = entry(i, j);
-      const OfCorners corners_with_faces = motion_of_corners(corners, motions.middle);
-      std::array<CornerVector, joint_size> sliding{};
-      for (std::size_t i = 0; i < joint_size; ++i)
-        for (std::size_t c = 0; c < 24; ++c)
-          if (const double along = corners.along[c / 3]; along == 0.0 || along == 1.0)
-            sliding[i][c] = product(corners_with_faces[c], motion[i]);
-      for (std::size_t i = 0; i < joint_size; ++i) joint.stiffness[i] = product(sliding[i], product(own, sliding[i]));
-      const InSeries<24> series = in_series(own, sliding, joint.joint.law.flexibility());
-      change = series.change;
-      joint.elastic = series.moved;
-    }
+    // Rigid faces move as one brick of the layer says, so it takes the change for all of them.
+    const ElementLocation first = location_of(weld, weld.elements.front());
+    const InSeries series = in_series(stiffness, motion, joint.joint.law.flexibility());
+    joint.elastic = series.moved;
+    const auto of_first = transformed(motion_of_faces(corners_of(first), motions.middle),
+                                      [&](std::size_t i, std::size_t j) { return series.change[i][j]; });
     std::vector<double> flat;
-    for (const auto& row : change) flat.insert(flat.end(), row.begin(), row.end());
-    groups[location.group]->soften(at(location.element), std::move(flat));
+    for (const auto& row : of_first) flat.insert(flat.end(), row.begin(), row.end());
+    groups[first.group]->soften(at(first.element), std::move(flat));
     for (const weld::Stack& stack : weld_stacks)
       for (const weld::Stack::Member& member : stack.welds)
         if (member.weld == w) joint.joint.law.flow_from_outside();
@@ -280,15 +230,19 @@ void System::make_brick_joints() {
 void System::slide_brick_faces(std::vector<Row>& motion) const {
   for (const BrickJoint& joint : brick_joints) {
     const weld::Weld& weld = ties.welds[joint.weld];
-    CornerVector corners{};
-    for (std::size_t a = 0; a < 8; ++a) {
-      const Vec3d u = vec(motion[joint.of_corners[a]]);
-      corners[3 * a] = u.x;
-      corners[3 * a + 1] = u.y;
-      corners[3 * a + 2] = u.z;
+    FaceVector faces{};
+    for (std::size_t end = 0; end < 2; ++end) {
+      std::vector<Vec3d> x, u;
+      for (const model::Index node : weld.face[end]) {
+        x.push_back(ties.x[node]);
+        u.push_back(vec(motion[node_of[node]]));
+      }
+      const FaceMotion m = face_motion(x, u, joint.motions.middle);
+      const std::array<double, 6> six{m.velocity.x, m.velocity.y, m.velocity.z, m.spin.x, m.spin.y, m.spin.z};
+      std::copy(six.begin(), six.end(), faces.begin() + static_cast<std::ptrdiff_t>(6 * end));
     }
     for (std::size_t i = 0; i < joint_size; ++i) {
-      const double moved = product(joint.elastic[i], corners);
+      const double moved = product(joint.elastic[i], faces);
       for (std::size_t end = 0; end < 2; ++end)
         for (const model::Index node : weld.face[end])
           add(motion[node_of[node]], (end == 0 ? joint.joint.share[0] : -joint.joint.share[1]) * moved *

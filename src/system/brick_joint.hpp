@@ -28,20 +28,18 @@ struct JointMotions {
   Vec3d velocity(std::size_t i, const Vec3d& x) const { return turns(i) ? cross(axis(i), x - middle) : axis(i); }
 };
 
-/// The joint of a weld of one layer of bricks, or of a column of single bricks, in series with it
-/// (docs/theory/ties.md#joints-of-bricks): the bricks' end faces move against the discs on the sheets that they follow
-/// by the motion of the joint.
+/// The joint of a weld of one layer of bricks, in series with it (docs/theory/ties.md#joints-of-bricks): the bricks'
+/// end faces move against the discs on the sheets that they follow by the motion of the joint.
 struct BrickJoint {
   std::size_t weld = 0;  ///< in Ties::welds
   weld::Joint joint;
-  /// Elastic stiffness of the bricks between rigid end faces, of a column that of the brick at the end that moves, in
-  /// each freedom on its own: forces and moments at the middle over what the second end moves there against the first.
+  /// Elastic stiffness of the bricks between rigid end faces, in each freedom on its own: forces and moments at the
+  /// middle over what the second end moves there against the first.
   kernel::WeldJoint::Freedoms stiffness{};
   JointMotions motions;  ///< at the start
-  /// Elastic motion of the joint in each freedom for a motion of the corners of the brick `of_corners`, whose stiffness
-  /// has the joint's in it; corner by corner, global components.
-  std::array<std::array<double, 24>, kernel::WeldJoint::size> elastic{};
-  std::array<int, 8> of_corners{};  ///< nodes of the system
+  /// Elastic motion of the joint in each freedom for the motion of the discs: for either end the translation at the
+  /// middle and the rotation, global components.
+  std::array<std::array<double, 12>, kernel::WeldJoint::size> elastic{};
 };
 
 /// Velocity of a point of a face and its spin: the rigid motion that fits those of its nodes best.

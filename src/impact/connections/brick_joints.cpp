@@ -11,35 +11,15 @@ namespace nugget::impact {
 BrickJoints::Moving::Moving(const system::System& system, const system::BrickJoint& joint)
     : source(&joint), section(system.ties.welds[joint.weld], system.ties.x) {
   const weld::Weld& weld = system.ties.welds[joint.weld];
-  for (const model::Index n : section.nodes()) section_nodes.push_back(system.node_of[n]);
-  std::vector<model::Index> bricks = weld.elements;
-  nodes = section_nodes;
   of_first_face = weld.face[0].size();
-  if (const model::Index own = joint.joint.softened; own != model::none) {
-    // Of a column the brick at one end: its face on the disc, and the free nodes behind.
-    const std::size_t end = joint.joint.share[0] > 0.0 ? 0 : 1;
-    std::vector<int> held, behind;
-    for (const model::Index n : weld.face[end]) held.push_back(system.node_of[n]);
-    const system::System::ElementLocation location = system.location_of(weld, own);
-    const system::ElementNodes of_brick = system.groups[location.group]->nodes(at(location.element));
-    for (int a = 0; a < 8; ++a)
-      if (std::find(held.begin(), held.end(), of_brick[a]) == held.end() &&
-          std::find(behind.begin(), behind.end(), of_brick[a]) == behind.end())
-        behind.push_back(of_brick[a]);
-    nodes = end == 0 ? held : behind;
-    of_first_face = nodes.size();
-    const std::vector<int>& second = end == 0 ? behind : held;
-    nodes.insert(nodes.end(), second.begin(), second.end());
-    bricks = {own};
-  }
-  for (const model::Index e : bricks) {
+  for (const model::Index n : section.nodes()) nodes.push_back(system.node_of[n]);
+  for (const model::Index e : weld.elements) {
     const system::System::ElementLocation location = system.location_of(weld, e);
     const system::ElementNodes of_brick = system.groups[location.group]->nodes(at(location.element));
     for (int a = 0; a < 8; ++a)
       corners.push_back(
           {location, a, static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), of_brick[a]) - nodes.begin())});
   }
-  section_x.resize(section_nodes.size());
   for (std::vector<Vec3d>* of_nodes : {&slid, &force, &force_after, &x, &v}) of_nodes->resize(nodes.size());
 }
 
@@ -100,9 +80,7 @@ void BrickJoints::meet(Moving& joint, const system::State& state) {
     joint.v[n] = vec(state.v[joint.nodes[n]]);
     joint.x[n] = vec(state.x[joint.nodes[n]]) + 0.5 * state.dt * joint.v[n];
   }
-  for (std::size_t n = 0; n < joint.section_nodes.size(); ++n)
-    joint.section_x[n] = vec(state.x[joint.section_nodes[n]]) + 0.5 * state.dt * vec(state.v[joint.section_nodes[n]]);
-  const weld::BrickSection::Shape shape = joint.section.shape(joint.section_x);
+  const weld::BrickSection::Shape shape = joint.section.shape(joint.x);
   joint.motions = {shape.axes, 0.5 * (shape.centre[0] + shape.centre[1])};
   const std::span<const Vec3d> places(joint.x), velocities(joint.v);
   joint.face = {system::face_motion(places.first(joint.of_first_face), velocities.first(joint.of_first_face),
@@ -165,8 +143,8 @@ const std::vector<BrickJoints::Work>& BrickJoints::book() {
 
 void BrickJoints::Moving::archive(Archive& a) {
   a(state);
-  a.built(source, section, section_nodes, section_x, nodes, of_first_face, corners, acts, slid, force, force_after, x,
-          v, motions, face, moved, stiffness, resultant);
+  a.built(source, section, nodes, of_first_face, corners, acts, slid, force, force_after, x, v, motions, face, moved,
+          stiffness, resultant);
 }
 
 void BrickJoints::archive(Archive& a) {

@@ -39,7 +39,7 @@ class BrickJoints {
   void archive(Archive& a);
 
  private:
-  /// A joint, with what it needs of its weld: both end faces; of a column, of the brick at the end that moves.
+  /// A joint, with what it needs of its weld. Nodes are those of the section, both faces.
   struct Moving {
     Moving(const system::System& system, const system::BrickJoint& source);
     /// Forces of the bricks on the faces' nodes.
@@ -48,8 +48,6 @@ class BrickJoints {
 
     const system::BrickJoint* source;
     weld::BrickSection section;
-    std::vector<int> section_nodes;  ///< of the system, for the axes and the middle
-    std::vector<Vec3d> section_x;
     std::vector<int> nodes;  ///< of the system; those of the first face come first
     std::size_t of_first_face = 0;
     struct Corner {

@@ -27,12 +27,8 @@ std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& 
 struct Joint {
   kernel::WeldJoint law;
   /// Of a weld of bricks: how much of the joint's motion there is between the face of each end and its sheet. A half
-  /// each; all at one of a column, and where the other's nodes do not follow a disc by a constraint, or belong to
-  /// another weld as well.
+  /// each; all at one where the other's nodes do not follow a disc by a constraint, or belong to another weld as well.
   std::array<double, 2> share{0.5, 0.5};
-  /// Of a weld that is a column of single bricks: the one at the end that has all of the joint's motion; none of
-  /// others.
-  Index softened = none;
   /// Of both ends; nothing where the end is no sheet that deforms.
   std::array<std::optional<kernel::JointEnd>, 2> end;
 };
