@@ -18,13 +18,15 @@ COUPONS = {"book": (1.5, 6.0, 300.0, 1500.0), "mild": (1.0, 5.0, 200.0, 2000.0),
 THICKNESS, DIAMETER, YIELD, PLASTIC = COUPONS["book"]
 WIDTH = 40.0
 OVERLAP = 20.0                               # from the weld to the end of a sheet
-REACH = {"lap": 50.0, "peel": 25.0, "cross": 30.0, "three": 50.0}  # from the weld to the grips
-PULL = {"lap": 1, "peel": 3, "cross": 3, "three": 1}               # degree of freedom of the moving grip
+REACH = {"lap": 50.0, "peel": 25.0, "cross": 30.0, "three": 50.0, "through": 50.0}  # from the weld to the grips
+PULL = {"lap": 1, "peel": 3, "cross": 3, "three": 1, "through": 1}                  # degree of freedom of the moving grip
+MOVING = {"lap": 1, "peel": 1, "cross": 1, "three": 1, "through": 2}                # sheet whose grip moves; the others are held
 # Where forces are compared: displacements of the grip.
-DISPLACEMENTS = {"lap": (0.1, 0.3, 0.5), "peel": (0.5, 1.0, 2.0), "cross": (0.5, 1.0, 1.5), "three": (0.1, 0.3, 0.5)}
+DISPLACEMENTS = {"lap": (0.1, 0.3, 0.5), "peel": (0.5, 1.0, 2.0), "cross": (0.5, 1.0, 1.5), "three": (0.1, 0.3, 0.5),
+                 "through": (0.1, 0.3, 0.5)}
 STRENGTH = 0.9  # of the force at the last of these, at which the weld fails
 YOUNG, POISSON = 210000.0, 0.3
-STROKE = {"lap": 0.6, "peel": 2.2, "cross": 1.65, "three": 0.6}
+STROKE = {"lap": 0.6, "peel": 2.2, "cross": 1.65, "three": 0.6, "through": 0.6}
 BOX = 8.0  # half the side of the square around the nugget from which on the mesh is rectangular
 
 
@@ -45,10 +47,11 @@ def half_ring(m):
 
 
 def extents(kind):
-    """Of each sheet, from below: how far it goes from the weld to -x, to x, to both sides of that."""
+    """Of each sheet, from below: how far it goes from the weld to -x, to x, to both sides of that. Through: a free piece between
+    two sheets that are pulled apart."""
     half, reach = WIDTH / 2.0, REACH[kind]
     left, right = (reach, OVERLAP, half), (OVERLAP, reach, half)
-    return {"lap": (left, right), "peel": (left, left), "three": (left, right, left),
+    return {"lap": (left, right), "peel": (left, left), "three": (left, right, left), "through": (left, (OVERLAP, OVERLAP, half), right),
             "cross": ((reach, reach, half), (half, half, reach))}[kind]
 
 
@@ -114,7 +117,7 @@ class Solids:
             out += [",".join(map(str, [e + 1, *nodes[:9]])) + ",", ",".join(map(str, nodes[9:]))]
         grip = REACH[self.kind] - 1e-6
         ends = [(sheet, n) for (x, y, _, sheet), n in self.nodes.items() if max(abs(x), y) > grip]
-        sets = {"HELD": [n for sheet, n in ends if sheet != 1], "PULLED": [n for sheet, n in ends if sheet == 1],
+        sets = {"HELD": [n for sheet, n in ends if sheet != MOVING[self.kind]], "PULLED": [n for sheet, n in ends if sheet == MOVING[self.kind]],
                 "MIDDLE": [n for (_, y, _, _), n in self.nodes.items() if abs(y) < 1e-9]}
         for name, nodes in sets.items():
             out.append(f"*NSET,NSET={name}")
@@ -168,6 +171,12 @@ def work(curve, strength):
     return math.nan
 
 
+def energy(curve, displacement):
+    """Work up to a displacement."""
+    points = [(u, f) for u, f in [(0.0, 0.0), *curve] if u < displacement] + [(displacement, force(curve, displacement))]
+    return sum(0.5 * (f + g) * (b - a) for (a, f), (b, g) in zip(points, points[1:]))
+
+
 def main(folder, coupon="book", ccx="ccx"):
     global THICKNESS, DIAMETER, YIELD, PLASTIC
     THICKNESS, DIAMETER, YIELD, PLASTIC = COUPONS[coupon]
@@ -183,7 +192,7 @@ def main(folder, coupon="book", ccx="ccx"):
             strength = STRENGTH * force(curve, places[-1])
             print(f"{kind}, {len(Solids(kind, m).elements)} bricks: " +
                   ", ".join(f"{force(curve, u):.0f} N at {u:g} mm" for u in places) +
-                  f"; {work(curve, strength):.0f} N mm up to {strength:.0f} N", flush=True)
+                  f"; {energy(curve, places[-1]):.0f} N mm up to there, {work(curve, strength):.0f} N mm up to {strength:.0f} N", flush=True)
 
 
 if __name__ == "__main__":

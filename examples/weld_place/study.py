@@ -17,7 +17,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from solids import COUPONS, DISPLACEMENTS, POISSON, PULL, REACH, YOUNG, extents  # noqa: E402
+from solids import COUPONS, DISPLACEMENTS, MOVING, POISSON, PULL, REACH, YOUNG, extents  # noqa: E402
 from writer import Deck  # noqa: E402
 
 SIZES = (3.0, 5.0, 6.0, 8.0, 10.0)
@@ -25,7 +25,7 @@ SIZES = (3.0, 5.0, 6.0, 8.0, 10.0)
 PLACES = ((0.5, 0.5), (0.25, 0.5), (0.5, 0.25), (0.25, 0.25), (0.0, 0.5), (0.5, 0.0), (0.0, 0.0))
 FORMS = ("segment", "area", "joint")
 COLOURS = ("#c33", "#16a", "#181")  # of the forms
-DURATION = {"lap": 0.004, "peel": 0.012, "cross": 0.012, "three": 0.004}  # [s]
+DURATION = {"lap": 0.004, "peel": 0.012, "cross": 0.012, "three": 0.004, "through": 0.004}  # [s]
 # By solids.py: stiffness of its finer mesh, N/mm; its forces at the displacements above, N.
 SOLIDS = {
     ("book", "lap"): (61850.0, (5457.0, 7802.0, 8856.0)),
@@ -66,7 +66,7 @@ def mesh(kind, size, place, thickness, form="square"):
                 shells[len(shells) + 1] = (sheet + 1, (number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)))
         reach = REACH[kind] - 1e-6
         ends = [number(i, j) for i, x in enumerate(along) for j, y in enumerate(across) if max(abs(x), abs(y)) > reach]
-        (pulled if sheet == 1 else held).extend(ends)
+        (pulled if sheet == MOVING[kind] else held).extend(ends)
     return nodes, shells, held, pulled
 
 

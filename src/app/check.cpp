@@ -83,12 +83,16 @@ void add_joints(PreparedDeck& p, const std::vector<std::optional<weld::Joint>>& 
 std::string add_place_errors(PreparedDeck& p, const std::vector<std::optional<weld::Joint>>& joints) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN(), of_lap = 0.05, of_bending = 0.12;
   const std::vector<weld::Hold> holds = weld::holds(p.model, p.ties);
+  std::vector<bool> stacked(p.welds.size(), false);
+  for (const weld::Stack& stack : weld::stacks_of(p.model, p.ties, joints).stacks)
+    for (const weld::Stack::Member& member : stack.welds) stacked[member.weld] = true;
   std::size_t joined = 0, lap = 0, peel = 0, cross = 0, unknown = 0;
   for (std::size_t w = 0; w < p.welds.size(); ++w) {
     const weld::PlaceErrors* errors = joints[w] ? weld::place_errors(holds[w].by_area) : nullptr;
     p.welds[w].audit.emplace_back("error_lap", errors ? errors->lap : nothing);
     p.welds[w].audit.emplace_back("error_peel", errors ? errors->peel : nothing);
     p.welds[w].audit.emplace_back("error_cross", errors ? errors->cross : nothing);
+    p.welds[w].audit.emplace_back("error_stack", errors && stacked[w] ? errors->stack : nothing);
     p.welds[w].audit.emplace_back("error_force", errors ? errors->force : nothing);
     joined += joints[w].has_value();
     unknown += joints[w] && !errors;

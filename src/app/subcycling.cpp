@@ -54,8 +54,8 @@ void check_subcycling(const impact::Simulation& simulation, Findings& findings) 
       refuse(what + fmt::format(" and L {}", asked.contact_period),
              "whose forces go by the forces of contact on them in each cycle, and those come at L 1 only");
   };
-  if (!acting.welds.joints().empty())
-    refuse("joints of welds of bricks", "which share out motions with the forces of each cycle");
+  if (acting.welds.joints_need_each_cycle())
+    refuse("joints of welds of bricks or of stacks of welds", "which share out motions with the forces of each cycle");
   in_each_cycle(acting.rigid_welds.size() > 0, "rigid welds");
   in_each_cycle(acting.rivets.size() > 0, "rivets");
   in_each_cycle(!acting.joints.empty(), "joints");

@@ -15,6 +15,7 @@
 #include "system/before_cycle.hpp"
 #include "system/element_group.hpp"
 #include "system/imposed_stress.hpp"
+#include "system/joined_beams.hpp"
 
 namespace nugget::system {
 
@@ -40,13 +41,14 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///                                     ElementGroup::layer; see TakesStress
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
 ///   viscosity(state, places, c)       of dashpots; may be absent
+///   joint_trial(motion, dt, state), most_state   may be absent; see JoinedBeams
 ///   viscous_stiffness()               of shells: factor for vibrate on the forces of a step, where some of them are
 ///                                     viscous; may be absent
 ///   Layout::integrity, integrity(state), freeze_yield(state, lane), plastic_strain(state, k)     of welds only; the
 ///   first
 ///                                     is that of the weld as a whole, the second that of its points
 template <class Element, class N = double>
-class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesStress {
+class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesStress, public JoinedBeams {
  public:
   using R = NativeBatchOf<N>;
   static constexpr bool single = is_single<R>;
@@ -62,6 +64,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   static constexpr double no_step = single ? 0x1p-40 : 0x1p-100;
   static constexpr std::size_t blocks_ahead = 2;  ///< for whose nodes the memory is asked
   static constexpr bool is_weld = requires(Element & kernel) { kernel.freeze_yield(nullptr, 0); };
+  static constexpr bool is_joined = requires { Element::most_state; };
   /// Its kernel's own derivative is not exact.
   static constexpr bool has_own_stiffness =
       requires(const Element& kernel, double (*field)(int), std::array<Vec3d, corners> x, std::span<double> k) {
@@ -127,6 +130,27 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       kernel_.before_cycle(
           now, [this](std::size_t e) { return alive(e); },
           [this](std::size_t e, int i, double value) { put_field(e, i, value); });
+  }
+
+  void joint_trial([[maybe_unused]] std::size_t e, [[maybe_unused]] const State& now,
+                   [[maybe_unused]] kernel::WeldTrial& trial) const override {
+    if constexpr (is_joined) {
+      typename Element::template Motion<double> motion;
+      for (int a = 0; a < corners; ++a) {
+        const int node = nodes_[node_index(e, a)];
+        motion.v[a] = vec(now.v[node]);
+        motion.w[a] = vec(now.w[node]);
+        motion.x[a] = vec(now.x[node]) + now.dt * motion.v[a];
+      }
+      std::array<double, Element::most_state> own;
+      for (int i = 0; i < state_size(); ++i) own[at(i)] = field(e, i);
+      kernel_.joint_trial(motion, now.dt, own.data(), trial);
+    }
+  }
+  void set_joint_flow([[maybe_unused]] std::size_t e, [[maybe_unused]] std::span<const double> flow) override {
+    if constexpr (is_joined)
+      for (std::size_t i = 0; i < flow.size(); ++i)
+        put_field(e, kernel_.layout().joint_flow() + static_cast<int>(i), flow[i]);
   }
 
   void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots,

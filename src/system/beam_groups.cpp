@@ -60,10 +60,15 @@ void System::make_weld_beams(Findings& findings) {
   std::vector<bool> untwistable(model.beams.size(), false), held(model.beams.size(), true);
   std::vector<std::optional<kernel::WeldJoint>> joints(model.beams.size());
   const std::vector<std::optional<weld::Joint>> joint_of_weld = weld::joints_of(model, ties);
+  weld_stacks = weld::stacks_of(model, ties, joint_of_weld).stacks;
+  std::vector<bool> stacked(ties.welds.size(), false);
+  for (const weld::Stack& stack : weld_stacks)
+    for (const weld::Stack::Member& member : stack.welds) stacked[member.weld] = true;
   for (std::size_t i = 0; i < ties.welds.size(); ++i) {
     const weld::Weld& w = ties.welds[i];
     if (w.kind != weld::Weld::Kind::beam) continue;
     if (joint_of_weld[i]) joints[w.element] = joint_of_weld[i]->law;
+    if (stacked[i]) joints[w.element]->flow_from_outside();
     untwistable[w.element] = free_to_twist(model, w);
     held[w.element] = weld::scaled_to_the_step_of_the_run(model, w);
   }

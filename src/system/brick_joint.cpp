@@ -220,6 +220,9 @@ void System::make_brick_joints() {
     std::vector<double> flat;
     for (const auto& row : of_first) flat.insert(flat.end(), row.begin(), row.end());
     groups[first.group]->soften(at(first.element), std::move(flat));
+    for (const weld::Stack& stack : weld_stacks)
+      for (const weld::Stack::Member& member : stack.welds)
+        if (member.weld == w) joint.joint.law.flow_from_outside();
     brick_joints.push_back(std::move(joint));
   }
 }

@@ -84,6 +84,8 @@ class System {
   std::vector<std::unique_ptr<ElementGroup>> groups;
   /// Of welds of bricks; the joints of weld beams are in their groups.
   std::vector<BrickJoint> brick_joints;
+  /// Welds whose joints flow by what others do as well.
+  std::vector<weld::Stack> weld_stacks;
   /// In a small motion of all nodes (by system node): moves the end faces of bricks with joints against their discs as
   /// far as their elastic joints do.
   void slide_brick_faces(std::vector<Row>& motion) const;

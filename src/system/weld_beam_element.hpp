@@ -11,10 +11,17 @@ namespace nugget::system {
 /// The spot-weld beam as BatchGroup wants it; see there.
 struct WeldBeamElement : IntegratedBeamElement<kernel::Spotweld> {
   std::map<model::Index, std::size_t> joint_of;  ///< in WeldBeamProperties::joints, by beam of the model
+  /// Numbers of state that a beam has at most.
+  static constexpr std::size_t most_state =
+      Layout::first_fibre + Layout::joint_fields +
+      kernel::most_fibres * (kernel::FibreTensor<double>::size + kernel::LawKernel<kernel::Spotweld>::fibre_history());
 
   void start(double* state, int lane, model::Index e, const Places& place) const {
     IntegratedBeamElement::start(state, lane, e, place);
     if (!joint_of.empty()) state[layout().joint_of() * native_width + lane] = static_cast<double>(joint_of.at(e));
+  }
+  void joint_trial(const Motion<double>& motion, double dt, const double* state, kernel::WeldTrial& trial) const {
+    if (!beam.joints.empty()) trial = kernel::weld_beam_trial(beam, law, motion, dt, state);
   }
   template <class Field>
   double plastic_strain(const Field& field, int k) const {

@@ -194,7 +194,7 @@ TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
                    fields({2, 2, 0, 21000, -14000, 9000}) + fields({0}) + "*END\n");
     ASSERT_EQ(run.system().brick_joints.size(), c.joints) << c.name;
     const bool said = std::ranges::any_of(run.findings().all(), [](const Finding& f) {
-      return f.text.find("2 welds share a sheet's nugget with another weld of their stack") != std::string::npos;
+      return f.text.find("2 welds with joints follow each other in 1 stacks") != std::string::npos;
     });
     EXPECT_EQ(said, c.sheets == 3) << c.name;
     std::vector<Momenta> seen;
@@ -205,8 +205,11 @@ TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
       scale = std::max(scale, now.energy.initial);
       worst = std::max(worst, std::abs(now.energy.total() - now.energy.initial));
     });
-    for (std::size_t weld = 0; weld < c.joints; ++weld)
-      EXPECT_GT(run.simulation().components().welds.joints().plastic_work(weld), 10.0) << c.name;
+    // Far more than the bricks, which stay elastic, can hold.
+    for (std::size_t weld = 0; weld < c.joints; ++weld) {
+      const std::array<double, 2>& taken = run.simulation().components().welds.work(weld).taken();
+      EXPECT_GT(taken[0] + taken[1], 10.0) << c.name;
+    }
     double drift = 0.0, turn = 0.0;
     for (const Momenta& m : seen) {
       drift = std::max(drift, norm(m.linear - seen[0].linear) / norm(seen[0].linear));
@@ -217,6 +220,62 @@ TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
     expect_reference("welds by area", which + "drift of the angular momentum in 8,000 cycles", turn, 0.0, 1e-9, 1.0);
     expect_reference("welds by area", which + "energy balance in 8,000 cycles", worst / scale, 0.0, 1e-6, 1.0);
   }
+}
+
+/// Two beams on each other through three sheets. `own_nodes`: each has its own in the middle sheet. `reversed`: the
+/// second runs from the outer sheet to the middle one.
+std::string stacked_beams(bool own_nodes, bool reversed) {
+  const int middle = own_nodes ? 904 : 902;
+  std::string deck = weld_part(9, {.length = 1.0, .yield = 1e9}) + "*NODE\n" + node_line(901, 17, 14, 0) +
+                     node_line(902, 17, 14, 1) + node_line(903, 17, 14, 2);
+  if (own_nodes) deck += node_line(904, 17, 14, 1);
+  return deck + "*ELEMENT_BEAM\n" + element_line(901, 9, {901, 902}) +
+         (reversed ? element_line(902, 9, {903, middle}) : element_line(902, 9, {middle, 903}));
+}
+
+// The middle sheet pulled out between two others, by an initial velocity: both welds' joints flow by its sum, however
+// the beams are numbered. Sabotage: the couple of the forces beside each other left out; the flow of the other weld;
+// its sign, its frame.
+TEST(WeldByArea, JointsOfStacksKeepMomentumAndEnergy) {
+  struct Case {
+    const char* name;
+    bool own_nodes, reversed;
+  };
+  const double dt = 1.0e-7;
+  std::vector<double> work;
+  for (const Case& c : {Case{"one node in the middle", false, false},
+                        {"two nodes in the middle", true, false},
+                        {"the second beam reversed", false, true}}) {
+    Experiment run("*KEYWORD\n" + termination(8000 * dt, 0.9, 0.0, 90) + curve(90, {{0, dt}, {1, dt}}) +
+                   joined_sheets(3, stacked_beams(c.own_nodes, c.reversed)) + "*INITIAL_VELOCITY_GENERATION\n" +
+                   fields({2, 2, 0, 21000, -14000, 3000}) + fields({0}) + "*END\n");
+    ASSERT_EQ(run.system().weld_stacks.size(), 1u) << c.name;
+    std::vector<Momenta> seen;
+    double worst = 0.0, scale = 0.0;
+    run.run([&](const impact::Snapshot& now) {
+      if (now.state.cycle % 50 != 0) return;
+      seen.push_back(momenta(now));
+      scale = std::max(scale, now.energy.initial);
+      worst = std::max(worst, std::abs(now.energy.total() - now.energy.initial));
+    });
+    for (std::size_t weld = 0; weld < 2; ++weld) {
+      const std::array<double, 2>& taken = run.simulation().components().welds.work(weld).taken();
+      EXPECT_GT(taken[0] + taken[1], 10.0) << c.name;
+      work.push_back(taken[0] + taken[1]);
+    }
+    double drift = 0.0, turn = 0.0;
+    for (const Momenta& m : seen) {
+      drift = std::max(drift, norm(m.linear - seen[0].linear) / norm(seen[0].linear));
+      turn = std::max(turn, norm(m.angular - seen[0].angular) / norm(seen[0].angular));
+    }
+    const std::string which = std::string("joints of a stack, ") + c.name + ": ";
+    expect_reference("welds by area", which + "drift of the linear momentum in 8,000 cycles", drift, 0.0, 1e-12, 1.0);
+    expect_reference("welds by area", which + "drift of the angular momentum in 8,000 cycles", turn, 0.0, 1e-9, 1.0);
+    expect_reference("welds by area", which + "energy balance in 8,000 cycles", worst / scale, 0.0, 1e-6, 1.0);
+  }
+  for (std::size_t weld = 0; weld < 2; ++weld)
+    for (const std::size_t other : {1u, 2u})
+      EXPECT_NEAR(work[2 * other + weld], work[weld], 1e-3 * work[weld]) << other << ", weld " << weld;
 }
 
 // One face of a brick moved along s: brick and joint in series, 1 / (L/GA + c), in the stiffness that modes and statics

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -21,16 +22,20 @@ class BrickJoints {
   explicit BrickJoints(system::System& system);
 
   bool empty() const { return joints_.empty(); }
-  /// Once a cycle, when the velocities of the faces' nodes are those of their sheets, before nodes move.
-  void open(system::State& state);
+  /// Once a cycle, when the velocities of the faces' nodes are those of their sheets, before nodes move: first what the
+  /// joints meet, then, when `set_flow` has been called of those that flow from outside, how the faces slide.
+  void meet(const system::State& state);
+  void slide(system::State& state);
+  /// The place of a weld's joint below; nothing of a weld without.
+  std::optional<std::size_t> of(std::size_t weld) const;
+  kernel::WeldTrial trial(std::size_t joint) const;
+  void set_flow(std::size_t joint, const kernel::WeldJoint::Freedoms& flow) { joints_[joint].state.flow = flow; }
   /// Once a cycle, after the forces of the elements. The work of the joint of weld i on the side of each end [energy].
   struct Work {
     std::size_t weld;
     std::array<double, 2> at_end;
   };
-  std::vector<Work> book();
-  /// Plastic work of the joint of a weld so far, at rest (kernel::WeldJoint::State); 0 of one without [energy].
-  double plastic_work(std::size_t weld) const;
+  const std::vector<Work>& book();
   void archive(Archive& a);
 
  private:
@@ -39,6 +44,7 @@ class BrickJoints {
     Moving(const system::System& system, const system::BrickJoint& source);
     /// Forces of the bricks on the faces' nodes.
     void gather(const system::System& system, std::vector<Vec3d>& force) const;
+    std::size_t end_of(std::size_t node) const { return node < of_first_face ? 0 : 1; }
 
     const system::BrickJoint* source;
     weld::BrickSection section;
@@ -51,13 +57,21 @@ class BrickJoints {
     };
     std::vector<Corner> corners;
     kernel::WeldJoint::State state;
-    std::vector<Vec3d> slid, force;  ///< in this cycle against their discs; forces before it; empty: it did not act
+    bool acts = false;                            ///< in this cycle
+    std::vector<Vec3d> slid, force, force_after;  ///< in this cycle against their discs; forces before and after it
+    // What it meets in this cycle, in the middle of the step.
+    std::vector<Vec3d> x, v;
+    system::JointMotions motions;
+    std::array<system::FaceMotion, 2> face;
+    kernel::WeldJoint::Freedoms moved{}, stiffness{}, resultant{};
     void archive(Archive& a);
   };
-  void open(Moving& joint, system::State& state);
+  void meet(Moving& joint, const system::State& state);
+  void slide(Moving& joint, system::State& state);
 
   system::System& system_;
   std::vector<Moving> joints_;
+  std::vector<Work> works_;
 };
 
 }  // namespace nugget::impact

@@ -84,7 +84,7 @@ void Welds::Bricks::gather(const system::System& system, const system::State& st
 }
 
 Welds::Welds(system::System& system, Findings& findings)
-    : system_(system), joints_(system), death_time_(first_deaths(system)) {
+    : system_(system), joints_(system), stacks_(system, joints_), death_time_(first_deaths(system)) {
   for (const weld::Weld& w : system.ties.welds) {
     histories_.emplace_back();
     bricks_.emplace_back();
@@ -246,7 +246,7 @@ void Welds::Bricks::archive(Archive& a) {
 }
 
 void Welds::archive(Archive& a) {
-  a(histories_, bricks_, works_, joints_, failed_, events_);
+  a(histories_, bricks_, works_, joints_, stacks_, failed_, events_);
   a.built(system_, death_time_);
 }
 

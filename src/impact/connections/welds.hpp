@@ -7,6 +7,7 @@
 
 #include "base/archive.hpp"
 #include "impact/connections/brick_joints.hpp"
+#include "impact/connections/stack_joints.hpp"
 #include "impact/connections/weld_work.hpp"
 #include "system/system.hpp"
 #include "weld/failure/brick_section.hpp"
@@ -21,9 +22,14 @@ class Welds {
   /// The system must outlive it. Findings: what a weld lacks for the failure function that its material asks for.
   Welds(system::System& system, Findings& findings);
 
-  /// To be called once a cycle, before nodes move: the joints of welds of bricks.
-  void open_joints(system::State& state) { joints_.open(state); }
-  const BrickJoints& joints() const { return joints_; }
+  /// To be called once a cycle, before nodes move: the joints of stacks and of welds of bricks.
+  void open_joints(system::State& state) {
+    joints_.meet(state);
+    stacks_.flow(state);
+    joints_.slide(state);
+  }
+  /// Whether joints share out motions with the forces of each cycle.
+  bool joints_need_each_cycle() const { return !joints_.empty() || !stacks_.empty(); }
   /// To be called once a cycle, after the forces of the elements.
   void update(const system::State& state);
 
@@ -94,6 +100,7 @@ class Welds {
   std::vector<std::unique_ptr<Bricks>> bricks_;  ///< null for other welds
   std::vector<WeldWork> works_;
   BrickJoints joints_;
+  StackJoints stacks_;
   std::vector<double> death_time_;  ///< of *DEFINE_ELEMENT_DEATH; infinite: none [time]
   int failed_ = 0;
   std::vector<std::string> events_;

@@ -35,41 +35,137 @@ struct SectionRates {
   R axial, shear_s, shear_t, bend_s, bend_t;
 };
 
-/// Leaves of the rates what the beams get; the rest is that of their joints. Lane after lane: a joint that flows has no
-/// form for batches. `length`: of the mid-step geometry, to which the rates belong.
+/// How the section moves in a step.
 template <class R>
-void share_with_joints(const WeldBeamProperties& beam, const WeldBeamLayout& layout, const ElasticConstants& elastic,
-                       R length, double dt, double* state, SectionRates<R>& rates) {
+struct SectionMotion {
+  Vec3<R> turned_s;     ///< s at the start of the step, turned with the nodes
+  Vec3<R> chord, slid;  ///< from node to node at the end of the step, and of it what a joint has slid before the step
+  Frame<R> mid;         ///< axes in the middle of the step
+  R mid_length;
+  SectionRates<R> rates;
+  R twist;  ///< of the nodes, a unit of time and length; whether the beam takes it or not
+};
+/// r, s and t of a beam of the chord given, and its length.
+template <class R>
+struct Axes {
+  Frame<R> frame;
+  R length;
+};
+template <class R>
+Axes<R> axes_along(const Vec3<R>& chord, const Vec3<R>& towards) {
+  const R length = norm(chord);
+  const Vec3<R> r = (1.0 / length) * chord, s = unit(towards - dot(towards, r) * r);
+  return {{r, s, cross(r, s)}, length};
+}
+/// `slid`: by a joint, at the start of the step; null where there is none.
+template <class R>
+SectionMotion<R> section_motion(const WeldBeamProperties& beam, const NodalMotion<R, 2>& nodes, double dt,
+                                const Vec3<R>& old_s, const Vec3<R>* slid) {
+  // s turns with the mean spin (Cayley's rotation, exact for a rigid body's chord velocities) and is put back across
+  // the beam.
+  SectionMotion<R> m;
+  m.chord = nodes.x[1] - nodes.x[0];
+  const Vec3<R> stretch = nodes.v[1] - nodes.v[0];
+  const Vec3<R> turn = R(0.25 * dt) * (nodes.w[0] + nodes.w[1]);
+  const auto turned = [&](const Vec3<R>& a) {
+    const Vec3<R> lever = a + cross(turn, a);
+    return a + (2.0 / (1.0 + dot(turn, turn))) * cross(turn, lever);
+  };
+  m.turned_s = turned(old_s);
+  Vec3<R> own_chord = m.chord, mid_chord = m.chord - R(0.5 * dt) * stretch, mid_slid;
+  if (slid != nullptr) {
+    m.slid = turned(*slid);
+    mid_slid = R(0.5) * (*slid + m.slid);
+    own_chord = own_chord - m.slid;
+    mid_chord = mid_chord - mid_slid;
+  }
+  const Vec3<R> s = axes_along(own_chord, m.turned_s).frame.e2;
+
+  m.mid_length = norm(mid_chord);
+  const R over_mid = 1.0 / m.mid_length;
+  const Vec3<R> mid_r = over_mid * mid_chord, between = old_s + s;
+  const Vec3<R> mid_s = unit(between - dot(between, mid_r) * mid_r);
+  m.mid = {mid_r, mid_s, cross(mid_r, mid_s)};
+  const Vec3<R> dv = over_mid * m.mid.local(stretch), dw = over_mid * m.mid.local(nodes.w[1] - nodes.w[0]);
+  const Vec3<R> mean = m.mid.local(R(0.5) * (nodes.w[0] + nodes.w[1]));
+  const double es = beam.offset_s, et = beam.offset_t;
+  // Shear is that of the middle of the section, which moves with the nodes' spin where it is off their line.
+  const R whole_twist = beam.no_torsion ? R(0.0) : dw.x;
+  m.rates = {dv.x, dv.y - et * whole_twist - mean.z, dv.z + es * whole_twist + mean.y, dw.y, dw.z};
+  m.twist = dw.x;
+  if (slid != nullptr) {
+    const Vec3<R> apart = over_mid * cross(mean, m.mid.local(mid_slid));
+    m.rates.axial = m.rates.axial - apart.x;
+    m.rates.shear_s = m.rates.shear_s - apart.y;
+    m.rates.shear_t = m.rates.shear_t - apart.z;
+  }
+  return m;
+}
+
+/// What a joint is asked in a step of its beam.
+struct JointStep {
+  WeldJoint::State joint;
+  WeldJoint::Freedoms moved{}, stiffness{}, force{};
+};
+/// `field`: of the beam's state; `rate`: of its section, `length` of the mid-step geometry, to which these belong.
+template <class Field>
+JointStep joint_step(const WeldBeamProperties& beam, const WeldBeamLayout& layout, const ElasticConstants& elastic,
+                     double length, double dt, const WeldJoint::Freedoms& rate, const Field& field) {
   using L = WeldBeamLayout;
-  if (dt == 0.0) return;
   const Moments section = moments(beam.fibres);
   const double shear = beam.shear_factor * elastic.shear * section.area;
   const WeldJoint::Freedoms by_length{elastic.E * section.area, shear, shear, elastic.E * section.tt,
                                       elastic.E * section.ss};
   constexpr std::array<int, WeldJoint::size> force_of{0, 1, 2, 4, 5};
+  const double integrity = field(L::integrity), over = 1.0 / length;
+  JointStep step{.joint = {.work = field(layout.joint_work()), .rate = field(layout.joint_rate())}};
+  for (int i = 0; i < WeldJoint::size; ++i) {
+    const auto k = at(i);
+    step.joint.elastic[k] = field(layout.joint_elastic() + i);
+    step.joint.flow[k] = field(layout.joint_flow() + i);
+    step.moved[k] = dt * length * rate[k];
+    step.stiffness[k] = integrity * by_length[k] * over;
+    step.force[k] = field(L::resultant + force_of[k]);
+  }
+  return step;
+}
+
+template <class Field>
+bool holds(const Field& field) {
+  return field(WeldBeamLayout::alive) > 0.5 && field(WeldBeamLayout::integrity) > 0.0;
+}
+
+/// Leaves of the rates what the beams get; the rest is that of their joints. Lane after lane: a joint that flows has no
+/// form for batches.
+template <class R>
+void share_with_joints(const WeldBeamProperties& beam, const WeldBeamLayout& layout, const ElasticConstants& elastic,
+                       double dt, double* state, SectionMotion<R>& motion) {
+  if (dt == 0.0) return;
+  SectionRates<R>& rates = motion.rates;
   const std::array<R*, WeldJoint::size> rate{&rates.axial, &rates.shear_s, &rates.shear_t, &rates.bend_s,
                                              &rates.bend_t};
   for (int l = 0; l < lanes<R>; ++l) {
     const auto field = [&](int i) -> double& { return state[i * lanes<R> + l]; };
-    const double integrity = field(L::integrity), over = 1.0 / lane(length, l);
-    if (!(field(L::alive) > 0.5) || !(integrity > 0.0)) continue;
-    WeldJoint::State joint{.work = field(layout.joint_work()), .rate = field(layout.joint_rate())};
-    WeldJoint::Freedoms moved, stiffness, force;
-    for (int i = 0; i < WeldJoint::size; ++i) {
-      const auto k = at(i);
-      joint.elastic[k] = field(layout.joint_elastic() + i);
-      moved[k] = dt * lane(length, l) * lane(*rate[k], l);
-      stiffness[k] = integrity * by_length[k] * over;
-      force[k] = field(L::resultant + force_of[k]);
-    }
+    if (!holds(field)) continue;
+    const double length = lane(motion.mid_length, l), over = 1.0 / length;
+    WeldJoint::Freedoms rate_of_lane;
+    for (std::size_t i = 0; i < WeldJoint::size; ++i) rate_of_lane[i] = lane(*rate[i], l);
+    JointStep step = joint_step(beam, layout, elastic, length, dt, rate_of_lane, field);
     const WeldJoint& own = beam.joints[static_cast<std::size_t>(field(layout.joint_of()))];
-    const WeldJoint::Freedoms left = own.advance(joint, moved, stiffness, force, dt);
-    field(layout.joint_work()) = joint.work;
-    field(layout.joint_rate()) = joint.rate;
+    const WeldJoint::Freedoms left = own.advance(step.joint, step.moved, step.stiffness, step.force, dt);
+    field(layout.joint_work()) = step.joint.work;
+    field(layout.joint_rate()) = step.joint.rate;
     for (int i = 0; i < WeldJoint::size; ++i) {
-      field(layout.joint_elastic() + i) = joint.elastic[at(i)];
+      field(layout.joint_elastic() + i) = step.joint.elastic[at(i)];
+      field(layout.joint_flow() + i) = 0.0;
       set_lane(*rate[at(i)], l, left[at(i)] * over / dt);
     }
+    const auto in_lane = [l](const Vec3<R>& a) { return Vec3d{lane(a.x, l), lane(a.y, l), lane(a.z, l)}; };
+    const Frame3d mid{in_lane(motion.mid.e1), in_lane(motion.mid.e2), in_lane(motion.mid.e3)};
+    const Vec3d slid = mid.global({step.moved[0] - left[0], step.moved[1] - left[1], step.moved[2] - left[2]});
+    set_lane(motion.slid.x, l, lane(motion.slid.x, l) + slid.x);
+    set_lane(motion.slid.y, l, lane(motion.slid.y, l) + slid.y);
+    set_lane(motion.slid.z, l, lane(motion.slid.z, l) + slid.z);
   }
 }
 
@@ -165,34 +261,27 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
   const WeldBeamLayout layout = weld_beam_layout(beam, law);
   auto alive = load_field<R>(state, L::alive) > 0.5;
 
-  // s turns with the mean spin (Cayley's rotation, exact for a rigid body's chord velocities) and is put back across
-  // the beam.
-  const Vec3<R> chord = nodes.x[1] - nodes.x[0], stretch = nodes.v[1] - nodes.v[0];
-  const R length = norm(chord);
-  const Vec3<R> r = (1.0 / length) * chord;
   const Vec3<R> old_s = load_vector<R>(state, L::axis_s);
-  const Vec3<R> turn = R(0.25 * dt) * (nodes.w[0] + nodes.w[1]), lever = old_s + cross(turn, old_s);
-  const Vec3<R> turned = old_s + (2.0 / (1.0 + dot(turn, turn))) * cross(turn, lever);
-  const Vec3<R> s = unit(turned - dot(turned, r) * r), t = cross(r, s);
-  store_vector(state, L::axis_s, select(alive, s, old_s));
+  const bool joined = std::is_same_v<Law, Spotweld> && layout.joined;
+  Vec3<R> slid;
+  if (joined) slid = load_vector<R>(state, layout.joint_slid());
+  SectionMotion<R> motion = section_motion(beam, nodes, dt, old_s, joined ? &slid : nullptr);
+  Vec3<R> own_chord = motion.chord;
+  if constexpr (std::is_same_v<Law, Spotweld>) {
+    if (joined) {
+      share_with_joints(beam, layout, law.elastic(), dt, state, motion);
+      slid = select(alive, motion.slid, slid);
+      store_vector(state, layout.joint_slid(), slid);
+      own_chord = own_chord - slid;
+    }
+  }
+  const auto [end, length] = axes_along(own_chord, motion.turned_s);
+  const SectionRates<R>& rates = motion.rates;
+  store_vector(state, L::axis_s, select(alive, end.e2, old_s));
   store_field(state, L::length, select(alive, length, load_field<R>(state, L::length)));
-
-  const Vec3<R> mid_chord = chord - R(0.5 * dt) * stretch;
-  const R over_mid = 1.0 / norm(mid_chord);
-  const Vec3<R> mid_r = over_mid * mid_chord, between = old_s + s;
-  const Vec3<R> mid_s = unit(between - dot(between, mid_r) * mid_r);
-  const Frame<R> mid{mid_r, mid_s, cross(mid_r, mid_s)};
-  const Vec3<R> dv = over_mid * mid.local(stretch), dw = over_mid * mid.local(nodes.w[1] - nodes.w[0]);
-  const Vec3<R> mean = mid.local(R(0.5) * (nodes.w[0] + nodes.w[1]));
   // Both in the strain and in the moment, so that they belong together.
   const double torsion = beam.no_torsion ? 0.0 : std::sqrt(beam.torsion_share), es = beam.offset_s, et = beam.offset_t;
-  const R twist = torsion * dw.x;
-  // Shear is that of the middle of the section, which moves with the nodes' spin where it is off their line.
-  const R whole_twist = beam.no_torsion ? R(0.0) : dw.x;
-  SectionRates<R> rates{dv.x, dv.y - et * whole_twist - mean.z, dv.z + es * whole_twist + mean.y, dw.y, dw.z};
-  if constexpr (std::is_same_v<Law, Spotweld>) {
-    if (layout.joined) share_with_joints(beam, layout, law.elastic(), norm(mid_chord), dt, state, rates);
-  }
+  const R twist = torsion * motion.twist;
   const R rs = beam.shear_factor * rates.shear_s, rt = beam.shear_factor * rates.shear_t;
 
   R n[6]{}, strain_rate = 0.0;
@@ -234,17 +323,36 @@ NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKerne
 
   store_field(state, L::strain_rate, select(alive, (1.0 / whole) * strain_rate, none));
 
-  const Frame<R> end{r, s, t};
   const R half = 0.5 * length;
   NodalForces<R, 2> out;
   out.f[1] = select(alive, end.global({n[0], n[1], n[2]}), Vec3<R>{});
   out.f[0] = -out.f[1];
   out.m[0] = select(alive, end.global({-n[3], half * n[2] - n[4], -n[5] - half * n[1]}), Vec3<R>{});
   out.m[1] = select(alive, end.global({n[3], half * n[2] + n[4], n[5] - half * n[1]}), Vec3<R>{});
+  if (joined) {
+    const Vec3<R> beside = R(0.5) * cross(slid, out.f[1]);
+    out.m[0] = out.m[0] - beside;
+    out.m[1] = out.m[1] - beside;
+  }
   const R density = beam.density * load_field<R>(state, L::density_scale);
   out.stable_step =
       select(alive, length * sqrt(density * (1.0 / law.elastic().E)), R(std::numeric_limits<double>::infinity()));
   return out;
+}
+
+WeldTrial weld_beam_trial(const WeldBeamProperties& beam, const LawKernel<Spotweld>& law,
+                          const NodalMotion<double, 2>& nodes, double dt, const double* state) {
+  const auto field = [state](int i) { return state[i]; };
+  if (!holds(field)) return {};
+  const WeldBeamLayout layout = weld_beam_layout(beam, law);
+  const Vec3d slid = load_vector<double>(state, layout.joint_slid());
+  const SectionMotion<double> motion =
+      section_motion(beam, nodes, dt, load_vector<double>(state, WeldBeamLayout::axis_s), &slid);
+  const SectionRates<double>& r = motion.rates;
+  const JointStep step = joint_step(beam, layout, law.elastic(), motion.mid_length, dt,
+                                    {r.axial, r.shear_s, r.shear_t, r.bend_s, r.bend_t}, field);
+  const WeldJoint& joint = beam.joints[static_cast<std::size_t>(field(layout.joint_of()))];
+  return {joint.trial(step.joint, step.moved, step.stiffness, step.force), motion.mid, true};
 }
 
 template <LawOfWelds Law>

@@ -7,6 +7,7 @@
 #include "base/batch.hpp"
 #include "kernel/element/shell.hpp"
 #include "kernel/element/weld_joint.hpp"
+#include "kernel/law/spotweld.hpp"
 
 namespace nugget::kernel {
 
@@ -58,12 +59,15 @@ struct WeldBeamLayout {
 
   int size() const { return fibre(fibres) + (joined ? joint_fields : 0); }
   /// Of the joint: its place in WeldBeamProperties::joints, its plastic work [energy], its plastic strain rate
-  /// [1/time], then its elastic part.
-  static constexpr int joint_fields = 3 + WeldJoint::size;
+  /// [1/time], its elastic part, its flow in the step to come, where that comes from outside, and how far it has slid,
+  /// global components [length].
+  static constexpr int joint_fields = 6 + 2 * WeldJoint::size;
   int joint_of() const { return fibre(fibres); }
   int joint_work() const { return joint_of() + 1; }
   int joint_rate() const { return joint_of() + 2; }
   int joint_elastic() const { return joint_of() + 3; }
+  int joint_flow() const { return joint_elastic() + WeldJoint::size; }
+  int joint_slid() const { return joint_flow() + WeldJoint::size; }
   /// Stress rr rs rt of point k, followed by its history.
   int fibre(int k) const { return first_fibre + k * (FibreTensor<double>::size + history); }
   int history_of(int k) const { return fibre(k) + FibreTensor<double>::size; }
@@ -91,12 +95,19 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 /// docs/theory/beam.md#weld-beam.
 ///
 /// With joints, each is in series with its beam at mid-length: what the nodes move there is shared out to both
-/// (WeldJoint::advance), and the law gets the beam's part. Only welds have them (Spotweld).
+/// (WeldJoint::advance), and the law gets the beam's part. A joint that has slid has the two halves of its beam beside
+/// each other: the beam's length and direction are those of its halves, so that it neither stretches nor tilts by the
+/// slip, and forces have the arms of the nodes' line. Only welds have them (Spotweld).
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, Spotweld, PlasticKinematic and PiecewiseLinear.
 template <class R, class Law>
 NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKernel<Law>& law,
                                   const NodalMotion<R, 2>& nodes, double dt, double* state);
+
+/// What the joint of one beam will meet in the next call of weld_beam_cycle.
+/// `nodes` as for the cycle; `state`: of this beam alone, field after field.
+WeldTrial weld_beam_trial(const WeldBeamProperties& beam, const LawKernel<Spotweld>& law,
+                          const NodalMotion<double, 2>& nodes, double dt, const double* state);
 
 /// Freezes the yield stress of every point at its present effective stress, from now on: the stress limit after the
 /// onset of damage of the weld as a whole (DMGOPT 11, 12). The law must allow it (Spotweld::yield_can_be_frozen).

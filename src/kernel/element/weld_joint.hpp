@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/curve.hpp"
+#include "base/vec3.hpp"
 #include "kernel/law/yield_curve.hpp"
 
 namespace nugget::kernel {
@@ -35,16 +36,30 @@ class WeldJoint {
     Freedoms elastic{};  ///< its elastic part [length, angle]
     double work = 0.0;   ///< over the factor of the rate: that of the same motion at rest [energy]
     double rate = 0.0;   ///< plastic strain rate of the ring around the nugget, smoothed [1/time]
+    Freedoms flow{};     ///< plastic motion in the step to come, where it comes from outside [length, angle]
+  };
+  /// Forces that a step would lead to if nothing flowed, and how much less each is for a unit of flow.
+  struct Trial {
+    Freedoms force{}, stiffness{};
   };
 
   static constexpr double never = 1e30;  ///< a limit of what does not flow: the mesh shows it, or the sheet is elastic
   explicit WeldJoint(std::span<const JointEnd> ends);
+
+  /// What flows under a load alone, over the plastic work: N0, V0, M0 [force, moment over energy].
+  struct PureLoads {
+    Curve normal, shear, moment;
+  };
+  static PureLoads pure_loads(std::span<const JointEnd> ends);
 
   /// Elastic, of each freedom on its own.
   const Freedoms& flexibility() const { return flexibility_; }
   double in_plane() const { return flexibility_[1]; }  ///< [length/force]
   double bending() const { return flexibility_[3]; }   ///< [1/moment]
   bool flows() const { return flows_; }
+  /// From now on State::flow says how much it flows: the weld is one of a stack (StackJoint).
+  void flow_from_outside() { from_outside_ = true; }
+  bool flows_from_outside() const { return from_outside_; }
   /// N0, V0 and M0 after a plastic work, at rest [force, moment].
   std::array<double, 3> limits(double work) const;
 
@@ -53,21 +68,33 @@ class WeldJoint {
   /// round-off); for one that yields, or is less stiff than said, the forces of both meet in the cycles after.
   Freedoms advance(State& state, const Freedoms& moved, const Freedoms& stiffness, const Freedoms& force,
                    double dt) const;
+  Trial trial(const State& state, const Freedoms& moved, const Freedoms& stiffness, const Freedoms& force) const;
 
  private:
-  struct Trial {
-    Freedoms force, stiffness;
-  };
   /// The square root of the left side of the yield condition for the forces that are left of the trial after a further
   /// plastic work.
   double used(const Trial& trial, double work, double more) const;
   double plastic_work(const Trial& trial, double work) const;
 
   Freedoms flexibility_{};
-  bool flows_ = false;
+  bool flows_ = false, from_outside_ = false;
   double work_of_strain_ = 0.0;         ///< plastic work of a unit strain of the ring, at first yield [energy]
   Curve rate_factor_;                   ///< of the weaker end
   YieldCurve normal_, shear_, moment_;  ///< N0, V0, M0 over the plastic work
 };
+
+/// What the joint of a weld would meet in a step if nothing flowed, in the weld's axes r, s, t in the middle of the
+/// step.
+struct WeldTrial {
+  WeldJoint::Trial trial;
+  Frame3d axes;
+  bool holds = false;  ///< the weld has not failed
+};
+
+/// Shear that an end carries when it is not bent by it, since two welds pull it the same way from both its faces, over
+/// the plastic work; [force] over [energy].
+Curve unbent_shear_over_work(const JointEnd& end);
+/// Plastic work of a unit strain of the ring around the nugget, at first yield [energy].
+double work_of_strain(const JointEnd& end);
 
 }  // namespace nugget::kernel

@@ -5,10 +5,10 @@
 namespace nugget::weld {
 
 /// Largest errors of three coupons (two thicknesses and diameters, three steels; square, unlike and skewed meshes, the
-/// weld at three places) against solids, shares of these: stiffness of lap, peel and cross tension, and force of all of
-/// these beyond yield. docs/evidence/weld_place.md#how-far-the-joint-reaches.
+/// weld at three places) against solids, shares of these: stiffness of lap, peel and cross tension, of stacks of three
+/// sheets, and force of all of these beyond yield. docs/evidence/weld_place.md#how-far-the-joint-reaches.
 struct PlaceErrors {
-  double lap, peel, cross, force;
+  double lap, peel, cross, stack, force;
 };
 /// Of welds whose forces reach so many nugget radii far (Hold::by_area); null beyond what was measured.
 const PlaceErrors* place_errors(double reach);
