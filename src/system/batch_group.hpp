@@ -16,6 +16,7 @@
 #include "system/before_cycle.hpp"
 #include "system/element_group.hpp"
 #include "system/imposed_stress.hpp"
+#include "system/inviscid.hpp"
 #include "system/joined_beams.hpp"
 
 namespace nugget::system {
@@ -43,11 +44,9 @@ using AlignedReals = std::vector<double, Aligned<double>>;
 ///   stiffness(state, places, k)       where the kernel's own derivative is not exact; may be absent
 ///   viscosity(state, places, c)       of dashpots; may be absent
 ///   joint_trial(motion, dt, state), most_state   may be absent; see JoinedBeams
-///   viscous_stiffness()               of shells: factor for vibrate on the forces of a step, where some of them are
-///                                     viscous; may be absent
-///   Layout::integrity, integrity(state), freeze_yield(state, lane), plastic_strain(state, k)     of welds only; the
-///   first
-///                                     is that of the weld as a whole, the second that of its points
+///   viscous_stiffness()               of shells: factor for vibrate on forces that are viscous in part; may be absent
+///   Layout::integrity, integrity(state), freeze_yield(state, lane), plastic_strain(state, k)   of welds only: the
+///                                     integrity of the weld as a whole, then that of its points
 template <class Element, class N = double>
 class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesStress, public JoinedBeams {
  public:
@@ -685,13 +684,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     set_lane(to.x, l, nugget::lane(from.x, l));
     set_lane(to.y, l, nugget::lane(from.y, l));
     set_lane(to.z, l, nugget::lane(from.z, l));
-  }
-
-  static Element without_viscosity(const Element& kernel) {
-    if constexpr (requires { kernel.inviscid(); })
-      return kernel.inviscid();
-    else
-      return kernel;
   }
 
   Element kernel_, inviscid_;  ///< the second without viscous forces
