@@ -174,6 +174,26 @@ std::string stacked_bricks() {
   return brick_part(9, {.yield = 1e9}) + nodes + elements;
 }
 
+/// Runs to the end: momenta and energy stay what they were. `which`: whose they are, for the table.
+void expect_kept(Experiment& run, const std::string& which) {
+  std::vector<Momenta> seen;
+  double worst = 0.0, scale = 0.0;
+  run.run([&](const impact::Snapshot& now) {
+    if (now.state.cycle % 50 != 0) return;
+    seen.push_back(momenta(now));
+    scale = std::max(scale, now.energy.initial);
+    worst = std::max(worst, std::abs(now.energy.total() - now.energy.initial));
+  });
+  double drift = 0.0, turn = 0.0;
+  for (const Momenta& m : seen) {
+    drift = std::max(drift, norm(m.linear - seen[0].linear) / norm(seen[0].linear));
+    turn = std::max(turn, norm(m.angular - seen[0].angular) / norm(seen[0].angular));
+  }
+  expect_reference("welds by area", which + "drift of the linear momentum in 8,000 cycles", drift, 0.0, 1e-12, 1.0);
+  expect_reference("welds by area", which + "drift of the angular momentum in 8,000 cycles", turn, 0.0, 1e-9, 1.0);
+  expect_reference("welds by area", which + "energy balance in 8,000 cycles", worst / scale, 0.0, 1e-6, 1.0);
+}
+
 // Bricks whose end faces slide on their discs, loaded far beyond what makes the joints flow. Sabotage: the arms of the
 // faces' nodes left behind where they slide; the joints' work left out of the weld's energy; a face that two welds have
 // moved by both.
@@ -197,28 +217,12 @@ TEST(WeldByArea, JointsOfBricksKeepMomentumAndEnergy) {
       return f.text.find("2 welds with joints follow each other in 1 stacks") != std::string::npos;
     });
     EXPECT_EQ(said, c.sheets == 3) << c.name;
-    std::vector<Momenta> seen;
-    double worst = 0.0, scale = 0.0;
-    run.run([&](const impact::Snapshot& now) {
-      if (now.state.cycle % 50 != 0) return;
-      seen.push_back(momenta(now));
-      scale = std::max(scale, now.energy.initial);
-      worst = std::max(worst, std::abs(now.energy.total() - now.energy.initial));
-    });
+    expect_kept(run, std::string("joints of ") + c.name + ": ");
     // Far more than the bricks, which stay elastic, can hold.
     for (std::size_t weld = 0; weld < c.joints; ++weld) {
       const std::array<double, 2>& taken = run.simulation().components().welds.work(weld).taken();
       EXPECT_GT(taken[0] + taken[1], 10.0) << c.name;
     }
-    double drift = 0.0, turn = 0.0;
-    for (const Momenta& m : seen) {
-      drift = std::max(drift, norm(m.linear - seen[0].linear) / norm(seen[0].linear));
-      turn = std::max(turn, norm(m.angular - seen[0].angular) / norm(seen[0].angular));
-    }
-    const std::string which = std::string("joints of ") + c.name + ": ";
-    expect_reference("welds by area", which + "drift of the linear momentum in 8,000 cycles", drift, 0.0, 1e-12, 1.0);
-    expect_reference("welds by area", which + "drift of the angular momentum in 8,000 cycles", turn, 0.0, 1e-9, 1.0);
-    expect_reference("welds by area", which + "energy balance in 8,000 cycles", worst / scale, 0.0, 1e-6, 1.0);
   }
 }
 
@@ -250,28 +254,12 @@ TEST(WeldByArea, JointsOfStacksKeepMomentumAndEnergy) {
                    joined_sheets(3, stacked_beams(c.own_nodes, c.reversed)) + "*INITIAL_VELOCITY_GENERATION\n" +
                    fields({2, 2, 0, 21000, -14000, 3000}) + fields({0}) + "*END\n");
     ASSERT_EQ(run.system().weld_stacks.size(), 1u) << c.name;
-    std::vector<Momenta> seen;
-    double worst = 0.0, scale = 0.0;
-    run.run([&](const impact::Snapshot& now) {
-      if (now.state.cycle % 50 != 0) return;
-      seen.push_back(momenta(now));
-      scale = std::max(scale, now.energy.initial);
-      worst = std::max(worst, std::abs(now.energy.total() - now.energy.initial));
-    });
+    expect_kept(run, std::string("joints of a stack, ") + c.name + ": ");
     for (std::size_t weld = 0; weld < 2; ++weld) {
       const std::array<double, 2>& taken = run.simulation().components().welds.work(weld).taken();
       EXPECT_GT(taken[0] + taken[1], 10.0) << c.name;
       work.push_back(taken[0] + taken[1]);
     }
-    double drift = 0.0, turn = 0.0;
-    for (const Momenta& m : seen) {
-      drift = std::max(drift, norm(m.linear - seen[0].linear) / norm(seen[0].linear));
-      turn = std::max(turn, norm(m.angular - seen[0].angular) / norm(seen[0].angular));
-    }
-    const std::string which = std::string("joints of a stack, ") + c.name + ": ";
-    expect_reference("welds by area", which + "drift of the linear momentum in 8,000 cycles", drift, 0.0, 1e-12, 1.0);
-    expect_reference("welds by area", which + "drift of the angular momentum in 8,000 cycles", turn, 0.0, 1e-9, 1.0);
-    expect_reference("welds by area", which + "energy balance in 8,000 cycles", worst / scale, 0.0, 1e-6, 1.0);
   }
   for (std::size_t weld = 0; weld < 2; ++weld)
     for (const std::size_t other : {1u, 2u})

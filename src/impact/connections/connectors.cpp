@@ -49,7 +49,8 @@ void Connectors::follow_joint(const Joint& joint, const std::array<double, 8>& r
 
 void Connectors::update(const system::State& state) {
   for (const std::size_t i : connectors_) {
-    auto& [location, record] = records_[i];
+    const system::System::ElementLocation location = records_[i].location;
+    Record& record = records_[i].record;
     if (record.failed) continue;
     works_[i].add_step(system_, state);
     const system::ElementGroup& group = *system_.groups[location.group];

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <set>
 
 #include "base/index.hpp"
@@ -222,12 +221,12 @@ std::map<int, Matrix3> TieForces::stiffness_of_surroundings(const system::State&
     for (std::size_t e = 0; e < group->size(); ++e) {
       const system::ElementNodes nodes = group->nodes(e);
       const std::size_t freedoms = at(group->freedoms()), size = at(group->nodes_per_element) * freedoms;
-      const auto asked = [&](int a) { return sum.contains(nodes[a]); };
-      if (std::ranges::none_of(std::views::iota(0, group->nodes_per_element), asked)) continue;
+      const auto asked = [&](int node) { return sum.contains(node); };
+      if (std::none_of(nodes.begin(), nodes.begin() + group->nodes_per_element, asked)) continue;
       k.assign(size * size, 0.0);
       group->stiffness(e, start, k);
       for (int a = 0; a < group->nodes_per_element; ++a) {
-        if (!asked(a)) continue;
+        if (!asked(nodes[a])) continue;
         Matrix3& of_node = sum[nodes[a]];
         for (std::size_t i = 0; i < 3; ++i)
           for (std::size_t j = 0; j < 3; ++j) of_node[i][j] += k[(at(a) * freedoms + i) * size + at(a) * freedoms + j];
