@@ -78,11 +78,8 @@ void Stoppers::stop_turning(Stop& stop, system::RigidBody& body, system::State& 
   if (state.cycle == 0) stop.before = free;
   // A torque about n alone changes the spin about other axes too, where n is not one of the body's own.
   const system::Mobility::Matrix inverse = system::inverse_inertia(body);
-  Vec3d answer{};
-  for (std::size_t i = 0; i < 3; ++i)
-    (i == 0   ? answer.x
-     : i == 1 ? answer.y
-              : answer.z) = inverse[i][0] * n.x + inverse[i][1] * n.y + inverse[i][2] * n.z;
+  const auto along = [&](const std::array<double, 3>& row) { return row[0] * n.x + row[1] * n.y + row[2] * n.z; };
+  const Vec3d answer{along(inverse[0]), along(inverse[1]), along(inverse[2])};
   const double ease = dot(n, answer);
   if (spin != free && ease > 0.0) {
     const Vec3d change = ((spin - free) / ease) * answer, before = body.angular_momentum;
