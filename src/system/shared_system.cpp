@@ -114,8 +114,8 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
   if (what == Carried::histories) return;
   map.carry([&](int d) { return !share_->everyone_follows(d) && share_->answering(d) == rank; }, parcel);
   // By masses, which all have alike, and arms.
-  for (const int k : share_->reported_by(rank))
-    if (what == Carried::whole)
+  if (what == Carried::whole)
+    for (const int k : share_->reported_by(rank))
       for (std::vector<double>* of_nodes : {&inertia, &carried_inertia_}) parcel(&(*of_nodes)[k], 1);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     ElementGroup& group = *groups[g];

@@ -7,6 +7,7 @@
 #include "experiment.hpp"
 #include "impact/contact/initial_penetrations.hpp"
 #include "nvh/matrices/linear_model.hpp"
+#include "nvh/statics/statics.hpp"
 
 namespace nugget::verify {
 
@@ -43,6 +44,18 @@ std::vector<double> LinearExperiment::elastic_frequencies(int count) const {
 nvh::SixDof LinearExperiment::motion(const nvh::Modes& modes, std::size_t mode, int node) const {
   const model::Index n = system_->model.node_index(node);
   return matrices_->equations.motion(system_->node_of[n], modes.shape[mode]);
+}
+
+nvh::SixDof static_motion(Specimen s, int node) {
+  s.card("CONTROL_IMPLICIT_GENERAL", {1, 1.0})
+      .card("CONTROL_IMPLICIT_SOLUTION", {1})
+      .text(constant_curve(1))
+      .card("CONTROL_TERMINATION", {1.0});
+  const LinearExperiment experiment(s.deck());
+  Findings findings;
+  const nvh::Statics statics = nvh::solve_statics(experiment.matrices(), findings);
+  const auto n = at(experiment.system().model.node_index(node));
+  return statics.motion[experiment.system().node_of[n]];
 }
 
 }  // namespace nugget::verify

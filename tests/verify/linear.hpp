@@ -5,6 +5,7 @@
 #include <string>
 
 #include "nvh/eigen/modes.hpp"
+#include "specimen.hpp"
 
 // A deck in a linear analysis inside a test.
 namespace nugget::verify {
@@ -33,5 +34,9 @@ class LinearExperiment {
   std::unique_ptr<system::System> system_;
   std::unique_ptr<nvh::Matrices> matrices_;
 };
+
+/// Motion of the node with a user id in the linear statics of a specimen, which gets the cards of the analysis and
+/// curve 1, constant.
+nvh::SixDof static_motion(Specimen specimen, int node);
 
 }  // namespace nugget::verify

@@ -10,7 +10,6 @@
 #include "base/index.hpp"
 #include "kernel/element/section_shape.hpp"
 #include "linear.hpp"
-#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -268,14 +267,7 @@ const std::string elastic = "*MAT_ELASTIC\n" + fields({1, steel, young, nu});
 
 nvh::SixDof moved_end(Specimen s, int node, int dof, double load) {
   s.text("*LOAD_NODE_POINT\n" + fields({double(node), double(dof), 1, load}));
-  s.card("CONTROL_IMPLICIT_GENERAL", {1, 1.0})
-      .card("CONTROL_IMPLICIT_SOLUTION", {1})
-      .text(constant_curve(1))
-      .card("CONTROL_TERMINATION", {1.0});
-  const LinearExperiment experiment(s.deck());
-  Findings findings;
-  const nvh::Statics statics = nvh::solve_statics(experiment.matrices(), findings);
-  return statics.motion[experiment.system().node_of[at(experiment.system().model.node_index(node))]];
+  return static_motion(std::move(s), node);
 }
 
 /// *INTEGRATION_BEAM 3 of a standard cross-section, nodes at (sref, tref).

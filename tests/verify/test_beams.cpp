@@ -8,7 +8,6 @@
 
 #include "base/index.hpp"
 #include "linear.hpp"
-#include "nvh/statics/statics.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -42,19 +41,6 @@ std::vector<int> beams(Specimen& s, int count, const std::function<Vec3d(double)
 
 std::string unit_load(int node, int dof, double value) {
   return "*LOAD_NODE_POINT\n" + fields({double(node), double(dof), 1, value});
-}
-
-/// Displacements of a linear static analysis.
-nvh::SixDof static_motion(Specimen s, int node) {
-  s.card("CONTROL_IMPLICIT_GENERAL", {1, 1.0})
-      .card("CONTROL_IMPLICIT_SOLUTION", {1})
-      .text(constant_curve(1))
-      .card("CONTROL_TERMINATION", {1.0});
-  const LinearExperiment experiment(s.deck());
-  Findings findings;
-  const nvh::Statics statics = nvh::solve_statics(experiment.matrices(), findings);
-  const auto n = at(experiment.system().model.node_index(node));
-  return statics.motion[experiment.system().node_of[n]];
 }
 
 // Bending of n one-point beams: P L^3 / (3 E I) (1 - 1 / (4 n^2)) + P L / (kappa G A), and an end moment exactly.

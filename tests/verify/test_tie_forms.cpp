@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "experiment.hpp"
+#include "momenta.hpp"
 #include "weld_decks.hpp"
 
 namespace nugget::verify {
@@ -213,20 +214,6 @@ TEST(TieForms, TorsionBecomesInPlaneForces) {
 }
 
 // ---- free assemblies
-
-struct Momenta {
-  Vec3d linear, angular;
-};
-Momenta momenta(const impact::Snapshot& now) {
-  Momenta m;
-  for (std::size_t k = 0; k < now.system.nodes; ++k) {
-    const double mass = now.system.mass[k], inertia = now.system.inertia[k];
-    const Vec3d v = now.velocity(k);
-    m.linear += mass * v;
-    m.angular += mass * cross(vec(now.state.x[k]), v) + inertia * now.spin(k);
-  }
-  return m;
-}
 
 /// Two sheets of 3 x 3 shells of 10 mm, t = 1, 2 mm apart, joined by a weld beam of 1.4 mm with a gap of 0.3 at each
 /// end, that turn with 2000 rad/s about an oblique axis for a quarter of a revolution.

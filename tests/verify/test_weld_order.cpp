@@ -15,6 +15,7 @@
 #include "base/index.hpp"
 #include "brick_decks.hpp"
 #include "experiment.hpp"
+#include "momenta.hpp"
 #include "weld_decks.hpp"
 
 namespace nugget::verify {
@@ -273,24 +274,6 @@ class RandomStack {
   std::vector<Vec3d> plan_;
   std::string sheets_, beams_, velocities_, contact_;
 };
-
-/// Linear and angular momentum of everything, and what they would be if all of it went one way.
-struct Momenta {
-  Vec3d linear, angular;
-  double linear_scale = 0.0, angular_scale = 0.0;
-};
-Momenta momenta(const impact::Snapshot& now) {
-  Momenta m;
-  for (std::size_t k = 0; k < now.system.nodes; ++k) {
-    const double mass = now.system.mass[k], inertia = now.system.inertia[k];
-    const Vec3d x = vec(now.state.x[k]), v = now.velocity(k), w = now.spin(k);
-    m.linear += mass * v;
-    m.angular += mass * cross(x, v) + inertia * w;
-    m.linear_scale += mass * norm(v);
-    m.angular_scale += mass * norm(x) * norm(v) + inertia * norm(w);
-  }
-  return m;
-}
 
 // Sabotage to be caught: ties before contact (case 4); N2 and N3 exchanged, moments of the weld not handed over (1 to
 // 4, 6); a mass left on the tied node.
