@@ -21,6 +21,7 @@ struct Vent {
   double shape = 0.0, area = 0.0;               ///< [1], [length^2]
   Index shape_curve = none, area_curve = none;  ///< in the place of these, over the absolute pressure
   Index shape_over_time = none;                 ///< in the place of the shape
+  std::vector<Segment> faces;                   ///< of the parts whose area is that of the vent, as it is now
 };
 
 /// An ideal gas that flows in and out (*AIRBAG_SIMPLE_AIRBAG_MODEL, _WANG_NEFSKE). Its heat capacity at constant
@@ -73,6 +74,14 @@ struct SurfaceBorder {
   std::vector<std::array<Index, 2>> twisted;
 };
 SurfaceBorder surface_border(const std::vector<Segment>& segments);
+
+/// The face seen from its other side.
+Segment turned(const Segment& face);
+
+/// Turns faces until neighbours agree: of each surface that hangs together by its edges the fewer ones. Returns which,
+/// rising. Edges at which more than two faces meet join nothing. Where no such turn exists, as on a Moebius strip,
+/// `twisted` edges are left.
+std::vector<std::size_t> turn_faces_to_agree(std::vector<Segment>& segments);
 
 /// The volume within faces whose normals point outwards. Faces are bilinear; an opening is covered by triangles from
 /// its border to the mean of its nodes, which is a plane where the border is plane. `x(node)` gives places.

@@ -138,8 +138,12 @@ void System::make_constraints(Findings& findings) {
     if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place))
       add_best_fit(node_of[i.node], i.rotations, i.independent, i.weight, ties.x[i.node]);
   }
+  const auto body_at = [&](model::Index n) { return constraint_source_[node_of[n]].body; };
   for (std::size_t k = 0; k < model.hanging_nodes.size(); ++k) {
     const model::HangingNode& h = model.hanging_nodes[k];
+    const model::Index body = body_at(h.node);
+    // A side that is rigid as a whole asks of its nodes what their body does.
+    if (body != model::none && body == body_at(h.ends[0]) && body == body_at(h.ends[1])) continue;
     if (!claim(h.node, {.side = static_cast<model::Index>(k)}, h.place)) continue;
     // Off the line between the ends the arm turns with them, so that the node keeps to any rigid motion.
     const Vec3d a = ties.x[h.ends[0]], along = ties.x[h.ends[1]] - a, off = ties.x[h.node] - a;

@@ -77,9 +77,9 @@ class Membranes(CommandTest):
         self.refused(sheet(elform=2, law=fabric(0)), "*MAT_FABRIC is a law of membranes, but the shells have ELFORM 2", "write ELFORM 9 or 5")
         self.refused(sheet(law=fabric(0, "", "", "", "", 14)), "formulation 14 of the fabric (stress by curves")
         self.refused(sheet(law=fabric(0, "", "", "", "", 12)), "formulation 12 of the fabric (strains of Green")
-        self.refused(sheet(law=fabric(0, "", "", "", "", 0, 1)), "fvopt = 1", "gas that leaks through the fabric is not built")
-        self.refused(sheet(law="*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0, "", 0.2, 0.5) + card(20.0) + card(0) + card("") + card("")),
-                     "PRBA EA/EB is 0.2667")
+        self.refused(sheet(law=fabric(0, 0.5, 1.0, "", "", 0, 1)), "fvopt = 1", "gas that leaks through the fabric is not built")
+        self.refused(sheet(law=fabric(0, "", "", "", "", 0, -1)), "fvopt = -1", "gas that leaks through the fabric is not built")
+        self.refused(sheet(more="*MAT_ADD_AIRBAG_POROSITY_LEAKAGE\n" + card(1, 0.5, 1.0, "", 1)), "*MAT_ADD_AIRBAG_POROSITY_LEAKAGE fvopt = 1")
         self.refused(sheet(law="*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0) + card(0) + card(0) + card("") + card("")), "needs its shear modulus")
         self.refused(sheet().replace(part(1), "*PART_COMPOSITE\nlayers\n" + card(1, 9) + card(1, 0.2, 0, "", 1, 0.3)),
                      "membranes (ELFORM 9) with layers of different materials are not built")
@@ -111,8 +111,36 @@ class Membranes(CommandTest):
         told = self.nugget("modes", "model.k", "-n", 3, expect=1).stderr
         self.assertIn("part 1 is of membranes (ELFORM 9), which linear analyses do not have", told)
 
-    def test_normals_that_disagree_are_told_with_the_shells(self):
-        self.refused(pillow(4, turned=(6,)), "the normals of neighbours disagree at 4 edges, the first from node", "between shell", "shell 6")
+    def abstat(self, text):
+        self.write(text)
+        told = self.nugget("run", "model.k", "--quiet").stderr
+        return (self.folder / "abstat").read_text(), told
+
+    def test_faces_are_turned_to_agree_with_their_neighbours(self):
+        """One shell, or one of the two sheets, seen from its other side: the gas is the same but for rounding. Sabotage: the faces of the
+        smaller part left as they are, whose volume counts against that of the others."""
+        _, told = self.abstat(pillow(4))
+        self.assertNotIn("disagree", told)
+        straight = self.text_states()
+        for turned, words in (((6,), "disagree at 4 edges, the first from node"), (range(17, 33), "disagree at 16 edges")):
+            _, told = self.abstat(pillow(4, turned=turned))
+            for state, expected in zip(self.text_states(), straight):
+                for name in ("volume", "pressure", "total_mass"):
+                    self.assertAlmostEqual(state[name], expected[name], delta=1e-3 * expected[name], msg=name)
+            self.assertIn("the normals of neighbours " + words, told)
+            self.assertIn(f"{len(turned)} faces are taken the other way round, the first shell {turned[0]}", told)
+
+    def test_fields_that_change_nothing(self):
+        """A ratio of Poisson's that would make the stiffness unsymmetric, and leakage of which FLC or FAC is 0. Sabotage: PRAB for PRBA."""
+        straight, _ = self.abstat(pillow(4))
+        moduli, form = card(1, 1e-9, 400.0, 300.0, "", 0.2), card(0, "", "", "", "", 0)
+        same, told = self.abstat(pillow(4).replace(moduli, card(1, 1e-9, 400.0, 300.0, "", 0.2, 0.5)))
+        self.assertEqual(same, straight)
+        self.assertIn("prab = 0.5: not obeyed: PRBA EA/EB is 0.2667", told)
+        leak = "*MAT_ADD_AIRBAG_POROSITY_LEAKAGE\n" + card(1, "", 1.0, "", 2)
+        same, told = self.abstat(pillow(4, more=leak).replace(form, card(0, 0.5, "", "", "", 0, 2)))
+        self.assertEqual(same, straight)
+        self.assertEqual(told.count("nothing leaks through this fabric: FLC or FAC is 0"), 2)
 
     def test_an_inverted_bag_is_turned(self):
         self.write(pillow(4, turned=range(1, 33)))

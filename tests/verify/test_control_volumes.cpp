@@ -406,15 +406,30 @@ TEST(ControlVolumes, NormalsThatAllPointInwardsAreTurned) {
   EXPECT_NEAR(force(true), force(false), 1e-9 * pressure * area);
 }
 
+// A strip of three faces with half a turn in it has one side only.
+TEST(ControlVolumes, FacesAreTurnedUntilNeighboursAgree) {
+  using Faces = std::vector<model::Segment>;
+  const Faces cube{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  Faces some = cube;
+  for (const std::size_t f : {1u, 4u}) some[f] = model::turned(some[f]);
+  EXPECT_EQ(model::turn_faces_to_agree(some), (std::vector<std::size_t>{1, 4}));
+  EXPECT_EQ(model::surface_border(some).twisted.size(), 0u);
+  EXPECT_TRUE(model::turn_faces_to_agree(some).empty());
+  Faces strip{{0, 1, 3, 2}, {2, 3, 5, 4}, {4, 5, 0, 1}};
+  model::turn_faces_to_agree(strip);
+  EXPECT_EQ(model::surface_border(strip).twisted.size(), 1u);
+}
+
 // The lid alone, as a part set, has an opening that its cover closes flat: no volume.
 TEST(ControlVolumes, WhatIsRefused) {
-  const auto message = [](const std::string& keywords, bool turned) {
+  const auto message = [](const std::string& keywords, bool twisted) {
     Chamber chamber(1e-5);
-    if (turned)
-      chamber.specimen.text(
-          "*SET_SEGMENT\n" + fields({2}) +
-          fields({1.0 * chamber.lid(0, 0), 1.0 * chamber.lid(0, 1), 1.0 * chamber.lid(1, 1), 1.0 * chamber.lid(1, 0)}) +
-          fields({1.0 * chamber.lid(1, 0), 1.0 * chamber.lid(2, 0), 1.0 * chamber.lid(2, 1), 1.0 * chamber.lid(1, 1)}));
+    if (twisted) {
+      const auto a = [&](int i) { return 1.0 * chamber.lid(i, 0); };
+      const auto b = [&](int i) { return 1.0 * chamber.lid(i, 1); };
+      chamber.specimen.text("*SET_SEGMENT\n" + fields({2}) + fields({a(0), b(0), b(1), a(1)}) +
+                            fields({a(1), b(1), b(2), a(2)}) + fields({a(2), b(2), a(0), b(0)}));
+    }
     chamber.specimen.text(keywords);
     try {
       Experiment experiment(chamber.specimen.deck());
@@ -427,7 +442,7 @@ TEST(ControlVolumes, WhatIsRefused) {
   EXPECT_THAT(message("*AIRBAG_SIMPLE_PRESSURE_VOLUME\n" + fields({2}) + fields({1, 1}), true),
               testing::ContainsRegex(
                   "normals of neighbours disagree at 1 edge, the first from node [0-9]+ to [0-9]+, between shell "
-                  "17 and shell (18|21)"));
+                  "17 and face [0-9 ]+ .turn the elements"));
   EXPECT_THAT(message("*AIRBAG_SIMPLE_PRESSURE_VOLUME\n" + fields({1}) + fields({0.2}), false),
               HasSubstr("neither LCID nor CN times BETA is given"));
   EXPECT_THAT(message("*SET_PART_LIST\n" + fields({3}) + fields({1}) + "*AIRBAG_SIMPLE_PRESSURE_VOLUME\n" +
@@ -475,6 +490,38 @@ TEST(WangNefske, ARigidBoxIsFilledWithHotterAndHotterGas) {
   expect_reference("flowing gas", "*AIRBAG_WANG_NEFSKE, a rigid box, LCT: pressure [MPa]", gas.pressure,
                    (k - 1.0) * energy / (area * height), 1e-6);
   expect_reference("flowing gas", "the same: mass [t]", gas.mass, ambient_density * area * height + q * end, 1e-9);
+}
+
+// A23 below 0: the area of a part's shell, which grows from 200 to 400 mm2 as it is drawn out. Sabotage: the area at
+// the start.
+TEST(WangNefske, AVentHasTheAreaOfAPart) {
+  constexpr double end = 4e-3, q = 4e-4, mu = 0.7, low = 200.0, high = 400.0;
+  Chamber chamber(end, true, true);
+  chamber.specimen.text("*MAT_ELASTIC\n" + fields({3, density, 210000, 0.3})).part(3, 1, 3);
+  const Grid shell = chamber.specimen.shells(3, {0, 0, -90}, {20, low / 20, 0}, 1, 1);
+  chamber.specimen.text(curve(9, {{0.0, 0.0}, {end, (high - low) / 20}}))
+      .text(constant_curve(7, q))
+      .text(wang_nefske(7, 0, {mu, 0, -3}));
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      const double node = shell(i, j);
+      chamber.specimen.card("BOUNDARY_SPC_NODE", {node, 0, 1, j == 0 ? 1.0 : 0.0, 1, 1, 1, 1});
+      if (j == 1) chamber.specimen.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {node, 2, 2, 9});
+    }
+  Reference reference;
+  reference.inflow = [](double) { return q; };
+  double time = 0.0;
+  reference.outflow = [&](double p, double temperature) {
+    return nozzle(mu * (low + (high - low) * time / end), p, temperature);
+  };
+  constexpr int parts = 400;
+  for (int i = 0; i < parts; ++i) {
+    time = (i + 0.5) * end / parts;
+    reference.run(i * end / parts, (i + 1) * end / parts, 10);
+  }
+  expect_reference("flowing gas", "*AIRBAG_WANG_NEFSKE, A23 of a part that grows, Runge-Kutta: pressure [MPa]",
+                   gas_of(chamber).pressure, reference.p(), 1e-3);
+  EXPECT_GT(reference.p(), 1.5 * ambient);
 }
 
 // POVER: more gas of the same temperature.

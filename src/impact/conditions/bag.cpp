@@ -54,7 +54,7 @@ Bag bag_at_start(const ControlVolume& source, double volume) {
 }
 
 double outflow(const ControlVolume& source, const std::vector<Curve>& curves, double pressure, double temperature,
-               double time, bool popped) {
+               double time, bool popped, double vent_area) {
   const FlowingGas& gas = source.flowing;
   if (!(pressure > source.ambient)) return 0.0;
   const auto by_curve = [&](double value, model::Index curve, double at) {
@@ -62,7 +62,8 @@ double outflow(const ControlVolume& source, const std::vector<Curve>& curves, do
   };
   const auto opening_of = [&](const model::Vent& vent) {
     const double shape = by_curve(vent.shape, vent.shape_curve, pressure);
-    return by_curve(shape, vent.shape_over_time, time) * by_curve(vent.area, vent.area_curve, pressure);
+    const double area = vent.faces.empty() ? by_curve(vent.area, vent.area_curve, pressure) : vent_area;
+    return by_curve(shape, vent.shape_over_time, time) * area;
   };
   const bool by_flow = gas.outflow_curve != model::none;
   const double given = by_flow && popped ? curves[gas.outflow_curve].clamped(pressure - source.ambient) : 0.0;
@@ -76,7 +77,7 @@ double outflow(const ControlVolume& source, const std::vector<Curve>& curves, do
 }
 
 void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& curves, double volume,
-             const Curve* inflow, bool open, double time, double dt) {
+             const Curve* inflow, bool open, double time, double dt, double vent_area) {
   if (!(volume > 0.0)) return;
   const FlowingGas& gas = source.flowing;
   const Bag before = bag;
@@ -102,7 +103,7 @@ void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& cu
     }
     // No more than what is above the ambient pressure: a small volume with a large vent.
     const double left = std::pow(source.ambient / bag.pressure, 1.0 / heat_ratio(gas, bag.temperature));
-    out = std::min(dt * impact::outflow(source, curves, pressure, temperature, time - 0.5 * dt, bag.popped),
+    out = std::min(dt * impact::outflow(source, curves, pressure, temperature, time - 0.5 * dt, bag.popped, vent_area),
                    bag.mass * (1.0 - left));
     bag.mass -= out;
     bag.energy -= out * enthalpy(gas, temperature);

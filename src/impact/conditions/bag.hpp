@@ -30,14 +30,15 @@ Bag bag_at_start(const model::ControlVolume& source, double volume);
 /// Takes the gas over a step of length `dt` to `time`, when it has `volume`. `inflow`: mass flow over time, 0
 /// outside the curve; null: none. `open`: gas may leave. Implicit trapezoidal rule by a fixed number of passes, so that
 /// the work on the walls is that of the central differences; what flows in is the integral of its curve, whatever the
-/// steps. A volume that is not above 0 leaves the gas as it is.
+/// steps. A volume that is not above 0 leaves the gas as it is. `vent_area`: of the faces of the vent, where it has
+/// some [length^2].
 void advance(Bag& bag, const model::ControlVolume& source, const std::vector<Curve>& curves, double volume,
-             const Curve* inflow, bool open, double time, double dt);
+             const Curve* inflow, bool open, double time, double dt, double vent_area);
 
 /// Mass flow through vent and leak at `time` [mass/time] from a gas at `pressure` and `temperature`, by the isentropic
 /// flow through a nozzle, which is choked below the critical ratio of pressures; or that of LOU in the place of the
 /// vent, where that is `popped`. None where the pressure is not above the ambient one.
 double outflow(const model::ControlVolume& source, const std::vector<Curve>& curves, double pressure,
-               double temperature, double time, bool popped);
+               double temperature, double time, bool popped, double vent_area);
 
 }  // namespace nugget::impact

@@ -16,8 +16,7 @@ ActingLoad<model::ControlVolume>::ActingLoad(const model::ControlVolume& source,
 }
 
 double ActingLoad<model::ControlVolume>::volume(const system::State& state) const {
-  return source_.volume_scale * enclosed_volume(source_.segments, source_.openings,
-                                                [&](model::Index n) { return vec(state.x[system_.node_of[n]]); });
+  return source_.volume_scale * enclosed_volume(source_.segments, source_.openings, places(state));
 }
 
 void ActingLoad<model::ControlVolume>::apply(system::State& state, double dt, double& work) {
@@ -36,7 +35,8 @@ double ActingLoad<model::ControlVolume>::pressure(const system::State& state, do
   if (source_.gas == Kind::flowing) {
     const model::Index c = source_.flowing.inflow_curve;
     const Curve* inflow = c != model::none && in_force(curve(c), state) ? &curve(c) : nullptr;
-    advance(gas_.bag, source_, system_.model.curves, gas_.volume, inflow, !state.relaxing, state.time, dt);
+    const double vent_area = model::surface_area(source_.flowing.vent.faces, places(state));
+    advance(gas_.bag, source_, system_.model.curves, gas_.volume, inflow, !state.relaxing, state.time, dt, vent_area);
     return gas_.bag.pressure - source_.ambient;
   }
   if (source_.gas == Kind::adiabatic) {

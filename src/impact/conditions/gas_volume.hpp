@@ -28,6 +28,10 @@ class ActingLoad<model::ControlVolume> {
   const model::ControlVolume& source() const { return source_; }
 
  private:
+  /// Of the model's nodes.
+  auto places(const system::State& state) const {
+    return [this, &state](model::Index n) { return vec(state.x[system_.node_of[n]]); };
+  }
   double volume(const system::State& state) const;
   double pressure(const system::State& state, double dt);
 

@@ -107,7 +107,10 @@ std::vector<char> Simulation::followed_by_all() const {
   for (const contact::InteriorContact& contact : c.interiors.all())
     std::ranges::for_each(contact.nodes(), follow_place);
   for (const model::Accelerometer& a : model.accelerometers) std::ranges::for_each(a.node, follow);
-  for (const model::ControlVolume& volume : model.control_volumes) follow_segments(volume.segments);
+  for (const model::ControlVolume& volume : model.control_volumes) {
+    follow_segments(volume.segments);
+    follow_segments(volume.flowing.vent.faces);
+  }
   for (const Supports::Reaction& r : c.supports.spc_reactions()) followed[r.node] = 1;
   for (const Supports::Reaction& r : c.supports.motion_reactions()) followed[r.node] = 1;
   for (const model::NodalLoad& load : model.nodal_loads) {

@@ -131,8 +131,9 @@ struct HolesCard {
 const CardOf<HolesCard> holes_card{
     {&HolesCard::c23, real("c23", dimension::number, 0, at_least(0), "shape factor of the vent")},
     {&HolesCard::lcc23, id("lcc23", IdSpace::function, 0, "curve of it over time, where C23 is 0")},
-    {&HolesCard::a23,
-     real("a23", dimension::area, 0, at_least(0), "area of the vent; below 0, of parts, is not built")},
+    {&HolesCard::a23, or_negative(real("a23", dimension::area, 0, any_value,
+                                       "area of the vent; below 0: that of the shells of part -A23, as it is now"),
+                                  IdSpace::part)},
     {&HolesCard::lca23, id("lca23", IdSpace::function, 0, "curve of it over the absolute pressure, where A23 is 0")},
     {&HolesCard::cp23, real("cp23", dimension::number, 0, at_least(0), "shape factor of what leaks")},
     {&HolesCard::lccp23, id("lccp23", IdSpace::function, 0, "curve of it over time, where CP23 is 0")},
@@ -180,6 +181,14 @@ const CardOf<MoleCard> mole_card{
     real("hconv", dimension::number, 0, only(0), "heat given to the air outside"),
 };
 
+std::vector<Segment> shells_of(const Builder& b, std::span<const Index> parts) {
+  std::vector<Segment> segments;
+  const Shells& shells = b.model.shells;
+  for (std::size_t e = 0; e < shells.size(); ++e)
+    if (std::ranges::find(parts, shells.part[e]) != parts.end()) segments.push_back(shells.node[e]);
+  return segments;
+}
+
 std::vector<Segment> faces(Builder& b, const RowOf<VolumeCard>& row) {
   std::vector<Segment> segments;
   if (row->sidtyp == 0) {
@@ -188,10 +197,7 @@ std::vector<Segment> faces(Builder& b, const RowOf<VolumeCard>& row) {
   }
   const auto* parts = b.part_set(row[&VolumeCard::sid]);
   if (parts == nullptr) return segments;
-  const Shells& shells = b.model.shells;
-  for (std::size_t e = 0; e < shells.size(); ++e)
-    if (std::find(parts->members.begin(), parts->members.end(), shells.part[e]) != parts->members.end())
-      segments.push_back(shells.node[e]);
+  segments = shells_of(b, parts->members);
   if (segments.empty()) refuse(b, row[&VolumeCard::sid], "the parts of this set have no shells", "give a segment set");
   return segments;
 }
@@ -210,7 +216,7 @@ std::string name_of_face(const Builder& b, Segment face) {
   return fmt::format("face {}", fmt::join(ids, " "));
 }
 
-/// The faces on both sides of an edge.
+/// The faces along an edge.
 std::string faces_along(const Builder& b, const std::vector<Segment>& segments, const std::array<Index, 2>& edge) {
   std::vector<std::string> names;
   for (const Segment& s : segments)
@@ -221,20 +227,35 @@ std::string faces_along(const Builder& b, const std::vector<Segment>& segments, 
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
+/// Turns faces whose normals disagree with those of their neighbours; false where that cannot be.
+bool turn_faces(Builder& b, const RowOf<VolumeCard>& row, ControlVolume& volume) {
+  const SurfaceBorder before = surface_border(volume.segments);
+  if (before.twisted.empty()) return true;
+  const auto& edge = before.twisted.front();
+  const std::string where =
+      fmt::format("the normals of neighbours disagree at {} edge{}, the first from node {} to {}, between {}",
+                  before.twisted.size(), before.twisted.size() == 1 ? "" : "s", b.model.nodes.id[edge[0]],
+                  b.model.nodes.id[edge[1]], faces_along(b, volume.segments, edge));
+  const char* remedy = "turn the elements so that all normals point out of the volume";
+  const std::vector<Segment> as_given = volume.segments;
+  const std::vector<std::size_t> turned = model::turn_faces_to_agree(volume.segments);
+  if (!surface_border(volume.segments).twisted.empty()) {
+    refuse(b, row[&VolumeCard::sid], where, remedy);
+    return false;
+  }
+  row[&VolumeCard::sid].report(b.findings, Severity::warning,
+                               fmt::format("{}: {} faces are taken the other way round, the first {}", where,
+                                           turned.size(), name_of_face(b, as_given[turned.front()])),
+                               remedy);
+  return true;
+}
+
 /// Finds the surface, its openings and its volume at the start.
 void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) {
   volume.segments = faces(b, row);
   if (volume.segments.empty()) return;
+  if (!turn_faces(b, row, volume)) return;
   SurfaceBorder border = surface_border(volume.segments);
-  if (!border.twisted.empty()) {
-    const auto& edge = border.twisted.front();
-    return refuse(
-        b, row[&VolumeCard::sid],
-        fmt::format("the normals of neighbours disagree at {} edge{}, the first from node {} to {}, between {}",
-                    border.twisted.size(), border.twisted.size() == 1 ? "" : "s", b.model.nodes.id[edge[0]],
-                    b.model.nodes.id[edge[1]], faces_along(b, volume.segments, edge)),
-        "turn the elements so that all normals point out of the volume");
-  }
   const auto enclosed = [&] {
     return enclosed_volume(volume.segments, border.openings, [&](Index n) { return b.model.nodes.x[n]; });
   };
@@ -245,8 +266,7 @@ void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) 
     row[&VolumeCard::sid].report(b.findings, Severity::warning,
                                  "all normals point into the volume: its faces are taken the other way round",
                                  "turn the elements so that the normals point outwards");
-    for (Segment& s : volume.segments)
-      s = s[3] == s[2] ? Segment{s[2], s[1], s[0], s[0]} : Segment{s[3], s[2], s[1], s[0]};
+    for (Segment& s : volume.segments) s = model::turned(s);
     border = surface_border(volume.segments);
     v = enclosed();
   }
@@ -443,17 +463,29 @@ void read_simple_airbag(Builder& builder, const Block& block, const Options& opt
 void find_vent(Builder& b, const deck::RowOf<HolesCard>& row, double HolesCard::*shape, int HolesCard::*shape_curve,
                double HolesCard::*area, int HolesCard::*area_curve, Vent& vent) {
   vent.shape = row[shape].value;
-  vent.area = row[area].value;
+  vent.area = std::max(0.0, row[area].value);
   if (vent.shape == 0.0) vent.shape_over_time = b.curve(row[shape_curve]);
-  if (vent.area == 0.0) vent.area_curve = b.curve(row[area_curve]);
+  if (row[area].value == 0.0) vent.area_curve = b.curve(row[area_curve]);
   expect_no_backflow(b, row[shape_curve], vent.shape_over_time);
   expect_no_backflow(b, row[area_curve], vent.area_curve);
-  const bool has_area = vent.area > 0.0 || vent.area_curve != none,
+  const bool has_area = vent.area > 0.0 || vent.area_curve != none || !vent.faces.empty(),
              has_shape = vent.shape > 0.0 || vent.shape_over_time != none;
   if (has_area != has_shape)
     row[has_area ? shape : area].report(b.findings, Severity::warning,
                                         "this opening is closed: its area times its shape factor is 0",
                                         "give both, or neither");
+}
+
+/// A23 below 0: the area of the vent is that of the shells of a part.
+void take_area_of_part(Builder& b, const RowOf<HolesCard>& holes, Vent& vent) {
+  const deck::Entry& field = holes[&HolesCard::a23];
+  if (!(holes->a23 < 0.0)) return;
+  if (holes->lca23 < 0)
+    refuse(b, holes[&HolesCard::lca23], "a part set of vents is not built", "give A23 the number of one part");
+  const Index part = b.parts.find(static_cast<int>(-holes->a23));
+  if (part == none) return refuse(b, field, fmt::format("part {:g} is not defined", -holes->a23));
+  vent.faces = shells_of(b, std::span(&part, 1));
+  if (vent.faces.empty()) refuse(b, field, fmt::format("part {:g} has no shells", -holes->a23));
 }
 
 /// With OPT the fabric leaks in the place of CP23 and AP23 (keyword manual): none of it may.
@@ -551,6 +583,7 @@ void read_wang_nefske(Builder& builder, const Block& block, const Options& optio
       flowing.inflow_temperature_curve = b.curve(inflator[&InflatorCard::lct]);
       flowing.outflow_curve = b.curve(outside[&AmbienceCard::lcefr]);
       using H = HolesCard;
+      take_area_of_part(b, holes, flowing.vent);
       find_vent(b, holes, &H::c23, &H::lcc23, &H::a23, &H::lca23, flowing.vent);
       if (outside->opt == 0)
         find_vent(b, holes, &H::cp23, &H::lccp23, &H::ap23, &H::lcap23, flowing.leak);

@@ -33,8 +33,8 @@ const CardOf<FabricCards> moduli_of_fabric_card{
     real("ec", dimension::stress, 0, any_value, "of older decks: not of the plane, no effect"),
     {&Fabric::poisson_ba,
      real("prba", dimension::number, 0, any_value, "strain along a over that along b, negative, under stress along b")},
-    {&FabricCards::prab, real("prab", dimension::number, 0, any_value,
-                              "the same the other way round: PRBA EA/EB, which it is when 0; no other is built")},
+    {&FabricCards::prab,
+     real("prab", dimension::number, 0, any_value, "the same the other way round: PRBA EA/EB, whatever is written")},
     real("prcb", dimension::number, 0, any_value, "of older decks: not of the plane, no effect"),
 };
 
@@ -59,8 +59,8 @@ const CardOf<FabricCards> form_card{
     {&FabricCards::form, real("form", dimension::number, 0, any_value,
                               "0 and 1: linear, axes that turn with the element; 2, 3, 4, 12, 13, 14, -14, 24 are not "
                               "built")},
-    {&FabricCards::fvopt,
-     real("fvopt", dimension::number, 0, any_value, "venting through the fabric; only 0, none, is built")},
+    {&FabricCards::fvopt, real("fvopt", dimension::number, 0, any_value,
+                               "venting through the fabric; not built where FLC and FAC are given")},
     real("tsrfac", dimension::number, 0, only(0), "stresses of a reference geometry"),
 };
 
@@ -86,6 +86,21 @@ const CardOf<FabricCards> fabric_angle_card{
     integer("isrefg", 0, only(0), "stresses of a reference geometry"),
 };
 
+/// *MAT_ADD_AIRBAG_POROSITY_LEAKAGE: these fields for any law.
+struct LeakageCard {
+  double flc = 0, fac = 0, fvopt = 0;
+};
+const CardOf<LeakageCard> leakage_card{
+    material_id,
+    {&LeakageCard::flc, real("flc", dimension::number, 0, any_value, "share that leaks, with FAC; 0: nothing leaks")},
+    {&LeakageCard::fac, real("fac", dimension::number, 0, any_value, "the same")},
+    real("ela", dimension::number, 0, any_value, "the same, of fabric that touches something"),
+    {&LeakageCard::fvopt, real("fvopt", dimension::number, 0, any_value,
+                               "venting through the fabric; not built where FLC and FAC are given")},
+    real("x0", dimension::number, 0, any_value, "coefficient of leakage; no effect without it"),
+    real("x1", dimension::number, 0, any_value, "the same"),
+};
+
 /// Refuses what would make another material of it.
 void check_moduli(Builder& b, const RowOf<FabricCards>& moduli, const RowOf<FabricCards>& shear, const Fabric& law) {
   if (law.poisson_ba * law.poisson_ba * law.young_a >= law.young_b)
@@ -93,15 +108,39 @@ void check_moduli(Builder& b, const RowOf<FabricCards>& moduli, const RowOf<Fabr
            "PRBA is the ratio under stress along b: PRBA/EB = PRAB/EA");
   const double symmetric = law.poisson_ba * law.young_a / law.young_b;
   if (moduli->prab != 0.0 && std::abs(moduli->prab - symmetric) > 0.01 * std::abs(symmetric))
-    refuse(b, moduli[&FabricCards::prab],
-           fmt::format("PRBA EA/EB is {:.4g}; another ratio, of a stiffness that is not symmetric, is not built",
-                       symmetric),
-           "leave it 0");
+    moduli[&FabricCards::prab].report(
+        b.findings, Severity::warning,
+        fmt::format(
+            "not obeyed: PRBA EA/EB is {:.4g}; with another ratio the stiffness would not be symmetric, and the "
+            "fabric would give energy in closed cycles",
+            symmetric),
+        "leave it 0, or give PRBA EB/EA times this ratio");
   if (!(law.shear_ab > 0.0))
     refuse(b, shear[&Fabric::shear_ab], "fabric of two directions needs its shear modulus",
            "give GAB, or no EB for an isotropic one");
   if (law.liner_share > 0.0 && !(law.liner_young > 0.0))
     refuse(b, shear[&Fabric::liner_young], "the liner has no stiffness", "give EL, or LRATIO 0");
+}
+
+/// The share of a fabric that leaks is FLC times FAC, so nothing leaks where one of them is 0.
+template <class Row, class Option, class Share>
+void check_leakage(Builder& b, const Row& row, Option option, Share flc, Share fac) {
+  const bool leaks = row[flc].value != 0.0 && row[fac].value != 0.0;
+  const double fvopt = row[option].value;
+  if (fvopt < 0.0 || (leaks && fvopt != 0.0))
+    refuse(b, row[option], "gas that leaks through the fabric is not built",
+           "leave it 0, and let the gas out by a vent of its *AIRBAG_ card");
+  else if (fvopt != 0.0)
+    row[option].report(b.findings, Severity::note, "nothing leaks through this fabric: FLC or FAC is 0");
+  if (leaks && b.leaking_fabric.keyword.empty()) b.leaking_fabric = row[flc];
+}
+
+void read_leakage(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const auto row = cursor.read(leakage_card);
+  expect_end(b, cursor);
+  check_leakage(b, row, &LeakageCard::fvopt, &LeakageCard::flc, &LeakageCard::fac);
 }
 
 void read_fabric(Builder& b, const Block& block, const Options& options) {
@@ -119,11 +158,7 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
                            ? "stress by curves over strain along threads that shear"
                            : "strains of Green and Lagrange, or threads that shear"),
            "write FORM 0 with EA, EB, PRBA and GAB");
-  if (cards.fvopt != 0.0)
-    refuse(b, form[&FabricCards::fvopt], "gas that leaks through the fabric is not built",
-           "leave it 0, and let the gas out by a vent of its *AIRBAG_ card");
-  if (cards.flc != 0.0 && cards.fac != 0.0 && b.leaking_fabric.keyword.empty())
-    b.leaking_fabric = form[&FabricCards::flc];
+  check_leakage(b, form, &FabricCards::fvopt, &FabricCards::flc, &FabricCards::fac);
   Fabric law = cards;
   law.no_compression = cards.cse == 1.0;
   if (cards.cse != 0.0 && !law.no_compression)
@@ -171,7 +206,11 @@ std::vector<Keyword> fabric_material_keywords() {
                       {"", &form_card},
                       {"", &fabric_axes_card},
                       {"", &fabric_angle_card}},
-           .read = read_fabric}};
+           .read = read_fabric},
+          {.name = "MAT_ADD_AIRBAG_POROSITY_LEAKAGE",
+           .options = {"TITLE"},
+           .layout = {{"", &leakage_card}},
+           .read = read_leakage}};
 }
 
 }  // namespace nugget::reading

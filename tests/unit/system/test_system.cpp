@@ -13,7 +13,7 @@ namespace nugget::system {
 namespace {
 
 /// Two sheets of 6 x 6 shells, one weld, a rigid plate on one edge, a point mass.
-std::string text() {
+std::string text(const std::string& more = {}) {
   std::string nodes, shells;
   const auto line = [](const char* format, auto... values) {
     char buffer[160];
@@ -42,7 +42,8 @@ std::string text() {
          "SPOTWELD\n4,1,3,2\n0\n1.0,1.0\n"
          "*SET_PART_LIST\n1\n1,2\n*NODE\n" +
          nodes + "*ELEMENT_SHELL\n" + shells +
-         "*ELEMENT_BEAM\n     901       4     901     902\n*ELEMENT_MASS\n       1      25          1.0e-6\n*END\n";
+         "*ELEMENT_BEAM\n     901       4     901     902\n*ELEMENT_MASS\n       1      25          1.0e-6\n" + more +
+         "*END\n";
 }
 
 struct Assembled {
@@ -57,6 +58,25 @@ struct Assembled {
     for (const Finding& f : findings.all()) EXPECT_NE(f.severity, Severity::error) << to_string(f);
   }
 };
+
+/// What is wrong with the model and more keywords.
+std::string errors(const std::string& more) {
+  Findings findings;
+  const model::Model model = reading::build(deck::read_text(text(more), findings), findings);
+  weld::Ties ties = weld::tie(model, findings);
+  const System system(model, ties, findings);
+  std::string all;
+  for (const Finding& f : findings.all())
+    if (f.severity == Severity::error) all += to_string(f) + "\n";
+  return all;
+}
+
+// The side of a shell of a rigid part moves its node as the part does. The other end of the second side deforms.
+TEST(System, ANodeHangsOnTheSideOfARigidShell) {
+  EXPECT_EQ(errors("*CONSTRAINED_ADAPTIVITY\n144,143,145\n"), "");
+  EXPECT_NE(errors("*CONSTRAINED_ADAPTIVITY\n137,144,130\n").find("node 137 is made dependent twice: by rigid part 3"),
+            std::string::npos);
+}
 
 // Sabotage to be caught: mass left on tied nodes, or not handed over; a body's nodes counted twice.
 TEST(System, HandingOverKeepsTheTotalMass) {
