@@ -96,6 +96,20 @@ class Membranes(CommandTest):
             found = re.search(r"limit of stability is TSSFAC (\S+);", self.nugget("check", "model.k").stderr)
             self.assertAlmostEqual(float(found[1]), 1 / math.sqrt(1.3), delta=2e-3)
 
+    def test_step_of_a_stretched_fabric(self):
+        """Drawn to 1.5 times its length and width: a shell of the same mass and thickness and 2.25 times the area, taut by C eps, so that
+        (L/c)^2 grows by 2.25 / 2.25 / (1 + (1 + nu) eps), eps = ln 1.5. Sabotage: the density at the start."""
+        law = "*MAT_FABRIC\n" + card(1, 1e-9, 400.0, "", "", 0.3) + card("", "", "", 1) + card(0) + card("") + card("")
+        text = sheet(law=law, end=0.01)
+        text = text[:text.index("*BOUNDARY_SPC_NODE")] + "".join(
+            "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(3 * j + i + 1, dof, 2, 9, 10.0 * k - 5.0) for j in range(3) for i in range(3)
+            for dof, k in ((1, 0.5 * i), (2, 0.5 * j)) if k != 0.5)
+        text += "*BOUNDARY_SPC_NODE\n" + "".join(card(n, 0, int(n in (2, 8)), int(n in (4, 6)), 1, 0, 0, 0) for n in range(1, 10))
+        self.write(text + curve(9, (0.0, 0.0), (0.005, 1.0), (1.0, 1.0)) + "*DATABASE_GLSTAT\n" + card(0.001, 2) + "*END\n")
+        self.nugget("run", "model.k", "--quiet")
+        steps = [s["time_step"][0] for s in self.states("glstat")]
+        self.assertAlmostEqual(steps[-2] / steps[0], 1 / math.sqrt(1 + 1.3 * math.log(1.5)), delta=3e-3)
+
     def test_leakage_of_the_fabric(self):
         """OPT asks for it: refused where FLC and FAC are given, else nothing leaks."""
         with_opt = pillow(4).replace(card(AMBIENT, DENSITY, 1.0), card(AMBIENT, DENSITY, 1.0, "", "", "", 1))

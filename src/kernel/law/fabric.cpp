@@ -189,6 +189,7 @@ LawKernel<Fabric>::LawKernel(const Fabric& law)
       no_compression_(law.no_compression),
       has_liner_(law.liner_share > 0.0),
       damping_(law.damping),
-      step_share_(1.0 / std::sqrt(1.0 + 2.0 * law.damping)) {}
+      step_share_(1.0 / std::sqrt(1.0 + 2.0 * law.damping)),
+      wave_modulus_(law.wave_modulus()) {}
 
 }  // namespace nugget::kernel

@@ -89,6 +89,19 @@ class LawKernel<Fabric> {
   /// What damping leaves of the stable step, 4 = (w dt)^2 (1 + 2 DAMP) [1].
   double step_share() const { return step_share_; }
 
+  /// Modulus of the fastest wave where the fabric is stretched: what its tension adds, and, as it keeps its thickness
+  /// while its mass is spread out, times its area over that at the start, the exponential of the sum of its strains
+  /// [stress].
+  template <class R>
+  R layer_modulus(const double* history) const {
+    constexpr double longest = 8.0;  // beyond which no fabric is
+    const R half =
+        min(load_field<R>(history, strain_field) + load_field<R>(history, strain_field + 1), R(longest)) * (1.0 / 16.0);
+    const R root = (1.0 + half) / (1.0 - half), square = root * root, fourth = square * square;
+    const R tension = max(load_field<R>(history, stress_field), load_field<R>(history, stress_field + 1));
+    return (wave_modulus_ + max(tension, R(0.0))) * (fourth * fourth);
+  }
+
   template <class R>
   ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
     const R c = load_field<R>(history, first_axis_field), t = load_field<R>(history, first_axis_field + 1);
@@ -143,7 +156,7 @@ class LawKernel<Fabric> {
   SheetModuli fabric_, liner_;  ///< times their shares of the thickness
   Wrinkling wrinkling_;
   bool no_compression_, has_liner_;
-  double damping_, step_share_;
+  double damping_, step_share_, wave_modulus_;
 };
 
 }  // namespace nugget::kernel
