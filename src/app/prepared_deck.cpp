@@ -148,6 +148,9 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   if (arguments.weld_tie == "area") p.model.control.weld_tie = model::WeldTie::area;
   if (arguments.weld_tie == "joint") p.model.control.weld_tie = model::WeldTie::joint;
   p.read_seconds = clock.seconds();
+  if (findings.errors() == 0 && p.model.nodes.size() == 0)
+    findings.error({p.model.deck, 0, 0}, "", "there are no nodes: nothing can move",
+                   "include the mesh; a run that was interrupted goes on with --resume, without a deck of its own");
   if (findings.errors() > 0) return p;
   std::vector<Vec3d> x = impact::resolve_initial_penetrations(p.model, findings);
   p.penetration_seconds = clock.seconds();

@@ -61,6 +61,13 @@ class BrokenDecks(CommandTest):
             "the deck is refused; nothing was run",
         ])
 
+    def test_a_deck_without_a_model(self):
+        """A small restart deck of LS-DYNA, or one whose mesh is not included: nothing would move, and the run would end normally."""
+        self.write("*KEYWORD\n*CONTROL_TERMINATION\n" + card(2.0) + "*END\n")
+        for command in ("run", "check"):
+            told = self.nugget(command, "model.k", expect=1).stderr
+            self.assertIn("model.k: error: there are no nodes: nothing can move [include the mesh;", told)
+
     def test_what_a_missing_file_may_define_is_counted(self):
         """Nodes, a curve and a material that are not in the deck, and a fault that no file can mend."""
         self.write(deck(("*DEFINE_CURVE\n", "*INCLUDE\nbarrier/wall.k\n*BOUNDARY_SPC_NODE\n" + card(901, 0, 1) + card(902, 0, 1) + card(903, 0, 1) +
