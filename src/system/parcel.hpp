@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/ranks.hpp"
 
 namespace nugget::system {
 
@@ -17,27 +20,44 @@ enum class Carried {
   whole       ///< stable steps as well: a run could go on from it
 };
 
-/// Numbers on their way to another rank, or, where it reads, from one, in the same order.
+/// Numbers on their way to other ranks, or, where it reads, from one, in the same order. They go in pieces of a mebibyte
+/// or what is given at once, so that no rank holds at a time what another one has.
 class Parcel {
  public:
-  Parcel(std::vector<std::byte>& data, bool reading) : data_(data), reading_(reading) {}
-  bool reading() const { return reading_; }
+  /// Writes, to these ranks; `close` at the end.
+  Parcel(Ranks& ranks, std::vector<int> to) : ranks_(ranks), to_(std::move(to)) {}
+  /// Reads what that rank writes.
+  Parcel(Ranks& ranks, int from) : ranks_(ranks), from_(from) {}
+
+  bool reading() const { return from_ >= 0; }
   template <class T>
   void operator()(T* values, std::size_t count) {
     const std::size_t size = count * sizeof(T);
     if (size == 0) return;
-    if (reading_) {
-      std::memcpy(static_cast<void*>(values), data_.data() + place_, size);
-    } else {
-      data_.resize(place_ + size);
-      std::memcpy(data_.data() + place_, values, size);
+    if (reading_done()) next_piece();
+    if (reading()) {
+      std::memcpy(static_cast<void*>(values), piece_.data() + place_, size);
+      place_ += size;
+      return;
     }
-    place_ += size;
+    const std::size_t end = piece_.size();
+    piece_.resize(end + size);
+    std::memcpy(piece_.data() + end, values, size);
+    if (piece_.size() >= piece_size) send_piece();
   }
+  void close();
 
  private:
-  std::vector<std::byte>& data_;
-  bool reading_;
+  static constexpr std::size_t piece_size = std::size_t{1} << 20;
+  bool reading_done() const { return reading() && place_ == piece_.size(); }
+  void next_piece();
+  void send_piece();
+
+  Ranks& ranks_;
+  std::vector<int> to_;
+  int from_ = -1;
+  std::vector<std::byte> piece_, leaving_;  ///< being filled or read; the one before it
+  std::uint64_t leaving_size_ = 0;
   std::size_t place_ = 0;
 };
 

@@ -143,9 +143,7 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
 void System::collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
                      const std::function<void(const Computed& of, Parcel&)>& more) {
   if (!share_) return;
-  const int count = share_->ranks().count();
-  const auto carry_all = [&](int rank, std::vector<std::byte>& data, bool reading) {
-    Parcel parcel(data, reading);
+  const auto carry_all = [&](int rank, Parcel& parcel) {
     carry(rank, what, parcel);
     for (std::vector<Row>* rows : of_nodes)
       for (const int k : share_->reported_by(rank)) parcel(&(*rows)[k], 1);
@@ -154,22 +152,20 @@ void System::collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
   };
   Ranks& ranks = share_->ranks();
   const int own = ranks.rank();
-  std::vector<std::byte> mine;
   const bool to_all = what == Carried::whole;
-  if (to_all || own != 0) carry_all(own, mine, false);
-  const std::vector<std::uint64_t> sizes = gather(ranks, static_cast<std::uint64_t>(mine.size()));
-  std::vector<std::vector<std::byte>> of_others(at(count));
-  for (int r = 0; r < count; ++r) {
-    if (r == own) continue;
-    if (to_all || own == 0) {
-      of_others[r].resize(sizes[r]);
-      if (!of_others[r].empty()) ranks.receive(r, of_others[r]);
+  std::vector<int> others;
+  for (int r = 0; r < ranks.count(); ++r)
+    if (r != own && (to_all || r == 0)) others.push_back(r);
+  for (int r = 0; r < ranks.count(); ++r) {
+    if (r == own && !others.empty()) {
+      Parcel parcel(ranks, others);
+      carry_all(r, parcel);
+      parcel.close();
+    } else if (r != own && (to_all || own == 0)) {
+      Parcel parcel(ranks, r);
+      carry_all(r, parcel);
     }
-    if ((to_all || r == 0) && !mine.empty()) ranks.send(r, mine);
   }
-  ranks.finish();
-  for (int r = 0; r < count; ++r)
-    if (!of_others[r].empty()) carry_all(r, of_others[r], true);
 }
 
 }  // namespace nugget::system
