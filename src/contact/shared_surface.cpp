@@ -106,22 +106,43 @@ void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& cos
   constexpr double awake = 8.0, node = 1.0;
   if (faces_.empty() || birth_ > 0.0) return;
   costs.of_node.resize(x.size());
-  if (!searched_) {
+  const bool made_for_this = !searched_;
+  if (made_for_this) {
     Step step;
     step.x = x;
     search(step);
   }
+  const auto is_awake_at = [&](int t, const Pair& pair) {
+    if (!made_for_this) return pair.next_check_travel <= travelled_;
+    const kernel::Corners corners = corners_of(faces_[pair.segment], x);
+    return kernel::least_distance(corners, vec(x[at(nodes_[t].node)])) <= contact_distance(t, pair.segment);
+  };
   for (const Block& block : blocks_)
     for (int t = block.begin; t < block.end; ++t) {
       double& cost = costs.of_node[at(nodes_[t].node)];
       cost += node;
       for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
         const Pair& pair = block.pairs[i];
-        const bool is_awake = pair.next_check_travel <= travelled_;
+        const bool is_awake = is_awake_at(t, pair);
         cost += is_awake ? awake : 1.0;
         if (is_awake) costs.together.push_back({nodes_[t].node, faces_[pair.segment].node[0]});
       }
     }
+  if (made_for_this) forget_lists();
+}
+
+/// As before the first search.
+void SurfaceContact::forget_lists() {
+  for (Block& block : blocks_) {
+    block.pairs = {};
+    std::ranges::fill(block.first, 0);
+    std::ranges::fill(block.next_check_travel, 0.0);
+    block.asleep_until = 0.0;
+  }
+  active_nodes_.clear();
+  active_segments_.clear();
+  searched_ = false;
+  searches_ = 0;
 }
 
 Box SurfaceContact::over_all_ranks(const Box& own) const {

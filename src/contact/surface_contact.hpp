@@ -319,6 +319,7 @@ class SurfaceContact {
   double approach(const Displacement& displacement);
   double widest(int tracked) const { return 0.5 * (nodes_[tracked].thickness + thickest_segment_); }
   void search(const Step& step);
+  void forget_lists();
   Box box_of_own_blocks(std::span<const Row> x) const;
   /// Whether this process looks at a block.
   bool computes(std::size_t block) const { return rank_of_block_.empty() || rank_of_block_[block] == rank_; }

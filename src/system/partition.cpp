@@ -176,9 +176,7 @@ std::vector<Units> joined_units(const System& system,
 
 }  // namespace
 
-Partition::Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
-                     const ContactCosts& contact, std::span<const std::vector<System::ElementLocation>> of_one_rank)
-    : ranks_(ranks) {
+Partition::Partition(const System& system, int ranks) : ranks_(ranks) {
   for (const auto& group : system.groups) {
     const std::size_t size = unit_size(*group);
     unit_.push_back(size);
@@ -186,6 +184,11 @@ Partition::Partition(const System& system, int ranks, std::span<const System::El
     const bool shared_out = size % group->block_width() == 0;
     rank_.emplace_back((group->size() + size - 1) / size, shared_out ? 0 : everyone);
   }
+}
+
+Partition::Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
+                     const ContactCosts& contact, std::span<const std::vector<System::ElementLocation>> of_one_rank)
+    : Partition(system, ranks) {
   for (const System::ElementLocation& one : for_everyone)
     if (one.group >= 0) rank_[one.group][at(one.element) / unit_[one.group]] = everyone;
   constexpr std::size_t most_joined = 64;
@@ -209,6 +212,11 @@ Partition::Partition(const System& system, int ranks, std::span<const System::El
 
 void Partition::take_from_first(Ranks& ranks) {
   for (std::vector<int>& of_units : rank_) ranks.broadcast(std::as_writable_bytes(std::span(of_units)));
+  bool has_contact = !contact_.empty();
+  broadcast(ranks, has_contact);
+  if (has_contact && contact_.empty())
+    for (const std::vector<int>& of_units : rank_) contact_.emplace_back(of_units.size(), 0.0);
+  for (std::vector<double>& of_units : contact_) ranks.broadcast(std::as_writable_bytes(std::span(of_units)));
 }
 
 std::size_t Partition::elements_of_everyone(const System& system) const {

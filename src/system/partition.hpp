@@ -32,6 +32,9 @@ class Partition {
   Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
             const ContactCosts& contact = {}, std::span<const std::vector<System::ElementLocation>> of_one_rank = {});
 
+  /// Of which nothing is known yet: to be taken from the first rank.
+  Partition(const System& system, int ranks);
+
   /// All ranks take that of the first one: METIS of another machine may cut in another way.
   void take_from_first(Ranks& ranks);
 

@@ -31,8 +31,8 @@ void System::link_slots() {
     for (std::size_t b = 0; b < group->blocks(); ++b) blocks_.emplace_back(static_cast<int>(&group - groups.data()), b);
     group->block_step.assign(group->blocks(), std::numeric_limits<double>::infinity());
   }
-  slots_.assign(rows, Row{});
-  single_slots_.assign(single_rows, SingleRow{});
+  slots_.resize(rows);
+  single_slots_.resize(single_rows);
   std::size_t next_row = 0, next_single = 0;
   for (auto& group : groups) {
     if (group->single_precision()) {

@@ -14,6 +14,7 @@
 #include "base/finding.hpp"
 #include "base/index.hpp"
 #include "base/ranks.hpp"
+#include "base/zeroed.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "kernel/element/weld_joint.hpp"
 #include "model/model.hpp"
@@ -303,8 +304,8 @@ class System {
   ElementPeriods periods_;
   Subcycles subcycles_;
   friend class Subcycles;
-  std::vector<Row> slots_;
-  SingleRows single_slots_;  ///< of groups of single precision, counted on behind slots_
+  ZeroedVector<Row> slots_;
+  ZeroedVector<SingleRow> single_slots_;  ///< of groups of single precision, counted on behind slots_
   std::vector<std::size_t> gather_start_;
   std::vector<std::uint32_t>
       gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows

@@ -13,17 +13,19 @@
 namespace nugget::impact {
 namespace {
 
+using Controlling = system::System::Controlling;
+constexpr Controlling nothing_controls{std::numeric_limits<double>::infinity()};
+
 /// What a rank brings to the agreement of a cycle.
 struct Wishes {
-  double step = std::numeric_limits<double>::infinity();
-  int group = -1, element = -1;
+  Controlling controlling = nothing_controls;
   bool stop = false, restart_file = false, writes_restart_files = false, state = false;
   int not_finite = std::numeric_limits<int>::max();  ///< the first node whose velocity is not a number
 };
 
 /// Whether `a` controls the step rather than `b`: the choice of one process, which goes through all elements in order
 /// and takes the first of the smallest steps, or the first that is not a number.
-bool controls(const Wishes& a, const Wishes& b) {
+bool controls(const Controlling& a, const Controlling& b) {
   if (a.group < 0 || b.group < 0) return b.group < 0 && a.group >= 0;
   const bool a_is_none = a.step != a.step, b_is_none = b.step != b.step;
   if (a_is_none != b_is_none) return a_is_none;
@@ -129,13 +131,23 @@ std::vector<char> Simulation::followed_by_all() const {
   return followed;
 }
 
+system::System::Controlling Simulation::controlling_of_all() const {
+  const Controlling own = system_.controlling();
+  if (ranks_ == nullptr) return own;
+  Controlling all = nothing_controls;
+  for (const Controlling& of_rank : gather(*ranks_, own))
+    if (controls(of_rank, all)) all = of_rank;
+  return all;
+}
+
+// Only the first rank cuts: the others need not know what contact costs everywhere.
 void Simulation::share_out(Ranks& ranks) {
   ranks_ = &ranks;
   traffic_before_ = ranks.traffic();
   cycle_before_ = state_.cycle;
   shared_out_at_ = elapsed();
-  system_.reported_below = components_.erosion.smallest_step(first_step_);
-  system_.share_out(ranks, partition(ranks.count()), followed_by_all());
+  system_.share_out(ranks, on_first_rank() ? partition(ranks.count()) : system::Partition(system_, ranks.count()),
+                    followed_by_all());
 }
 
 void Simulation::report_ranks() {
@@ -191,16 +203,10 @@ void Simulation::agree(const Options& options) {
   if (state_.cycle % 50 == 0) own.not_finite = first_not_finite();
   controlling_ = system_.controlling();
   if (ranks_ != nullptr) {
-    own.step = controlling_.step;
-    own.group = controlling_.group;
-    own.element = controlling_.element;
+    own.controlling = controlling_;
     Wishes all;
     for (const Wishes& w : gather(*ranks_, own)) {
-      if (controls(w, all)) {
-        all.step = w.step;
-        all.group = w.group;
-        all.element = w.element;
-      }
+      if (controls(w.controlling, all.controlling)) all.controlling = w.controlling;
       all.stop |= w.stop;
       all.restart_file |= w.restart_file;
       all.writes_restart_files |= w.writes_restart_files;
@@ -211,7 +217,7 @@ void Simulation::agree(const Options& options) {
     if (all.state)
       next_marks_.any = next_marks_.of_elements = next_marks_.of_energies = -std::numeric_limits<double>::infinity();
     own = all;
-    controlling_ = {own.step, own.group, own.element};
+    controlling_ = own.controlling;
   }
   stop_requested_ = own.stop;
   restart_file_due_ = own.restart_file || (own.stop && own.writes_restart_files);

@@ -133,11 +133,15 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   begin_ = timed_until_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
 
+  if (options.ranks != nullptr && !options.restore) share_out(*options.ranks);
   start();
-  if (options.restore) resume(options);
+  if (options.restore) {
+    resume(options);
+    if (options.ranks != nullptr) share_out(*options.ranks);  // anew, by what costs by now
+  }
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
-  if (options.ranks != nullptr) {
-    share_out(*options.ranks);
+  if (ranks_ != nullptr) {
+    system_.reported_below = components_.erosion.smallest_step(first_step_);
     pass_on_balance(recorder);
   }
   add_time(elements);
@@ -322,7 +326,7 @@ void Simulation::start() {
   transfer_dependent_forces();
   masses_ = system_.masses();
 
-  controlling_ = system_.controlling();
+  controlling_ = controlling_of_all();
   first_step_ = step_factor_ * controlling_.step;
   smallest_step_ = std::numeric_limits<double>::infinity();
 }

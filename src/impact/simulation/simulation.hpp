@@ -87,6 +87,8 @@ class Simulation {
   Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
   /// From now on several ranks compute the run together.
   void share_out(Ranks& ranks);
+  /// The element that controls the step.
+  system::System::Controlling controlling_of_all() const;
   void report_ranks();
   int first_not_finite() const;
   bool on_first_rank() const { return ranks_ == nullptr || ranks_->rank() == 0; }
