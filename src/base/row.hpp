@@ -141,7 +141,6 @@ template <>
 struct alignas(16) SingleRow {
   float x = 0.0f, y = 0.0f, z = 0.0f, pad = 0.0f;
 };
-using SingleRows = std::vector<SingleRow, Aligned<SingleRow>>;
 
 inline Vec3d vec(const SingleRow& r) {
   return {r.x, r.y, r.z};

@@ -227,7 +227,7 @@ void System::make_brick_joints() {
   }
 }
 
-void System::slide_brick_faces(std::vector<Row>& motion) const {
+void System::slide_brick_faces(std::span<Row> motion) const {
   for (const BrickJoint& joint : brick_joints) {
     const weld::Weld& weld = ties.welds[joint.weld];
     FaceVector faces{};

@@ -20,8 +20,8 @@ enum class Carried {
   whole       ///< stable steps as well: a run could go on from it
 };
 
-/// Numbers on their way to other ranks, or, where it reads, from one, in the same order. They go in pieces of a mebibyte
-/// or what is given at once, so that no rank holds at a time what another one has.
+/// Numbers on their way to other ranks, or, where it reads, from one, in the same order. They go in pieces of a
+/// mebibyte or what is given at once, so that no rank holds at a time what another one has.
 class Parcel {
  public:
   /// Writes, to these ranks; `close` at the end.

@@ -140,12 +140,12 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
   }
 }
 
-void System::collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
+void System::collect(Carried what, std::span<Rows* const> of_nodes,
                      const std::function<void(const Computed& of, Parcel&)>& more) {
   if (!share_) return;
   const auto carry_all = [&](int rank, Parcel& parcel) {
     carry(rank, what, parcel);
-    for (std::vector<Row>* rows : of_nodes)
+    for (Rows* rows : of_nodes)
       for (const int k : share_->reported_by(rank)) parcel(&(*rows)[k], 1);
     more({rank, *share_, [&](int group, std::size_t e) { return share_->partition().of_element(group, e) == rank; }},
          parcel);

@@ -95,7 +95,7 @@ void SpringGroup::find_block_step(std::size_t b) {
 void SpringGroup::advance(Entry& s, const State& state, double dt) {
   double length = 0.0;
   s.line = line_of(s, state, length);
-  const auto rate = [&](const std::vector<Row>& of) {
+  const auto rate = [&](const Rows& of) {
     const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[s.node[1]]);
     return dot(second - vec(of[s.node[0]]), s.line);
   };
@@ -179,7 +179,7 @@ void SpringGroup::along_line(std::size_t e, double modulus, std::span<double> k)
 }
 
 void SpringGroup::damp(std::size_t e, const State& state, std::span<Row> slots) const {
-  const std::vector<Row>& of = rotational ? state.w : state.v;
+  const Rows& of = rotational ? state.w : state.v;
   const Entry& s = springs_[e];
   Vec3d pull{};
   if (s.alive) {

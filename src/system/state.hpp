@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
 #include "base/archive.hpp"
 #include "base/row.hpp"
+#include "base/zeroed.hpp"
 
 namespace nugget::system {
+
+/// By node. Over several ranks those of nodes that nobody here follows may take no room.
+using Rows = ZeroedVector<Row>;
 
 /// All that changes from step to step and belongs to nodes: plain arrays, nodes in the system's own order, then one
 /// virtual node for each rigid body. Element states live in their groups, rigid-body momenta in the bodies.
@@ -20,9 +22,9 @@ struct State {
   bool begins_period() const { return cycle == 0 || cycle % period == 1; }
   long cycle = 0;         ///< n
   bool relaxing = false;  ///< dynamic relaxation, before the run
-  std::vector<Row> x;     ///< positions at t(n) [length]
-  std::vector<Row> v, w;  ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
-  std::vector<Row> f, m;  ///< forces and moments on the nodes at t(n): external minus internal
+  Rows x;                 ///< positions at t(n) [length]
+  Rows v, w;              ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
+  Rows f, m;              ///< forces and moments on the nodes at t(n): external minus internal
 
   void archive(Archive& a);
 };

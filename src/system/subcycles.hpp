@@ -86,7 +86,7 @@ class Subcycles {
   int period_ = 1;               ///< the longest
   double time_ = 0.0;            ///< since all elements had their forces
   std::vector<Row> way_, turn_;  ///< what nodes moved and turned since then
-  std::vector<Row> v_, w_;       ///< mean velocities and spins in a period
+  Rows v_, w_;                   ///< mean velocities and spins in a period
   Level contacts_;               ///< time and ways of `mean_velocities`
 };
 

@@ -89,7 +89,7 @@ class System {
   std::vector<weld::Stack> weld_stacks;
   /// In a small motion of all nodes (by system node): moves the end faces of bricks with joints against their discs as
   /// far as their elastic joints do.
-  void slide_brick_faces(std::vector<Row>& motion) const;
+  void slide_brick_faces(std::span<Row> motion) const;
 
   /// Where a model element stands; group -1 for elements that have no kernel (rigid parts, MAT_NULL, deleted welds).
   struct ElementLocation {
@@ -210,7 +210,7 @@ class System {
     std::function<bool(int group, std::size_t element)> element;
     bool operator()(int group, std::size_t e) const { return element(group, e); }
   };
-  void collect(Carried what, std::span<std::vector<Row>* const> of_nodes,
+  void collect(Carried what, std::span<Rows* const> of_nodes,
                const std::function<void(const Computed& of, Parcel&)>& more);
   /// Whether this process follows a node: always, where it is alone.
   bool follows(std::size_t node) const;

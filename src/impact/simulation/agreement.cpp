@@ -160,19 +160,23 @@ void Simulation::report_ranks() {
   own.bytes = static_cast<double>(now.bytes - traffic_before_.bytes) / cycles;
   own.waiting = waiting;
   own.busy = seconds - waiting;
-  const system::Partition::Share share =
-      system_.share()->partition().shares(system_, followed_by_all())[at(ranks_->rank())];
-  own.elements = share.elements;
-  own.nodes = share.nodes;
-  own.shared_nodes = share.shared_nodes;
-  own.neighbours = share.neighbours.size();
-  own.cost = share.cost;
-  own.contact = share.contact;
   rank_reports_ = gather(*ranks_, own);
+  if (!on_first_rank()) return;
+  const auto shares = system_.share()->partition().shares(system_, followed_by_all());
+  for (std::size_t r = 0; r < shares.size(); ++r) {
+    RankReport& report = rank_reports_[r];
+    const system::Partition::Share& share = shares[r];
+    report.elements = share.elements;
+    report.nodes = share.nodes;
+    report.shared_nodes = share.shared_nodes;
+    report.neighbours = share.neighbours.size();
+    report.cost = share.cost;
+    report.contact = share.contact;
+  }
 }
 
 void Simulation::collect(system::Carried what) {
-  std::vector<std::vector<Row>*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
+  std::vector<system::Rows*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
   if (what == system::Carried::histories) rows.clear();  // all follow the nodes that histories show
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
   system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {

@@ -35,7 +35,7 @@ void each_node(const system::ElementGroup& group, std::size_t e, const Visit& vi
 /// mid-surface or as triangles. The formula of ISDO 2 goes by the shortest side of slanted ones, too.
 class DoubtfulShells {
  public:
-  DoubtfulShells(const system::System& system, const std::vector<Row>& x)
+  DoubtfulShells(const system::System& system, std::span<const Row> x)
       : model_(system.model), x_(x), angle_(system.all_nodes(), 0.0) {
     for (const auto& group : system.groups) {
       if (group->kind != model::ElementKind::shell) continue;
@@ -86,7 +86,7 @@ class DoubtfulShells {
   static constexpr double hardly_surrounded = 0.76 * 2.0 * std::numbers::pi;
   static constexpr double thick = 0.3;  ///< of the root of the area
   const model::Model& model_;
-  const std::vector<Row>& x_;
+  std::span<const Row> x_;
   std::vector<double> angle_;  ///< of the shells around each node
 };
 
@@ -374,7 +374,7 @@ class AssembledStep::Vibration {
   std::vector<double> values_;
 };
 
-AssembledStep::AssembledStep(system::System& system, const Supports& supports, const std::vector<Row>& x)
+AssembledStep::AssembledStep(system::System& system, const Supports& supports, std::span<const Row> x)
     : system_(system), supports_(supports) {
   choose_blocks(x);
   if (blocks_.empty()) return;
@@ -385,7 +385,7 @@ AssembledStep::AssembledStep(system::System& system, const Supports& supports, c
     if (chosen[g]) system.groups[g]->store_reference_state();
 }
 
-void AssembledStep::choose_blocks(const std::vector<Row>& x) {
+void AssembledStep::choose_blocks(std::span<const Row> x) {
   std::vector<char> touched(system_.all_nodes(), 0);
   bool any = false;
   const DoubtfulShells doubtful(system_, x);

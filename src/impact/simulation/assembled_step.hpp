@@ -26,7 +26,7 @@ class AssembledStep {
  public:
   /// Chooses the elements by the places `x` and lets their groups keep their reference state: before there is any
   /// stress.
-  AssembledStep(system::System& system, const Supports& supports, const std::vector<Row>& x);
+  AssembledStep(system::System& system, const Supports& supports, std::span<const Row> x);
 
   /// No bricks and no such shells.
   bool empty() const { return blocks_.empty(); }
@@ -49,7 +49,7 @@ class AssembledStep {
     std::size_t block;
     std::size_t first_row;  ///< of the block's slots, among those of all chosen blocks
   };
-  void choose_blocks(const std::vector<Row>& x);
+  void choose_blocks(std::span<const Row> x);
   void link_slots();
 
   const system::System& system_;

@@ -203,8 +203,12 @@ void Simulation::resume(const Options& options) {
 }
 
 void Simulation::store_velocities() {
-  v_before_ = state_.v;
-  w_before_ = state_.w;
+  system_.for_each_node(2048, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      v_before_[k] = state_.v[k];
+      w_before_[k] = state_.w[k];
+    }
+  });
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
 }
 
@@ -305,9 +309,10 @@ void Simulation::step() {
 }
 
 void Simulation::start() {
-  v_before_ = state_.v;
-  w_before_ = state_.w;
+  v_before_.resize(state_.v.size());
+  w_before_.resize(state_.w.size());
   momentum_before_.resize(system_.bodies.size());
+  store_velocities();
   components_.supports.constrain_at_start(state_);
   system_.map.apply_to_velocities(0.0, state_.v, state_.w);
 
@@ -333,7 +338,7 @@ void Simulation::start() {
 
 void Simulation::internal_force_at_rest() {
   state_.dt = 0.0;
-  std::vector<Row> v(state_.v.size()), w(state_.w.size());
+  system::Rows v(state_.v.size()), w(state_.w.size());
   v.swap(state_.v);
   w.swap(state_.w);
   components_.preloads.apply(state_);
@@ -345,7 +350,7 @@ void Simulation::internal_force_at_rest() {
 Outcome Simulation::relax(const Options& options, Recorder& recorder, const ProgressCallback& progress) {
   const model::Relaxation& control = system_.model.control.relaxation;
   if (!control.on()) return {};
-  const std::vector<Row> v(state_.v), w(state_.w);
+  const system::Rows v(state_.v), w(state_.w);
   std::vector<Vec3d> momentum;
   for (system::RigidBody& body : system_.bodies) momentum.push_back(std::exchange(body.angular_momentum, {}));
   std::fill(state_.v.begin(), state_.v.end(), Row{});

@@ -170,10 +170,10 @@ class Simulation {
   std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
   std::vector<unsigned char> dependent_;               ///< by node
   std::vector<double> inverse_mass_, inverse_inertia_;
-  std::vector<Row> v_before_, w_before_;
-  std::vector<Row> v_period_, w_period_;  ///< in sub-cycling: velocities and spins after those of the last period
-  std::vector<Row> contact_forces_;       ///< in sub-cycling, where contacts have theirs not in each cycle
-  double run_end_ = 0.0;                  ///< where the period that begins ends the run: its time; else 0
+  system::Rows v_before_, w_before_;
+  system::Rows v_period_, w_period_;  ///< in sub-cycling: velocities and spins after those of the last period
+  std::vector<Row> contact_forces_;   ///< in sub-cycling, where contacts have theirs not in each cycle
+  double run_end_ = 0.0;              ///< where the period that begins ends the run: its time; else 0
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
