@@ -16,7 +16,7 @@ namespace nugget::system {
 enum class Carried {
   histories,  ///< what histories of nodes and contacts show, nothing of elements
   energies,   ///< what energies are summed up from
-  results,    ///< states and forces, for result files
+  results,    ///< states, for result files
   whole       ///< stable steps as well: a run could go on from it
 };
 

@@ -110,6 +110,18 @@ bool System::computes(ElementLocation location) const {
   return !share_ || share_->computes(location.group, at(location.element));
 }
 
+void System::carry_forces(ElementLocation location, Parcel& parcel) {
+  carry_forces(*groups[location.group], at(location.element), at(location.element) + 1, parcel);
+}
+
+void System::carry_forces(const ElementGroup& group, std::size_t begin, std::size_t end, Parcel& parcel) {
+  const std::size_t first = group.slot_row(begin, 0), rows = group.slot_row(end, 0) - first;
+  if (group.single_precision())
+    parcel(&single_slots_[first - slots_.size()], rows);
+  else
+    parcel(&slots_[first], rows);
+}
+
 void System::carry(int rank, Carried what, Parcel& parcel) {
   if (what == Carried::histories) return;
   map.carry([&](int d) { return !share_->everyone_follows(d) && share_->answering(d) == rank; }, parcel);
@@ -127,13 +139,7 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
       while (end < blocks && of(end) == here) ++end;
       if (here == rank) {
         group.carry(begin, end, what, parcel);
-        if (what != Carried::energies) {
-          const std::size_t first = group.slot_row(begin * width, 0), rows = group.slot_row(end * width, 0) - first;
-          if (group.single_precision())
-            parcel(&single_slots_[first - slots_.size()], rows);
-          else
-            parcel(&slots_[first], rows);
-        }
+        if (what == Carried::whole) carry_forces(group, begin * width, end * width, parcel);
       }
       begin = end;
     }

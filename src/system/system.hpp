@@ -212,6 +212,8 @@ class System {
   };
   void collect(Carried what, std::span<Rows* const> of_nodes,
                const std::function<void(const Computed& of, Parcel&)>& more);
+  /// The nodal forces of an element, which `results` lack.
+  void carry_forces(ElementLocation location, Parcel& parcel);
   /// Whether this process follows a node: always, where it is alone.
   bool follows(std::size_t node) const;
   /// Whether this process computes an element: always, where it is alone.
@@ -317,6 +319,7 @@ class System {
   /// Deleted elements, by group, as far as all ranks know them.
   void note_deleted();
   void carry(int rank, Carried what, Parcel& parcel);
+  void carry_forces(const ElementGroup& group, std::size_t begin, std::size_t end, Parcel& parcel);
   void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
                     std::span<Row> moment) const;
   std::unique_ptr<Share> share_;

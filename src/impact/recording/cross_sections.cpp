@@ -18,7 +18,7 @@ CrossSections::CrossSections(const system::System& system) : system_(system) {
     std::vector<char> marked(system.all_nodes(), 0);
     for (const model::Index n : card.nodes) marked[system.node_of[n]] = 1;
     for (const model::CrossSection::Facet& facet : card.facets) {
-      const system::System::ElementLocation s = location(facet);
+      const system::System::ElementLocation s = system_.location_of(facet.kind, facet.element);
       if (s.group < 0) continue;
       const system::ElementGroup& group = *system.groups[s.group];
       const auto nodes = group.nodes(at(s.element));
@@ -26,14 +26,6 @@ CrossSections::CrossSections(const system::System& system) : system_(system) {
         if (marked[nodes[a]]) section.corners.push_back({s, a, at(nodes[a])});
     }
     sections_.push_back(std::move(section));
-  }
-}
-
-system::System::ElementLocation CrossSections::location(const model::CrossSection::Facet& facet) const {
-  switch (facet.kind) {
-    case ElementKind::shell: return system_.shell_location[facet.element];
-    case ElementKind::solid: return system_.solid_location[facet.element];
-    default: return system_.beam_location[facet.element];
   }
 }
 
@@ -48,7 +40,7 @@ CrossSections::Area CrossSections::area(const Section& section, const Snapshot& 
     sum.centroid += size * centre;
   };
   for (const model::CrossSection::Facet& facet : section.card->facets) {
-    const system::System::ElementLocation s = location(facet);
+    const system::System::ElementLocation s = system_.location_of(facet.kind, facet.element);
     if (facet.corners.empty() || s.group < 0) continue;
     const system::ElementGroup& group = *system_.groups[s.group];
     if (!group.alive(at(s.element))) continue;

@@ -35,7 +35,6 @@ class CrossSections {
   };
   Area area(const Section& section, const Snapshot& now) const;
   Frame3d axes(const model::CrossSection& card, const Snapshot& now) const;
-  system::System::ElementLocation location(const model::CrossSection::Facet& facet) const;
 
   const system::System& system_;
   std::vector<Section> sections_;

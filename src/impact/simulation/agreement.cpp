@@ -189,6 +189,12 @@ void Simulation::collect(system::Carried what) {
       if (parcel.reading()) step_change_of_node_[k] = booked;
       if (what == system::Carried::whole) parcel(&inverse_inertia_[k], 1);
     }
+    if (what == system::Carried::results)
+      for (const model::CrossSection& section : system_.model.requests.cross_sections)
+        for (const model::CrossSection::Facet& facet : section.facets)
+          if (const auto location = system_.location_of(facet.kind, facet.element);
+              location.group >= 0 && of(location.group, at(location.element)))
+            system_.carry_forces(location, parcel);
     components_.for_each([&](auto& component) {
       if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);
     });
