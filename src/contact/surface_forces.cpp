@@ -123,6 +123,18 @@ Vec3d SurfaceContact::resultant() const {
   return sum;
 }
 
+Vec3d SurfaceContact::resultant_of_all_ranks() const {
+  if (share_ == nullptr || rank_of_block_.empty() || !acts_) return resultant();
+  std::vector<Vec3d> own(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (computes(b)) own[b] = blocks_[b].resultant;
+  std::vector<Vec3d> of_all(own.size() * at(share_->ranks().count()));
+  share_->ranks().gather(std::as_bytes(std::span(own)), std::as_writable_bytes(std::span(of_all)));
+  Vec3d sum;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) sum += of_all[at(rank_of_block_[b]) * own.size() + b];
+  return sum;
+}
+
 int SurfaceContact::touching() const {
   int count = 0;
   each_hit([&count](const Hit&) { ++count; });

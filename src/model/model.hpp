@@ -34,6 +34,7 @@
 #include "model/requests.hpp"
 #include "model/rigid_weld.hpp"
 #include "model/run_ends.hpp"
+#include "model/sensors.hpp"
 #include "model/user_function.hpp"
 #include "model/weld_law.hpp"
 #include "model/weld_library.hpp"
@@ -238,7 +239,13 @@ struct Model : LoadLists {
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]
   std::vector<Vec3d> initial_spin;      ///< per node; empty: all zero [1/time]
   Damping damping;
-  RunEnds run_ends;
+  std::vector<Sensor> sensors;
+  std::vector<SensorSwitch> sensor_switches;
+  std::vector<SensorControl> sensor_controls;
+  std::vector<RunEnd> run_ends;
+  bool holds_at_start(const SinglePointConstraint& spc) const {
+    return spc.birth <= 0.0 && (spc.control == none || sensor_controls[spc.control].starts_on);
+  }
   std::vector<BodyStopper> body_stoppers;
   std::vector<LinearConstraint> linear_constraints;
   InitialState initial_state;

@@ -20,6 +20,7 @@ std::vector<Keyword> all_families() {
            move_keywords,
            node_merge_keywords,
            sensor_keywords,
+           sensor_control_keywords,
            stopper_keywords,
            linear_constraint_keywords,
            part_keywords,

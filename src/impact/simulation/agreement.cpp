@@ -118,8 +118,8 @@ std::vector<char> Simulation::followed_by_all() const {
   for (const model::TractionLoad& load : model.traction_loads) follow_segments(load.segments);
   for (const model::BlastLoad& load : model.blast_loads) follow_segments(load.segments);
   for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
-  for (const model::Sensor& sensor : model.run_ends.sensors) std::ranges::for_each(sensor.node, follow);
-  for (const model::RunEnd& end : model.run_ends.ends) follow(end.node);
+  for (const model::Sensor& sensor : model.sensors) std::ranges::for_each(sensor.node, follow);
+  for (const model::RunEnd& end : model.run_ends) follow(end.node);
   for (const model::CoordinateSystem& system : model.systems)
     if (system.nodes)
       for (const model::Index n : {system.nodes->origin, system.nodes->on_axis, system.nodes->in_plane}) follow(n);

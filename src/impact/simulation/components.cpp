@@ -25,7 +25,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       interiors(system, x, findings),
       walls(system, findings),
       stoppers(system),
-      ends(system) {}
+      sensors(system) {}
 
 int Components::failed_welds() const {
   int sum = 0;

@@ -23,8 +23,8 @@
 #include "impact/contact/element_alive.hpp"
 #include "impact/contact/interiors.hpp"
 #include "impact/contact/walls.hpp"
-#include "impact/simulation/ends.hpp"
 #include "impact/simulation/erosion.hpp"
+#include "impact/simulation/sensors.hpp"
 #include "impact/simulation/strains.hpp"
 
 namespace nugget::impact {
@@ -55,7 +55,7 @@ struct Components {
   Interiors interiors;
   Walls walls;
   Stoppers stoppers;
-  Ends ends;
+  Sensors sensors;
 
   /// Faults of the input become findings. `x`: places at the start [length].
   Components(system::System& system, std::span<const Row> x, Findings& findings);
@@ -94,7 +94,7 @@ struct Components {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.linear_constraints,
         c.connectors, c.tie_forces, c.tie_releases, c.joints, c.element_alive, c.erosion, c.strains, c.nodal_forces,
-        c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.ends);
+        c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
   }
 };
 

@@ -16,6 +16,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/contact/contact_setup.hpp"
+#include "impact/simulation/ends.hpp"
 #include "model/bond.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -151,7 +152,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (!relaxed.stops()) write_checkpoint_if_due(options);
     choose_step(end_time);
     outcome = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
-    if (!outcome.stops()) outcome.message = components_.ends.update(state_);
+    components_.sensors.update(state_, components_);
+    if (!outcome.stops()) outcome.message = reason_to_end(system_, state_, components_.sensors);
     last = outcome.stops() || state_.time >= end_time;
     const bool record = last || results_due(recorder);
     const bool balance = last || state_.cycle % 100 == 0 || (record && balance_due(recorder));
@@ -543,7 +545,7 @@ void Simulation::contact_forces() {
 }
 
 void Simulation::apply_contacts(const contact::Step& step, std::span<Row> force) {
-  components_.contacts.apply(step, force);
+  components_.contacts.apply(step, state_, force);
   components_.interiors.apply(step, force);
   components_.walls.press(step, force);
 }

@@ -31,7 +31,7 @@ Rows without_effect() {
       ignored("ELEMENT_PLOTEL", "lines for pictures only"),
       ignored("SET_DISCRETE*", "no card that is obeyed takes a set of springs and dampers; deforc has each of them"),
       ignored("SENSOR_DEFINE_*",
-              "measures something that nothing here asks for; of nodes, of the time and calculations is built"),
+              "measures something that nothing here asks for; _NODE, _FORCE, _ELEMENT, _MISC, _CALC-MATH and _FUNCTION are built"),
       ignored("INTERFACE_SPRINGBACK_*", "asks for a file of the final state (dynain); d3plot holds it"),
   };
 }
@@ -66,7 +66,6 @@ Rows other_solutions() {
       refused("USER_*", "user subroutines are not built"),
       refused("MODULE_*", "user subroutines are not built"),
       refused("SENSOR_SWITCH_*", "this form of a switch is not built; *SENSOR_SWITCH and _SWITCH_CALC-LOGIC are"),
-      refused("SENSOR_CONTROL", "nothing is switched on or off during a run; give birth and death times instead"),
       refused("SENSOR_*", "switching by sensors is not built"),
   };
 }

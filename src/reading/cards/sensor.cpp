@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <tuple>
 
 #include "base/index.hpp"
 #include "deck/text.hpp"
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
+#include "reading/cards/sensor.hpp"
 
-// *SENSOR_DEFINE_..., *SENSOR_SWITCH..., *TERMINATION_...: what ends a run before its time.
+// *SENSOR_DEFINE_..., *SENSOR_SWITCH..., *TERMINATION_...: what is measured in a run, and what ends it before its time.
 namespace nugget::reading {
 
 namespace {
@@ -33,19 +36,103 @@ const CardOf<NodeSensorCard> node_sensor_card{
     {&NodeSensorCard::vid,
      id("vid", IdSpace::define, 0, "*DEFINE_VECTOR along which it counts; 0: the amount of the vector")},
     unused(),
-    {&NodeSensorCard::ctype, text("ctype", 10, "COORD place, VEL velocity; ACC and TEMP are not built")},
+    {&NodeSensorCard::ctype, text("ctype", 10, "COORD place, VEL velocity, ACC acceleration; TEMP is not built")},
     text("setopt", 10, "of node sets only"),
 };
 
+/// The kind of a sensor, or of what is controlled, stands behind its id: it says what the other fields are.
+struct SensorKindCard {
+  std::string kind;
+};
+const CardOf<SensorKindCard> sensor_kind_card{
+    unused(), {&SensorKindCard::kind, text("type", 10, "kind")}, unused(), unused(), unused(), unused(), unused(), unused()};
+
 struct MiscSensorCard {
-  int sensid = 0, first = 0;
-  std::string mtype;
+  int sensid = 0, i0 = 0, i1 = 0, i4 = 0;
+  std::string mtype, word0, i2, i3;
 };
-const CardOf<MiscSensorCard> misc_sensor_card{
-    {&MiscSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
-    {&MiscSensorCard::mtype, text("mtype", 10, "TIME; CURVE: the value of curve I0 at the time; others are not built")},
-    {&MiscSensorCard::first, id("i0", IdSpace::function, 0, "of CURVE: the curve")},
+const FieldOf<MiscSensorCard> misc_sensid{&MiscSensorCard::sensid,
+                                          id("sensid", IdSpace::other, required, "sensor")},
+    misc_type{&MiscSensorCard::mtype,
+              text("mtype", 10, "TIME, CURVE, RIGIDBODY, BNDOUT, JNTSTG; others are not built")};
+const CardOf<MiscSensorCard> time_sensor_card{misc_sensid, misc_type},
+    any_misc_sensor_card{misc_sensid, misc_type,          text("i0", 10, "by MTYPE"), text("i1", 10, "by MTYPE"),
+                         text("i2", 10, "by MTYPE"), text("i3", 10, "by MTYPE"), text("i4", 10, "by MTYPE"),
+                         text("i5", 10, "by MTYPE")},
+    curve_sensor_card{misc_sensid,
+                      misc_type,
+                      {&MiscSensorCard::i0, id("i0", IdSpace::function, 0, "the curve, as older decks give it")},
+                      {&MiscSensorCard::i1, id("i1", IdSpace::function, 0, "the curve")}},
+    body_sensor_card{misc_sensid,
+                     misc_type,
+                     unused(),
+                     {&MiscSensorCard::i1, id("i1", IdSpace::part, 0, "part of a rigid body, or nodal body")},
+                     {&MiscSensorCard::i2, text("i2", 10, "TX, TY, TZ translation of its centre, RX, RY, RZ rotation")},
+                     {&MiscSensorCard::i3, text("i3", 10, "D displacement (TX, TY, TZ), V velocity, A acceleration")},
+                     {&MiscSensorCard::i4, integer("i4", 0, any_value, "0 global axes; 1, those of the body: not built")}},
+    motion_sensor_card{misc_sensid,
+                       misc_type,
+                       unused(),
+                       {&MiscSensorCard::i1, id("i1", IdSpace::other, 0,
+                                                "*BOUNDARY_PRESCRIBED_MOTION whose work is taken, as in bndout")}},
+    stiffness_sensor_card{misc_sensid,
+                          misc_type,
+                          {&MiscSensorCard::word0, text("i0", 10, "PHI, THETA, PSI [degrees], PHIR, THETAR, PSIR")},
+                          {&MiscSensorCard::i1, id("i1", IdSpace::other, 0,
+                                                   "*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED, as in jntforc")}};
+
+struct ForceSensorCard {
+  int sensid = 0, typeid_ = 0, crd = 0;
+  std::string ftype, vid;
 };
+const CardOf<ForceSensorCard> force_sensor_card{
+    {&ForceSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
+    {&ForceSensorCard::ftype,
+     text("ftype", 10, "RWALL, SPC, PRESC-MOT, JOINT, CONTACT: as their history files have it; others are not built")},
+    {&ForceSensorCard::typeid_, id("typeid", IdSpace::other, 0, "the wall, support, motion, joint or contact")},
+    {&ForceSensorCard::vid, text("vid", 10,
+                                 "X, Y, Z component, M amount; XMOMENT, YMOMENT, ZMOMENT, MMOMENT the same of the "
+                                 "moment; a number: along this *DEFINE_VECTOR")},
+    {&ForceSensorCard::crd, id("crd", IdSpace::define, 0, "coordinate system of the direction; 0: global axes")},
+    unused(),
+};
+
+struct ElementSensorCard {
+  int sensid = 0, elemid = 0;
+  std::string etype, comp, ctype, layer;
+  double sf = 0, pwr = 0;
+};
+const CardOf<ElementSensorCard> element_sensor_card{
+    {&ElementSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
+    {&ElementSensorCard::etype, text("etype", 10, "SOLID, SHELL, BEAM, DISC-ELE; others are not built")},
+    {&ElementSensorCard::elemid, id("elemid", IdSpace::element, 0, "element")},
+    {&ElementSensorCard::comp, text("comp", 10,
+                                    "of a stress XX YY ZZ XY YZ ZX, VM, HYDR, PRIN1 PRIN2 PRIN3, MAXS; of a beam's "
+                                    "force AXIAL, SHEARS, SHEART")},
+    {&ElementSensorCard::ctype,
+     text("ctype", 10, "STRESS of bricks and shells, FORCE of beams and springs, DLEN of springs, FAIL")},
+    {&ElementSensorCard::layer, text("layer", 10, "of a shell BOT lowest, TOP highest, or a number as in elout")},
+    {&ElementSensorCard::sf, real("sf", dimension::number, 1, any_value, "the value is (SF v)^PWR")},
+    {&ElementSensorCard::pwr, real("pwr", dimension::number, 1, any_value, "the same")},
+};
+
+struct FunctionSensorCard {
+  int sensid = 0, func = 0;
+  std::array<int, 6> sens{};
+};
+const CardOf<FunctionSensorCard> function_sensor_card = [] {
+  CardOf<FunctionSensorCard> card{
+      {&FunctionSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
+      {&FunctionSensorCard::func, id("func", IdSpace::function, 0, "*DEFINE_FUNCTION")}};
+  constexpr std::array<std::string_view, 6> names{"sens1", "sens2", "sens3", "sens4", "sens5", "sens6"};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    card.add({at(&FunctionSensorCard::sens, i),
+              or_negative(id(names[i], IdSpace::other, 0,
+                             i == 0 ? "sensor that is its first argument; below 0, a number of them: not built"
+                                    : "the same of the next argument"),
+                          IdSpace::other)});
+  return card;
+}();
 
 struct MathSensorCard {
   int sensid = 0;
@@ -67,9 +154,9 @@ const CardOf<MathSensorCard> math_sensor_card = [] {
 }();
 
 Index add_sensor(Builder& b, const deck::Row& row, Sensor sensor) {
-  const auto index = static_cast<Index>(b.model.run_ends.sensors.size());
+  const auto index = static_cast<Index>(b.model.sensors.size());
   b.sensors.add(sensor.id, index, row.place(), row.keyword(), "sensor", b.findings);
-  b.model.run_ends.sensors.push_back(std::move(sensor));
+  b.model.sensors.push_back(std::move(sensor));
   return index;
 }
 
@@ -84,15 +171,17 @@ void read_node_sensor(Builder& builder, const Block& block, const Options& optio
     const std::string type = deck::upper(row->ctype);
     Sensor sensor;
     sensor.id = row->sensid;
-    sensor.quantity = type == "VEL" ? Sensor::Quantity::velocity : Sensor::Quantity::place;
+    sensor.quantity = type == "VEL"   ? Sensor::Quantity::velocity
+                      : type == "ACC" ? Sensor::Quantity::acceleration
+                                      : Sensor::Quantity::place;
     const Index index = add_sensor(builder, row, sensor);
-    if (type != "VEL" && type != "COORD")
-      leave_fault(builder, index, row[&NodeSensorCard::ctype], "of nodes COORD and VEL are measured");
+    if (type != "VEL" && type != "COORD" && type != "ACC")
+      leave_fault(builder, index, row[&NodeSensorCard::ctype], "of nodes COORD, VEL and ACC are measured");
     if (row->vid != 0 && row->node2 != 0)
       leave_fault(builder, index, row[&NodeSensorCard::vid],
                   "along a vector only one node is measured: which of two is taken from the other is not documented");
     builder.defer(Phase::conditions, [row, index](Builder& b) {
-      Sensor& of = b.model.run_ends.sensors[at(index)];
+      Sensor& of = b.model.sensors[at(index)];
       of.node = {b.node(row[&NodeSensorCard::node1]), row->node2 == 0 ? none : b.node(row[&NodeSensorCard::node2])};
       if (row->vid == 0) return;
       if (const Vec3d* vector = b.vector(row[&NodeSensorCard::vid]); vector != nullptr && norm(*vector) > 0.0)
@@ -101,21 +190,279 @@ void read_node_sensor(Builder& builder, const Block& block, const Options& optio
   }
 }
 
+/// Unit vector of X, Y, Z (the last letter of `word`), or none.
+std::optional<Vec3d> axis_of(char letter) {
+  if (letter < 'X' || letter > 'Z') return {};
+  return Vec3d{letter == 'X' ? 1.0 : 0.0, letter == 'Y' ? 1.0 : 0.0, letter == 'Z' ? 1.0 : 0.0};
+}
+
+/// Places in a list of the model of those that have an id.
+template <class Item>
+std::vector<Index> with_id(const std::vector<Item>& items, int id) {
+  std::vector<Index> found;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (items[i].id == id) found.push_back(static_cast<Index>(i));
+  return found;
+}
+
+void leave_body_motion(Builder& builder, const RowOf<MiscSensorCard>& row, Sensor& sensor, Index index) {
+  const std::string which = deck::upper(row->i2), kind = deck::upper(row->i3);
+  const auto axis = which.size() == 2 ? axis_of(which[1]) : std::nullopt;
+  const bool turns = which.starts_with('R');
+  if (!axis || (!turns && !which.starts_with('T')))
+    return leave_fault(builder, index, row[&MiscSensorCard::i2], "expected TX, TY, TZ, RX, RY or RZ");
+  if ((kind != "D" && kind != "V" && kind != "A") || (turns && kind == "D"))
+    return leave_fault(builder, index, row[&MiscSensorCard::i3],
+                       "expected D (of TX, TY, TZ), V or A: which angles rotations are is not documented");
+  if (row->i4 != 0)
+    return leave_fault(builder, index, row[&MiscSensorCard::i4], "axes of the body are not built");
+  sensor.direction = *axis;
+  using enum Sensor::Quantity;
+  sensor.quantity = kind == "D" ? displacement : kind == "V" ? (turns ? turning : velocity) : turns ? turning_rate : acceleration;
+  builder.sensor_sources[index] = [row, index](Builder& b) {
+    if (row->i1 == 0) return leave_fault(b, index, row[&MiscSensorCard::i1], "names no rigid body");
+    b.model.sensors[at(index)].body = find_body(b, row[&MiscSensorCard::i1]);
+  };
+}
+
+void leave_joint_angle(Builder& builder, const RowOf<MiscSensorCard>& row, Sensor& sensor, Index index) {
+  const std::string which = deck::upper(row->word0);
+  static const std::map<std::string, std::pair<std::size_t, bool>> readings{
+      {"PHI", {0, false}}, {"THETA", {1, false}}, {"PSI", {2, false}}, {"IPSI", {2, false}},
+      {"PHIR", {0, true}}, {"THETAR", {1, true}}, {"PSIR", {2, true}}};
+  const auto found = readings.find(which);
+  if (found == readings.end())
+    return leave_fault(builder, index, row[&MiscSensorCard::word0], "expected PHI, THETA, PSI, PHIR, THETAR or PSIR");
+  sensor.quantity = Sensor::Quantity::joint_stiffness;
+  sensor.axis = found->second.first;
+  sensor.rate = found->second.second;
+  builder.sensor_sources[index] = [row, index](Builder& b) {
+    for (const Index i : with_id(b.model.joint_stiffnesses, row->i1))
+      if (b.model.joint_stiffnesses[i].rotational) b.model.sensors[at(index)].sources = {i};
+    if (b.model.sensors[at(index)].sources.empty())
+      leave_fault(b, index, row[&MiscSensorCard::i1], "no *CONSTRAINED_JOINT_STIFFNESS_GENERALIZED has this id");
+  };
+}
+
 void read_misc_sensor(Builder& builder, const Block& block, const Options& options) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
     read_title(cursor, options);
-    const auto row = cursor.read(misc_sensor_card);
-    const std::string type = deck::upper(row->mtype);
+    const std::string type = deck::upper(Cursor(cursor).read(sensor_kind_card)->kind);
+    const auto row = cursor.read(type == "CURVE"       ? curve_sensor_card
+                                 : type == "RIGIDBODY" ? body_sensor_card
+                                 : type == "BNDOUT"    ? motion_sensor_card
+                                 : type == "JNTSTG"    ? stiffness_sensor_card
+                                 : type == "TIME"      ? time_sensor_card
+                                                       : any_misc_sensor_card);
     Sensor sensor;
     sensor.id = row->sensid;
     if (type == "CURVE") sensor.quantity = Sensor::Quantity::curve;
-    const Index index = add_sensor(builder, row, sensor);
-    if (type == "CURVE")
+    if (type == "BNDOUT") sensor.quantity = Sensor::Quantity::work_of_motion;
+    const auto index = static_cast<Index>(builder.model.sensors.size());
+    if (type == "RIGIDBODY") leave_body_motion(builder, row, sensor, index);
+    if (type == "JNTSTG") leave_joint_angle(builder, row, sensor, index);
+    add_sensor(builder, row, sensor);
+    if (type == "CURVE") {
+      if ((row->i0 != 0) == (row->i1 != 0))
+        leave_fault(builder, index, row[&MiscSensorCard::i1], "expected one curve, in I1 (in I0 of older decks)");
       builder.defer(Phase::conditions, [row, index](Builder& b) {
-        b.model.run_ends.sensors[at(index)].curve = b.curve(row[&MiscSensorCard::first]);
+        b.model.sensors[at(index)].curve = b.curve(row[row->i1 != 0 ? &MiscSensorCard::i1 : &MiscSensorCard::i0]);
       });
-    else if (type != "TIME")
-      leave_fault(builder, index, row[&MiscSensorCard::mtype], "TIME and CURVE are measured");
+    } else if (type == "BNDOUT") {
+      builder.sensor_sources[index] = [row, index](Builder& b) {
+        b.model.sensors[at(index)].sources = with_id(b.model.motions, row->i1);
+        if (row->i1 == 0 || b.model.sensors[at(index)].sources.empty())
+          leave_fault(b, index, row[&MiscSensorCard::i1], "no *BOUNDARY_PRESCRIBED_MOTION_..._ID has this id");
+      };
+    } else if (type != "TIME" && type != "RIGIDBODY" && type != "JNTSTG") {
+      leave_fault(builder, index, row[&MiscSensorCard::mtype],
+                  "TIME, CURVE, RIGIDBODY, BNDOUT and JNTSTG are measured");
+    }
+  }
+}
+
+// ---- forces
+
+void find_pushing(Builder& b, const RowOf<ForceSensorCard>& row, Index index) {
+  Sensor& sensor = b.model.sensors[at(index)];
+  const deck::Entry field = row[&ForceSensorCard::typeid_];
+  const int id = row->typeid_;
+  using enum Sensor::Pushing;
+  switch (sensor.pushing) {
+    case wall: sensor.sources = with_id(b.model.walls, id); break;
+    case support: sensor.sources = with_id(b.model.spcs, id); break;
+    case motion: sensor.sources = with_id(b.model.motions, id); break;
+    case joint: sensor.sources = with_id(b.model.joints, id); break;
+    case contact:
+      for (const Index c : with_id(b.model.contacts, id))
+        if (b.model.contacts[c].slides()) sensor.sources = {c};
+  }
+  if (id <= 0 || sensor.sources.empty())
+    return leave_fault(b, index, field,
+                       fmt::format("no {} has this id{}", deck::upper(row->ftype),
+                                   sensor.pushing == support  ? ", of *BOUNDARY_SPC_..._ID"
+                                   : sensor.pushing == motion ? ", of *BOUNDARY_PRESCRIBED_MOTION_..._ID"
+                                   : sensor.pushing == contact
+                                       ? ", of *CONTACT_..._ID; forces of ties and transducers are not measured"
+                                       : ""));
+  if (sensor.pushing == support && b.supports_of_bodies.contains(id))
+    return leave_fault(b, index, field, "of nodes of rigid bodies the support's force is not known");
+  sensor.system = b.turning_or_fixed_system(row[&ForceSensorCard::crd]);
+}
+
+void read_force_sensor(Builder& builder, const Block& block, const Options& options) {
+  using enum Sensor::Pushing;
+  static const std::map<std::string, Sensor::Pushing> kinds{
+      {"RWALL", wall}, {"SPC", support}, {"PRESC-MOT", motion}, {"JOINT", joint}, {"CONTACT", contact}};
+  for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
+    read_title(cursor, options);
+    const auto row = cursor.read(force_sensor_card);
+    const std::string type = deck::upper(row->ftype), along = deck::upper(row->vid);
+    Sensor sensor;
+    sensor.id = row->sensid;
+    const bool moment = along.size() == 7 && along.ends_with("MOMENT");
+    sensor.quantity = moment ? Sensor::Quantity::moment : Sensor::Quantity::force;
+    const char letter = along.size() == 1 || moment ? along[0] : ' ';
+    const auto axis = axis_of(letter);
+    if (axis) sensor.direction = *axis;
+    const auto kind = kinds.find(type);
+    if (kind != kinds.end()) sensor.pushing = kind->second;
+    const Index index = add_sensor(builder, row, sensor);
+    const bool number = !along.empty() && std::ranges::all_of(along, deck::is_digit);
+    if (kind == kinds.end())
+      leave_fault(builder, index, row[&ForceSensorCard::ftype],
+                  "forces of RWALL, SPC, PRESC-MOT, JOINT and CONTACT are measured");
+    else if (moment && (type == "RWALL" || type == "CONTACT"))
+      leave_fault(builder, index, row[&ForceSensorCard::vid], "walls and contacts have forces only");
+    else if (!axis && letter != 'M' && !number)
+      leave_fault(builder, index, row[&ForceSensorCard::vid],
+                  "expected X, Y, Z, M, XMOMENT, YMOMENT, ZMOMENT, MMOMENT or the number of a vector");
+    else if (number && block.transform != nullptr)
+      leave_fault(builder, index, row[&ForceSensorCard::vid],
+                  "a vector's number here is not transformed with the include: write the sensor in the main file");
+    builder.sensor_sources[index] = [row, index, number, along](Builder& b) {
+      find_pushing(b, row, index);
+      if (!number) return;
+      const Index vector = b.vectors.find(std::stoi(along));
+      if (vector == none || !(norm(b.vector_list[at(vector)]) > 0.0))
+        return leave_fault(b, index, row[&ForceSensorCard::vid], "no *DEFINE_VECTOR of some length has this id");
+      b.model.sensors[at(index)].direction = unit(b.vector_list[at(vector)]);
+    };
+  }
+}
+
+// ---- elements
+
+int layers_of(const SectionShell& section) {
+  return section.rule.empty() ? section.layers : static_cast<int>(section.rule.size());
+}
+
+/// What COMP and CTYPE say; false where such an element does not have it.
+bool take_component(Sensor& sensor, const std::string& type, const std::string& component) {
+  using enum Sensor::OfElement;
+  static const std::map<std::string, std::pair<Sensor::OfElement, std::size_t>> stresses{
+      {"XX", {stress, 0}},    {"YY", {stress, 1}},       {"ZZ", {stress, 2}},       {"XY", {stress, 3}},
+      {"YZ", {stress, 4}},    {"ZX", {stress, 5}},       {"VM", {von_mises, 0}},    {"HYDR", {hydrostatic, 0}},
+      {"PRIN1", {principal, 0}}, {"PRIN2", {principal, 1}}, {"PRIN3", {principal, 2}}, {"MAXS", {shear, 0}}};
+  static const std::map<std::string, std::pair<Sensor::OfElement, std::size_t>> forces{
+      {"AXIAL", {resultant, 0}}, {"SHEARS", {resultant, 1}}, {"SHEART", {resultant, 2}}};
+  const auto take = [&](const auto& names) {
+    const auto found = names.find(component);
+    if (found == names.end()) return false;
+    std::tie(sensor.of_element, sensor.component) = found->second;
+    return true;
+  };
+  if (type == "FAIL") {
+    sensor.of_element = failed;
+    return true;
+  }
+  if (sensor.kind == ElementKind::discrete && (type == "FORCE" || type == "DLEN")) {
+    sensor.of_element = type == "FORCE" ? force : elongation;
+    return true;
+  }
+  if (sensor.kind == ElementKind::beam) return type == "FORCE" && take(forces);
+  return sensor.kind != ElementKind::discrete && type == "STRESS" && take(stresses);
+}
+
+void read_element_sensor(Builder& builder, const Block& block, const Options& options) {
+  static const std::map<std::string, std::pair<ElementKind, Ids Builder::*>> kinds{
+      {"SOLID", {ElementKind::solid, &Builder::solids}},
+      {"SHELL", {ElementKind::shell, &Builder::shells}},
+      {"BEAM", {ElementKind::beam, &Builder::beams}},
+      {"DISC-ELE", {ElementKind::discrete, &Builder::discretes}}};
+  for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
+    read_title(cursor, options);
+    const auto row = cursor.read(element_sensor_card);
+    const std::string type = deck::upper(row->ctype), layer = deck::upper(row->layer);
+    Sensor sensor;
+    sensor.id = row->sensid;
+    sensor.quantity = Sensor::Quantity::element;
+    sensor.scale = row->sf;
+    sensor.power = row->pwr;
+    const auto kind = kinds.find(deck::upper(row->etype));
+    if (kind != kinds.end()) sensor.kind = kind->second.first;
+    const bool has_it = take_component(sensor, type, deck::upper(row->comp));
+    const bool number = !layer.empty() && layer.size() < 4 && std::ranges::all_of(layer, deck::is_digit);
+    sensor.layer = number ? std::stoi(layer) : layer == "TOP" ? -1 : 0;
+    const Index index = add_sensor(builder, row, sensor);
+    if (kind == kinds.end()) {
+      leave_fault(builder, index, row[&ElementSensorCard::etype], "of SOLID, SHELL, BEAM and DISC-ELE is measured");
+      continue;
+    }
+    if (!has_it)
+      leave_fault(builder, index, row[&ElementSensorCard::ctype],
+                  "STRESS of bricks and shells is measured (COMP XX to ZX, VM, HYDR, PRIN1 to PRIN3, MAXS), FORCE of "
+                  "beams (AXIAL, SHEARS, SHEART) and springs, DLEN of springs, FAIL of all");
+    if (sensor.kind == ElementKind::shell && type == "STRESS" && !number && !layer.empty() && layer != "BOT" &&
+        layer != "TOP")
+      leave_fault(builder, index, row[&ElementSensorCard::layer], "expected BOT, TOP or the number of a layer");
+    builder.sensor_sources[index] = [row, index, ids = kind->second.second](Builder& b) {
+      Sensor& of = b.model.sensors[at(index)];
+      of.element = (b.*ids).find(row->elemid);
+      if (of.element == none)
+        return leave_fault(b, index, row[&ElementSensorCard::elemid],
+                           fmt::format("no {} has this id", deck::upper(row->etype)));
+      // Where the layer is not there, elout has none either.
+      if (of.layer > 0 && of.kind == ElementKind::shell) {
+        const Part& part = b.model.parts[b.model.shells.part[of.element]];
+        const int layers = part.section == none ? 0 : layers_of(b.model.shell_sections[at(part.section)]);
+        if (of.layer > layers)
+          leave_fault(b, index, row[&ElementSensorCard::layer], fmt::format("the shell has {} layers", layers));
+      }
+    };
+  }
+}
+
+// ---- of other sensors
+
+void read_function_sensor(Builder& builder, const Block& block, const Options& options) {
+  for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
+    read_title(cursor, options);
+    const auto row = cursor.read(function_sensor_card);
+    Sensor sensor;
+    sensor.id = row->sensid;
+    sensor.quantity = Sensor::Quantity::function;
+    const Index index = add_sensor(builder, row, sensor);
+    if (row->sens[0] < 0)
+      leave_fault(builder, index, row[at(&FunctionSensorCard::sens, 0)],
+                  "a number of sensors in further cards is not built: name up to six here");
+    builder.sensor_sources[index] = [row, index](Builder& b) {
+      Sensor& of = b.model.sensors[at(index)];
+      of.function = b.functions.find(row->func);
+      if (of.function == none)
+        return leave_fault(b, index, row[&FunctionSensorCard::func], "no *DEFINE_FUNCTION has this id");
+      for (std::size_t i = 0; i < row->sens.size() && row->sens[i] > 0; ++i) {
+        const Index other = b.sensors.find(row->sens[i]);
+        if (other == none)
+          return leave_fault(b, index, row[at(&FunctionSensorCard::sens, i)],
+                             fmt::format("sensor {} is not defined, or of a kind that is not built", row->sens[i]));
+        of.terms.push_back({other, false});
+      }
+      const int wanted = b.model.functions[of.function].formula.arguments();
+      if (wanted != static_cast<int>(of.terms.size()))
+        leave_fault(b, index, row[&FunctionSensorCard::func],
+                    fmt::format("the function takes {} arguments, and {} sensors are named", wanted, of.terms.size()));
+    };
   }
 }
 
@@ -138,7 +485,7 @@ void read_math_sensor(Builder& builder, const Block& block, const Options& optio
     if (found == calculations.end())
       leave_fault(builder, index, row[&MathSensorCard::calc], "this calculation is not built");
     builder.defer(Phase::conditions, [row, index](Builder& b) {
-      const Sensor::Calculation how = b.model.run_ends.sensors[at(index)].calculation;
+      const Sensor::Calculation how = b.model.sensors[at(index)].calculation;
       for (std::size_t i = 0; i < row->sens.size(); ++i) {
         const int id = row->sens[i];
         if (id == 0) continue;
@@ -149,9 +496,9 @@ void read_math_sensor(Builder& builder, const Block& block, const Options& optio
         if (other == none)
           return leave_fault(b, index, field,
                              fmt::format("sensor {} is not defined, or of a kind that is not built", std::abs(id)));
-        b.model.run_ends.sensors[at(index)].terms.push_back({other, id < 0});
+        b.model.sensors[at(index)].terms.push_back({other, id < 0});
       }
-      if (b.model.run_ends.sensors[at(index)].terms.empty())
+      if (b.model.sensors[at(index)].terms.empty())
         leave_fault(b, index, row[at(&MathSensorCard::sens, 0)], "names no sensor");
     });
   }
@@ -173,7 +520,7 @@ const CardOf<SwitchCard> switch_card{
     {&SwitchCard::filtrid, id("filtrid", IdSpace::define, 0, "*DEFINE_FILTER: not built")},
     {&SwitchCard::timwin,
      real("timwin", dimension::time, 0, at_least(0), "so long the condition must hold without a break")},
-    {&SwitchCard::tdelay, real("tdelay", dimension::time, 0, any_value, "delay: not built")},
+    {&SwitchCard::tdelay, real("tdelay", dimension::time, 0, at_least(0), "it goes on and off so much later")},
 };
 
 struct LogicCard {
@@ -191,9 +538,9 @@ const CardOf<LogicCard> logic_card = [] {
 }();
 
 Index add_switch(Builder& b, const deck::Row& row, SensorSwitch one) {
-  const auto index = static_cast<Index>(b.model.run_ends.switches.size());
+  const auto index = static_cast<Index>(b.model.sensor_switches.size());
   b.sensor_switches.add(one.id, index, row.place(), row.keyword(), "sensor switch", b.findings);
-  b.model.run_ends.switches.push_back(std::move(one));
+  b.model.sensor_switches.push_back(std::move(one));
   return index;
 }
 
@@ -207,7 +554,6 @@ void read_switch(Builder& builder, const Block& block, const Options& options) {
     if (!logic.empty() && logic != "LT" && logic != "GT") refuse(builder, row[&SwitchCard::logic], "expected LT or GT");
     refuse_nonzero(builder, row[&SwitchCard::filtrid], "filtered sensors are not built",
                    "leave it 0 and give a time TIMWIN");
-    refuse_nonzero(builder, row[&SwitchCard::tdelay], "a delay is not built", "give a time TIMWIN");
     if (block.transform != nullptr && (block.transform->length != 1.0 || block.transform->time != 1.0))
       refuse(builder, row[&SwitchCard::value], "its unit is that of the sensor, which FCTLEN and FCTTIM do not know",
              "write the switch in the main file");
@@ -217,14 +563,15 @@ void read_switch(Builder& builder, const Block& block, const Options& options) {
     one.above = logic == "GT";
     one.value = row->value;
     one.window = row->timwin;
+    one.delay = row->tdelay;
     const Index index = add_switch(builder, row, one);
     if (one.kind == SensorSwitch::Kind::sensor)
       builder.defer(Phase::conditions, [row, index](Builder& b) {
         const Index sensor = b.sensors.find(row->sensid);
         if (sensor == none)
           return refuse(b, row[&SwitchCard::sensid], "no sensor that is built has this id",
-                        "*SENSOR_DEFINE_NODE, _MISC (TIME, CURVE) and _CALC-MATH are built");
-        b.model.run_ends.switches[at(index)].sensor = sensor;
+                        "*SENSOR_DEFINE_NODE, _FORCE, _ELEMENT, _MISC, _CALC-MATH and _FUNCTION are built");
+        b.model.sensor_switches[at(index)].sensor = sensor;
       });
   }
 }
@@ -244,7 +591,7 @@ void read_logic(Builder& builder, const Block& block, const Options& options) {
         if (other == none)
           return refuse(b, row[at(&LogicCard::swit, i)],
                         fmt::format("switch {} is not defined", std::abs(row->swit[i])), "define it");
-        b.model.run_ends.switches[at(index)].terms.push_back({other, row->swit[i] < 0});
+        b.model.sensor_switches[at(index)].terms.push_back({other, row->swit[i] < 0});
       }
     });
   }
@@ -286,7 +633,7 @@ void read_end(Builder& builder, const Block& block, const Options&) {
         end.body = find_body(b, row[&EndCard::target]);
       else
         end.node = b.node(row[&EndCard::target]);
-      if (end.body != none || end.node != none) b.model.run_ends.ends.push_back(end);
+      if (end.body != none || end.node != none) b.model.run_ends.push_back(end);
     });
   }
 }
@@ -304,41 +651,6 @@ const CardOf<SensorEndCard> sensor_end_card = [] {
   return card;
 }();
 
-/// Refuses what a sensor that a switch asks for does not measure, and sensors and switches that ask for themselves.
-class Asked {
- public:
-  Asked(Builder& b, const deck::Entry& field) : b_(b), field_(field) {}
-
-  void of_switch(Index index, int depth = 0) {
-    const SensorSwitch& one = b_.model.run_ends.switches[at(index)];
-    if (depth > deepest) return refuse_circle(fmt::format("switch {}", one.id));
-    if (one.kind == SensorSwitch::Kind::sensor && one.sensor != none) of_sensor(one.sensor, 0);
-    for (const SensorSwitch::Term& term : one.terms) of_switch(term.of, depth + 1);
-  }
-
- private:
-  static constexpr int deepest = 20;
-
-  void of_sensor(Index index, int depth) {
-    const Sensor& sensor = b_.model.run_ends.sensors[at(index)];
-    if (depth > deepest) return refuse_circle(fmt::format("sensor {}", sensor.id));
-    if (const auto fault = b_.sensor_faults.find(index); fault != b_.sensor_faults.end()) {
-      const auto [field, text] = fault->second;
-      b_.sensor_faults.erase(fault);
-      refuse(b_, field, text, "end the run by something else");
-    }
-    for (const Sensor::Term& term : sensor.terms) of_sensor(term.sensor, depth + 1);
-  }
-  void refuse_circle(const std::string& what) {
-    if (!refused_) refuse(b_, field_, what + " depends on itself", "break the circle");
-    refused_ = true;
-  }
-
-  Builder& b_;
-  deck::Entry field_;
-  bool refused_ = false;
-};
-
 void read_sensor_end(Builder& builder, const Block& block, const Options&) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
     const auto row = cursor.read(sensor_end_card);
@@ -354,20 +666,77 @@ void read_sensor_end(Builder& builder, const Block& block, const Options&) {
           refuse(b, field, "no sensor switch has this id", "define it by *SENSOR_SWITCH");
           continue;
         }
-        Asked(b, field).of_switch(end.of_switch);
-        b.model.run_ends.ends.push_back(end);
+        check_asked_switch(b, field, end.of_switch);
+        b.model.run_ends.push_back(end);
       }
     });
   }
 }
 
+/// Refuses what a sensor that a switch asks for does not measure, and sensors and switches that ask for themselves.
+class Asked {
+ public:
+  Asked(Builder& b, const deck::Entry& field) : b_(b), field_(field) {}
+
+  void of_switch(Index index, int depth = 0) {
+    const SensorSwitch& one = b_.model.sensor_switches[at(index)];
+    if (depth > deepest) return refuse_circle(fmt::format("switch {}", one.id));
+    if (one.kind == SensorSwitch::Kind::sensor && one.sensor != none) of_sensor(one.sensor, 0);
+    for (const SensorSwitch::Term& term : one.terms) of_switch(term.of, depth + 1);
+  }
+
+ private:
+  static constexpr int deepest = 20;
+
+  void of_sensor(Index index, int depth) {
+    if (depth > deepest) return refuse_circle(fmt::format("sensor {}", b_.model.sensors[at(index)].id));
+    if (const auto source = b_.sensor_sources.find(index); source != b_.sensor_sources.end()) {
+      const auto find = std::move(source->second);
+      b_.sensor_sources.erase(source);
+      find(b_);
+    }
+    if (const auto fault = b_.sensor_faults.find(index); fault != b_.sensor_faults.end()) {
+      const auto [field, text] = fault->second;
+      b_.sensor_faults.erase(fault);
+      refuse(b_, field, text, "measure something else");
+    }
+    for (const Sensor::Term& term : b_.model.sensors[at(index)].terms) of_sensor(term.sensor, depth + 1);
+  }
+  void refuse_circle(const std::string& what) {
+    if (!refused_) refuse(b_, field_, what + " depends on itself", "break the circle");
+    refused_ = true;
+  }
+
+  Builder& b_;
+  deck::Entry field_;
+  bool refused_ = false;
+};
+
 }  // namespace
+
+void check_asked_switch(Builder& b, const deck::Entry& field, Index of_switch) {
+  Asked(b, field).of_switch(of_switch);
+}
 
 std::vector<Keyword> sensor_keywords() {
   const std::vector<std::string_view> title{"TITLE"};
   return {
       {.name = "SENSOR_DEFINE_NODE", .options = title, .layout = {{"", &node_sensor_card}}, .read = read_node_sensor},
-      {.name = "SENSOR_DEFINE_MISC", .options = title, .layout = {{"", &misc_sensor_card}}, .read = read_misc_sensor},
+      {.name = "SENSOR_DEFINE_MISC", .options = title, .layout = {{"MTYPE TIME", &time_sensor_card},
+                  {"MTYPE CURVE", &curve_sensor_card},
+                  {"MTYPE RIGIDBODY", &body_sensor_card},
+                  {"MTYPE BNDOUT", &motion_sensor_card},
+                  {"MTYPE JNTSTG", &stiffness_sensor_card}},
+       .read = read_misc_sensor},
+      {.name = "SENSOR_DEFINE_FORCE", .options = title, .layout = {{"", &force_sensor_card}}, .read = read_force_sensor},
+      {.name = "SENSOR_DEFINE_ELEMENT",
+       .options = title,
+       .layout = {{"", &element_sensor_card}},
+       .read = read_element_sensor},
+      {.name = "SENSOR_DEFINE_FUNCTION",
+       .options = title,
+       .layout = {{"", &function_sensor_card}},
+       .read = read_function_sensor},
       {.name = "SENSOR_DEFINE_CALC-MATH",
        .options = title,
        .layout = {{"", &math_sensor_card}},
