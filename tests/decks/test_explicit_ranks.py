@@ -12,7 +12,7 @@ from few_elements import card, curve
 from lap_joint import deck as lap_joint
 from nugget_command import SOURCE
 from repeated_runs import FOREVER, LANES, RepeatedRuns, with_lanes
-from shared_out import block, tube
+from shared_out import block, switched_tube, tube
 from test_breaking_metals import torn
 from test_composites import plates
 from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
@@ -92,6 +92,19 @@ class ExplicitRanks(RepeatedRuns):
                 summary = self.compare_ranks(tube().replace("*END\n", end + "*END\n"), ranks=((2, 1), (7, 1)))
                 self.assertLess(summary["time"], 3.9e-4)
                 self.assertIn(message, summary["message"])
+
+    def test_sensors_that_turn_things_on_and_off(self):
+        """Forces of a support, a stress, an acceleration; a contact's force, whose pairs the ranks share. Sabotage: a contact's force of one rank's pairs."""
+        self.compare_ranks(switched_tube(), ranks=((2, 1), (3, 1)))
+        for what in ("turns PRESSURE 43 on", "turns PRESC-MOT 42 off", "turns ELESET 4 off"):
+            self.assertIn(what, self.log("r3_1"))
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        text = (self.folder / "double_hat.k").read_text(encoding="ascii")
+        sensors = ("*SENSOR_DEFINE_FORCE\n" + card(1, "CONTACT", 2, "M") + "*SENSOR_SWITCH\n" + card(1, "SENSOR", 1, "GT", 1.0) + card(2, "SENSOR", 1, "GT", 4.0)
+                   + "*SENSOR_CONTROL\n" + card(1, "RWALL", 1) + card("ON", 1) + "*TERMINATION_SENSOR\n" + card(2))
+        summary = self.compare_ranks(text.replace("*END", sensors + "*END"), "--until", "6.0e-4", ranks=((3, 1),))
+        self.assertEqual(summary["message"], "sensor switch 2 is on")
+        self.assertIn("turns RWALL 1 off, by switch 1", self.log("r3_1"))
 
     def test_subcycling_is_refused(self):
         said = self.over(2, "run", self.write(tube()), "-o", "refused", "--subcycle", expect=1).stderr

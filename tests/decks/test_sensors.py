@@ -5,7 +5,7 @@ import unittest
 
 from few_elements import CORNERS, card, curve, nodes, part
 from repeated_runs import RepeatedRuns
-from shared_out import tube
+from shared_out import switched_tube
 
 STEP = 1e-5
 MASS, RATE = 2e-3, 4e3  # of a mass that a force pushes, which grows by so much in a second: acceleration 2e6 t
@@ -298,14 +298,7 @@ class Controlled(Sensors):
 
 
 class SameBits(Sensors):
-    TUBE = tube().replace("*BOUNDARY_SPC_SET\n", "*BOUNDARY_SPC_SET_ID\n" + f"{41:10}base\n", 1).replace(
-        "*BOUNDARY_PRESCRIBED_MOTION_SET\n", "*BOUNDARY_PRESCRIBED_MOTION_SET_ID\n" + f"{42:10}top\n").replace(
-        "*LOAD_SEGMENT\n", "*LOAD_SEGMENT_ID\n" + f"{43:10}side\n").replace("*END\n", (
-            "*SENSOR_DEFINE_FORCE\n" + card(1, "SPC", 41, "Z") + "*SENSOR_DEFINE_ELEMENT\n" + card(2, "SHELL", 360, "VM", "STRESS", "TOP")
-            + "*SENSOR_DEFINE_NODE\n" + card(3, 556, 0, 0, 0, "ACC") + "*SENSOR_DEFINE_CALC-MATH\n" + card(4, "MAX", 3)
-            + "*SENSOR_SWITCH\n" + card(1, "SENSOR", 1, "GT", 30000.0) + card(2, "SENSOR", 2, "GT", 400.0, 0, 2e-5) + card(3, "SENSOR", 4, "GT", 1e7, 0, 0.0, 5e-5)
-            + "*SENSOR_CONTROL\n" + card(1, "PRESSURE", 43, 1) + card("OFF", 1) + card(2, "PRESC-MOT", 42) + card("ON", 2) + card(3, "ELESET", 4, 0, 0, "SHELL") + card("ON", 3)
-            + "*END\n"))
+    TUBE = switched_tube()
 
     def test_threads_and_lanes(self):
         self.compare(self.write(self.TUBE))

@@ -182,7 +182,8 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
     if (obeyed == 0) continue;
     for (int i = 0; i < 6; ++i) {
       if (!(obeyed >> i & 1u)) continue;
-      constrained_dofs_.push_back({spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death, spc.control});
+      constrained_dofs_.push_back(
+          {spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death, spc.control});
     }
     spc_.push_back({node, static_cast<model::Index>(s), spc.set_id, {}, {}, 0.0, {}, {}});
   }
@@ -195,8 +196,8 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
         for (const Vec3d& n : normals(motion.direction)) directions.push_back(n);
       for (std::size_t d = 0; d < directions.size(); ++d) {
         PrescribedDof prescribed;
-        static_cast<ConstrainedDof&>(prescribed) = {motion_.size(),  node,         directions[d],
-                                                    motion.rotation, motion.birth, motion.death, motion.control};
+        static_cast<ConstrainedDof&>(prescribed) = {motion_.size(), node,         directions[d], motion.rotation,
+                                                    motion.birth,   motion.death, motion.control};
         prescribed.motion = &motion;
         prescribed.body = body;
         prescribed.constrain_others = d > 0;

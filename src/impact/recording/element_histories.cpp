@@ -43,7 +43,8 @@ output::EloutShell shell(const Snapshot& now, model::Index index, const system::
   row.id = model.shells.id[index];
   row.part = model.parts[group.part].id;
   const auto turn = [&](output::Tensor& tensor, int layer) {
-    if (const auto axes = output::axes_in_elout(now.system, group, e, layer, now.state)) tensor = output::along(*axes, tensor);
+    if (const auto axes = output::axes_in_elout(now.system, group, e, layer, now.state))
+      tensor = output::along(*axes, tensor);
   };
   for (const int k : output::layers_in_elout(model, group)) {
     row.layers.push_back(point(group, e, k, now));

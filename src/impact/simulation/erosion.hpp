@@ -10,10 +10,10 @@
 
 namespace nugget::impact {
 
-/// Deletes elements at the time that *DEFINE_ELEMENT_DEATH gives, or when *SENSOR_CONTROL turns them off, and those that would stop the run: bricks of negative
-/// volume and elements whose step falls below DTMIN (or a millionth) times the first one, where ERODE (1 bricks, 10
-/// shells, 100 beams, or their sums) or PSFAIL says so, and shells that turn inside out, where NFAIL1 and NFAIL4 do.
-/// What the deck does not name stays: the run stops there.
+/// Deletes elements at the time that *DEFINE_ELEMENT_DEATH gives, or when *SENSOR_CONTROL turns them off, and those
+/// that would stop the run: bricks of negative volume and elements whose step falls below DTMIN (or a millionth) times
+/// the first one, where ERODE (1 bricks, 10 shells, 100 beams, or their sums) or PSFAIL says so, and shells that turn
+/// inside out, where NFAIL1 and NFAIL4 do. What the deck does not name stays: the run stops there.
 class Erosion {
  public:
   explicit Erosion(system::System& system);

@@ -104,9 +104,8 @@ void Sensors::elements_read(const std::function<void(system::System::ElementLoca
 
 double Sensors::along(const Sensor& sensor, const Vec3d& vector, const system::State& state) const {
   if (!(norm(sensor.direction) > 0.0)) return norm(vector);
-  return dot(vector, sensor.system == model::none
-                         ? sensor.direction
-                         : axes_now(system_, state, sensor.system).global(sensor.direction));
+  return dot(vector, sensor.system == model::none ? sensor.direction
+                                                  : axes_now(system_, state, sensor.system).global(sensor.direction));
 }
 
 Vec3d Sensors::velocity_of(const Sensor& sensor, const system::State& state, bool turning) const {
@@ -218,8 +217,8 @@ double Sensors::measure(std::size_t i, const system::State& state, const Compone
     }
     case Sensor::Quantity::joint_stiffness: {
       const JointSprings::Reading& reading = components.joints.springs().reading(at(one.sources.front()), one.axis);
-      const double unit = system_.model.joint_stiffnesses[one.sources.front()].rotational ? 180.0 / std::numbers::pi
-                                                                                          : 1.0;
+      const double unit =
+          system_.model.joint_stiffnesses[one.sources.front()].rotational ? 180.0 / std::numbers::pi : 1.0;
       return unit * (one.rate ? reading.rate : reading.place);
     }
   }

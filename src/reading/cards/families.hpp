@@ -15,7 +15,8 @@ std::vector<Keyword> move_keywords();                    ///< nodes moved before
 std::vector<Keyword> node_merge_keywords();              ///< nodes at one place that become one
 std::vector<Keyword> stopper_keywords();                 ///< *CONSTRAINED_RIGID_BODY_STOPPERS
 std::vector<Keyword> linear_constraint_keywords();       ///< *CONSTRAINED_LINEAR_GLOBAL, _LOCAL
-std::vector<Keyword> sensor_keywords();                  ///< *SENSOR_DEFINE_..., _SWITCH, *TERMINATION_...
+std::vector<Keyword> sensor_define_keywords();           ///< *SENSOR_DEFINE_...
+std::vector<Keyword> sensor_keywords();                  ///< *SENSOR_SWITCH..., *TERMINATION_...
 std::vector<Keyword> sensor_control_keywords();          ///< *SENSOR_CONTROL
 std::vector<Keyword> part_keywords();                    ///< *PART
 std::vector<Keyword> section_keywords();                 ///< *SECTION_..., *HOURGLASS

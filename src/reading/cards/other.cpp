@@ -17,6 +17,9 @@ Keyword refused(std::string_view name, std::string_view why) {
 
 using Rows = std::vector<Keyword>;
 
+constexpr std::string_view of_many_sensors =
+    "measures something that nothing here asks for; sets (_SET) and _UPDATE are not built, single ones are";
+
 /// Nothing of the run depends on them.
 Rows without_effect() {
   return {
@@ -30,8 +33,15 @@ Rows without_effect() {
       ignored("CONTROL_NONLOCAL", "storage for nonlocal laws, which are not built"),
       ignored("ELEMENT_PLOTEL", "lines for pictures only"),
       ignored("SET_DISCRETE*", "no card that is obeyed takes a set of springs and dampers; deforc has each of them"),
+      ignored("SENSOR_DEFINE_NODE_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_FORCE_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_ELEMENT_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_MISC_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_CALC-MATH_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_FUNCTION_*", of_many_sensors),
       ignored("SENSOR_DEFINE_*",
-              "measures something that nothing here asks for; _NODE, _FORCE, _ELEMENT, _MISC, _CALC-MATH and _FUNCTION are built"),
+              "measures something that nothing here asks for; _NODE, _FORCE, _ELEMENT, _MISC, _CALC-MATH and _FUNCTION "
+              "are built"),
       ignored("INTERFACE_SPRINGBACK_*", "asks for a file of the final state (dynain); d3plot holds it"),
   };
 }

@@ -10,7 +10,6 @@
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/sensor.hpp"
-#include "weld/tie/welds.hpp"
 
 // *SENSOR_CONTROL: what switches turn on and off during a run.
 namespace nugget::reading {
@@ -27,32 +26,31 @@ struct ControlCard {
 };
 CardOf<ControlCard> control_card(const FieldOf<ControlCard>& target, const FieldOf<ControlCard>& fourth,
                                  const FieldOf<ControlCard>& sixth) {
-  return {{&ControlCard::cntlid, id("cntlid", IdSpace::other, 0, "number of the control in messages")},
-          {&ControlCard::type, text("type", 10,
-                                    "what is controlled: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, ELESET; others "
-                                    "are not built")},
-          target,
-          fourth,
-          {&ControlCard::nrep, integer("nrep", 0, any_value, "-1: behind the last switch the first one again; 0 not")},
-          sixth,
-          {&ControlCard::sidr, integer("sidr", 0, any_value, "0: switches are looked at in the run only")},
-          unused()};
+  return {
+      {&ControlCard::cntlid, id("cntlid", IdSpace::other, 0, "number of the control in messages")},
+      {&ControlCard::type, text("type", 10,
+                                "what is controlled: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, ELESET; others "
+                                "are not built")},
+      target,
+      fourth,
+      {&ControlCard::nrep, integer("nrep", 0, any_value, "-1: behind the last switch the first one again; 0 not")},
+      sixth,
+      {&ControlCard::sidr, integer("sidr", 0, any_value, "0: switches are looked at in the run only")},
+      unused()};
 }
 const FieldOf<ControlCard> whole_target{&ControlCard::target,
                                         id("typeid", IdSpace::other, required, "its number, of _ID of its keyword")},
     no_offset{&ControlCard::timeoff, integer("timeoff", 0, any_value, "of PRESC-MOT and PRESSURE only")};
 const CardOf<ControlCard>
     controlled_whole_card = control_card(whole_target, no_offset, unused()),
-    controlled_curve_card = control_card(whole_target,
-                              {&ControlCard::timeoff, integer("timeoff", 0, between(0, 1),
-                                                              "1: the curve begins when it is turned on")},
-                              unused()),
-    controlled_elements_card =
-        control_card({&ControlCard::target,
-                      id("typeid", IdSpace::set, 0, "element set; 0: all elements of the kind")},
-                     {&ControlCard::timeoff, integer("idiscl", 0, any_value, "of ESTYP DISC only")},
-                     {&ControlCard::word, text("estyp", 10,
-                                               "elements that are deleted when it is turned off: SOLID, SHELL, BEAM")});
+    controlled_curve_card = control_card(
+        whole_target,
+        {&ControlCard::timeoff, integer("timeoff", 0, between(0, 1), "1: the curve begins when it is turned on")},
+        unused()),
+    controlled_elements_card = control_card(
+        {&ControlCard::target, id("typeid", IdSpace::set, 0, "element set; 0: all elements of the kind")},
+        {&ControlCard::timeoff, integer("idiscl", 0, any_value, "of ESTYP DISC only")},
+        {&ControlCard::word, text("estyp", 10, "elements that are deleted when it is turned off: SOLID, SHELL, BEAM")});
 
 struct SwitchesCard {
   std::string initstt;
@@ -62,10 +60,10 @@ const CardOf<SwitchesCard> switches_card = [] {
   CardOf<SwitchesCard> card{{&SwitchesCard::initstt, text("initstt", 10, "ON (default), OFF: how it starts")}};
   constexpr std::array<std::string_view, 7> names{"swit1", "swit2", "swit3", "swit4", "swit5", "swit6", "swit7"};
   for (std::size_t i = 0; i < names.size(); ++i)
-    card.add({at(&SwitchesCard::swit, i),
-              id(names[i], IdSpace::other, i == 0 ? required : 0,
-                 i == 0 ? "switch that changes how it starts, when it is on" : "switch that changes what the one before "
-                                                                               "left, when it is on after that")});
+    card.add({at(&SwitchesCard::swit, i), id(names[i], IdSpace::other, i == 0 ? required : 0,
+                                             i == 0 ? "switch that changes how it starts, when it is on"
+                                                    : "switch that changes what the one before "
+                                                      "left, when it is on after that")});
   return card;
 }();
 
@@ -73,7 +71,8 @@ struct ControlKindCard {
   std::string kind;
 };
 const CardOf<ControlKindCard> control_kind_card{
-    unused(), {&ControlKindCard::kind, text("type", 10, "kind")}, unused(), unused(), unused(), unused(), unused(), unused()};
+    unused(), {&ControlKindCard::kind, text("type", 10, "kind")}, unused(), unused(), unused(), unused(), unused(),
+    unused()};
 
 /// Both cards of a control, and its place in the model.
 struct ControlCards {
@@ -185,7 +184,8 @@ void take_elements(Builder& b, const ControlCards& of) {
   const SensorControl& control = b.model.sensor_controls[of.index];
   const auto kind = kinds.find(deck::upper(of.row->word));
   if (kind == kinds.end())
-    return refuse(b, of.row[&ControlCard::word], "expected SOLID, SHELL or BEAM; springs and thick shells are not built",
+    return refuse(b, of.row[&ControlCard::word],
+                  "expected SOLID, SHELL or BEAM; springs and thick shells are not built",
                   "name elements of one of these kinds");
   if (!control.starts_on || !changes_once(control))
     return refuse(b, of.switches[&SwitchesCard::initstt], "elements are deleted once and for good, when turned off",
@@ -201,8 +201,12 @@ void take_elements(Builder& b, const ControlCards& of) {
     if (set == none) return;
     members = (b.model.sets.*kind->second.sets)[at(set)].members;
   }
+  const auto is_weld = [&](Index part) {
+    const Index material = part == none ? none : b.model.parts[part].material;
+    return material != none && std::holds_alternative<kernel::Spotweld>(b.model.materials[material].law);
+  };
   for (const Index element : members) {
-    if (parts[at(element)] != none && weld::of_weld_material(b.model, parts[at(element)]))
+    if (is_weld(parts[at(element)]))
       return refuse(b, of.row[&ControlCard::target], "it holds elements of spot welds, which switches do not delete",
                     "give welds a time by *DEFINE_ELEMENT_DEATH, or by TF of their material");
     b.model.element_deaths.push_back({kind->second.kind, element, forever, of.index});
