@@ -14,6 +14,7 @@
 #include "base/finding.hpp"
 #include "base/index.hpp"
 #include "base/vec3.hpp"
+#include "model/belt.hpp"
 #include "model/body_stopper.hpp"
 #include "model/coarsening.hpp"
 #include "model/contact.hpp"
@@ -239,6 +240,7 @@ struct Model : LoadLists {
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]
   std::vector<Vec3d> initial_spin;      ///< per node; empty: all zero [1/time]
   Damping damping;
+  Belts belts;
   std::vector<Sensor> sensors;
   std::vector<SensorSwitch> sensor_switches;
   std::vector<SensorControl> sensor_controls;

@@ -19,6 +19,7 @@ std::vector<Keyword> all_families() {
            mesh_keywords,
            move_keywords,
            node_merge_keywords,
+           belt_keywords,
            sensor_define_keywords,
            sensor_keywords,
            sensor_control_keywords,

@@ -59,6 +59,7 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   add(c.welds.joints_need_each_cycle(), "joints of weld bricks and of stacks of welds");
   add(!c.connectors.empty(), "discrete beams");
   add(!c.joints.empty(), "joints");
+  add(!c.belts.empty(), "seat belts");
   add(c.rivets.size() != 0, "rivets");
   add(!c.linear_constraints.empty(), "linear equations between nodes");
   add(!model.discretes.empty(), "springs");
@@ -106,6 +107,13 @@ std::vector<char> Simulation::followed_by_all() const {
     if (contact.looks_everywhere()) contact.each_node(follow_place);
   for (const contact::InteriorContact& contact : c.interiors.all())
     std::ranges::for_each(contact.nodes(), follow_place);
+  for (const model::Belt& belt : model.belts.elements) std::ranges::for_each(belt.node, follow);
+  for (const model::SlipRing& ring : model.belts.rings) follow(ring.node);
+  for (const model::Retractor& retractor : model.belts.retractors) {
+    follow(retractor.node);
+    std::ranges::for_each(retractor.inside_nodes, follow);
+  }
+  for (const model::BeltSensor& sensor : model.belts.sensors) std::ranges::for_each(sensor.node, follow);
   for (const model::Accelerometer& a : model.accelerometers) std::ranges::for_each(a.node, follow);
   for (const model::ControlVolume& volume : model.control_volumes) follow_segments(volume.segments);
   for (const Supports::Reaction& r : c.supports.spc_reactions()) followed[r.node] = 1;

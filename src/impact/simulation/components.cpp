@@ -16,6 +16,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       tie_forces(system),
       tie_releases(system, welds, tie_forces),
       joints(system),
+      belts(system, findings),
       element_alive(system.model),
       erosion(system),
       strains(system, system.model.requests.strains),

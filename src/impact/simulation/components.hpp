@@ -11,6 +11,7 @@
 #include "impact/conditions/preloads.hpp"
 #include "impact/conditions/stoppers.hpp"
 #include "impact/conditions/supports.hpp"
+#include "impact/connections/belts.hpp"
 #include "impact/connections/connectors.hpp"
 #include "impact/connections/joints.hpp"
 #include "impact/connections/linear_constraints.hpp"
@@ -46,6 +47,7 @@ struct Components {
   TieForces tie_forces;
   TieReleases tie_releases;  ///< of `welds` and `tie_forces`
   Joints joints;
+  Belts belts;
   ElementAlive element_alive;
   Erosion erosion;
   Strains strains;
@@ -93,7 +95,7 @@ struct Components {
   static void visit_all(Self& c, Visit& visit) {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.linear_constraints,
-        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.element_alive, c.erosion, c.strains, c.nodal_forces,
+        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.belts, c.element_alive, c.erosion, c.strains, c.nodal_forces,
         c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
   }
 };

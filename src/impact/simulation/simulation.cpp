@@ -283,6 +283,7 @@ void Simulation::step() {
   components_.accelerometers.add_step(state_);
   add_time(constraints);
   move();
+  components_.belts.move(state_);
   add_time(motion);
   components_.preloads.apply(state_);
   system_.internal_force(state_);
@@ -553,6 +554,7 @@ void Simulation::apply_contacts(const contact::Step& step, std::span<Row> force)
 void Simulation::applied_forces() {
   components_.tie_forces.apply(state_);
   components_.joints.apply(state_);
+  components_.belts.apply(state_);
   components_.loads.apply(state_, state_.dt);
   components_.damping.apply(state_, state_.dt);
 }

@@ -155,6 +155,8 @@ class Builder {
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;
   Ids sensors, sensor_switches;
+  Ids belts, slip_rings, belt_sensors, retractors, belt_sections;
+  std::map<Index, Index> belt_materials;  ///< by material: its place in Belts::materials
   std::map<Index, std::pair<deck::Entry, std::string>> sensor_faults;  ///< by sensor: what of it is not built
   std::map<Index, std::function<void(Builder&)>> sensor_sources;       ///< by sensor: finds what it looks at
   std::set<int> supports_of_bodies;                                    ///< ids of SPCs that hold nodes of rigid bodies

@@ -113,8 +113,7 @@ Rows other_physics() {
 Rows other_elements() {
   return {
       refused("ELEMENT_DISCRETE_*", "this form of a spring is not built; write *ELEMENT_DISCRETE"),
-      refused("ELEMENT_SEATBELT*", "seat belts are not built"),
-      refused("SECTION_SEATBELT*", "seat belts are not built"),
+      refused("ELEMENT_SEATBELT_PRETENSIONER", "pretensioners are not built; let the retractor reel in, or move its node"),
       refused("SET_TSHELL*", "sets of thick shells are not built; name their parts, or write *DATABASE_HISTORY_TSHELL"),
       refused("ELEMENT_TSHELL_*",
               "thick shells with angles or layers of their own (_BETA, _COMPOSITE) are not built; *ELEMENT_TSHELL is"),
@@ -154,7 +153,7 @@ Rows other_laws() {
       refused("MAT_GENERAL_JOINT_*", discrete_beam_laws),
       refused("MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM*", discrete_beam_laws),
       refused("MAT_CABLE_DISCRETE_BEAM*", "cables are not built"),
-      refused("MAT_SEATBELT*", "seat belts are not built"),
+      refused("MAT_SEATBELT_2D", "belts of shells are not built; belts of two nodes (*MAT_SEATBELT) are"),
       refused("MAT_B01*", "seat belts are not built"),
       refused("MAT_THERMAL_*", "heat conduction is not built"),
       refused("MAT_T0*", "heat conduction is not built"),
