@@ -176,9 +176,11 @@ double Belts::friction(const Ring& ring, const system::State& state) const {
 
 void Belts::slide(Ring& ring, const system::State& state) {
   const double before = ring.slip;
-  ring.speed = 0.0;
   Element &first = elements_[ring.element[0]], &second = elements_[ring.element[1]];
-  if (state.dt <= 0.0 || (state.time >= ring.source->lock_time && !state.relaxing)) return;
+  if (state.dt <= 0.0 || (state.time >= ring.source->lock_time && !state.relaxing)) {
+    ring.speed = 0.0;
+    return;
+  }
   const auto towards = [&](int element) {
     return vec(state.x[far(element, ring.node)]) - vec(state.x[ring.node]);
   };
@@ -292,6 +294,8 @@ void Belts::wind(Reel& reel, const system::State& state) {
     change = where_it_falls_to_zero(-in, most,
                                     [&](double d) { return tension_at(mouth, mouth.length + d) - wanted; });
   }
+  const double before = tension_at(mouth, mouth.length), after = tension_at(mouth, mouth.length + change);
+  reeled_ += 0.5 * (before + after) * std::max(0.0, -change);
   mouth.length += change;
   reel.paid += change;
   reel.rate = change / state.dt;
@@ -410,7 +414,7 @@ void Belts::Reel::archive(Archive& a) {
 }
 
 void Belts::archive(Archive& a) {
-  a(elements_, rings_, reels_, sensors_, energy_, stable_step_, events_);
+  a(elements_, rings_, reels_, sensors_, energy_, reeled_, stable_step_, events_);
   a.built(system_, tensions_, mobility_, stiffness_, nodes_, fixed_);
 }
 

@@ -28,7 +28,8 @@ namespace nugget::impact {
 /// one come out, 1.1 LMIN long; one that is shorter than LMIN goes in.
 ///
 /// Energy: minus the work of the belts' forces on the nodes, and what nodes gain or lose in kinetic energy when they
-/// pass a ring or go in and out. Source: LS-DYNA theory manual, seat belts; docs/decisions/0118 for what is ours.
+/// pass a ring or go in and out. What retractors reel in is put in from outside, tension times length; what is pulled
+/// out of them stays in the belts' energy. Source: LS-DYNA theory manual, seat belts; docs/decisions/0118 for what is ours.
 class Belts {
  public:
   Belts(const system::System& system, Findings& findings);
@@ -40,7 +41,7 @@ class Belts {
   void apply(system::State& state);
   /// The longest step at which the belts are stable; infinite where there are none [time].
   double stable_step() const { return stable_step_; }
-  double energy() const { return energy_; }
+  double energy() const { return energy_ + reeled_; }
 
   // For results, in the order of the model.
   double force(std::size_t belt) const { return elements_[belt].force; }
@@ -54,7 +55,10 @@ class Belts {
   /// When retractors locked and belts passed, lines of run.log.
   const std::vector<std::string>& events() const { return events_; }
 
-  void add_energy(Energy& sum) const { sum.internal += energy_; }
+  void add_energy(Energy& sum) const {
+    sum.internal += energy();
+    sum.external += reeled_;
+  }
   void archive(Archive& a);
 
  private:
@@ -131,7 +135,7 @@ class Belts {
   std::vector<double> stiffness_;     ///< the same: sum of its belts'
   std::vector<int> nodes_;            ///< of belts
   std::vector<unsigned char> fixed_;  ///< by system node: something else holds it
-  double energy_ = 0.0;
+  double energy_ = 0.0, reeled_ = 0.0;
   double stable_step_ = std::numeric_limits<double>::infinity();
   std::vector<std::string> events_;
 };

@@ -157,6 +157,7 @@ class Builder {
   Ids sensors, sensor_switches;
   Ids belts, slip_rings, belt_sensors, retractors, belt_sections;
   std::map<Index, Index> belt_materials;  ///< by material: its place in Belts::materials
+  std::vector<Index> nodes_of_rings;      ///< for which a slip ring or retractor stands in belts
   std::map<Index, std::pair<deck::Entry, std::string>> sensor_faults;  ///< by sensor: what of it is not built
   std::map<Index, std::function<void(Builder&)>> sensor_sources;       ///< by sensor: finds what it looks at
   std::set<int> supports_of_bodies;                                    ///< ids of SPCs that hold nodes of rigid bodies

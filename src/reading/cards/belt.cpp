@@ -224,13 +224,14 @@ void add_slip_ring(Builder& b, const RowOf<SlipRingCard>& row, SlipRing ring) {
   const double size = std::min(length_of_belt(b, one), length_of_belt(b, other));
   for (std::size_t i = 0; i < 2; ++i)
     for (std::size_t j = 0; j < 2; ++j) {
-      if (one.node[i] != other.node[j]) continue;
+      if (one.node[i] != other.node[j] || &one == &other) continue;
       if (!at_one_place(b, one.node[i], ring.node, size))
         return refuse(b, row[&SlipRingCard::sbrnid], "the node where both belts meet is not where the ring is",
                       "give both one place");
       for (const Index m : {one.material, other.material})
         if (!(b.model.belts.materials[m].least_length > 0.0))
           return refuse(b, row[&SlipRingCard::sbid1], "belts at slip rings need a least length", "give LMIN of *MAT_SEATBELT");
+      b.nodes_of_rings.push_back(one.node[i]);
       one.node[i] = other.node[j] = ring.node;
       b.slip_rings.add(ring.id, static_cast<Index>(b.model.belts.rings.size()), ring.place, row.keyword(), "slip ring",
                        b.findings);
@@ -314,11 +315,15 @@ void find_wound_up(Builder& b, const RowOf<RetractorCard>& row, Retractor& retra
                     fmt::format("belt {} is wound up in it, but does not go on from the one that comes out of it",
                                 b.model.belts.elements[left.front()].id),
                     "number its nodes such that belts follow each other");
-    const Belt& belt = b.model.belts.elements[*next];
+    Belt& belt = b.model.belts.elements[*next];
     retractor.inside.push_back(*next);
     retractor.inside_nodes.push_back(last);
     last = belt.node[0] == last ? belt.node[1] : belt.node[0];
     left.erase(next);
+    if (left.empty()) {
+      std::ranges::replace(belt.node, last, retractor.node);
+      b.nodes_of_rings.push_back(last);
+    }
     if (!at_one_place(b, last, retractor.node, size))
       return refuse(b, row[&RetractorCard::sbrnid],
                     fmt::format("node {} of belt {}, which is wound up, is not where the retractor is",
@@ -350,6 +355,7 @@ void add_retractor(Builder& b, const RowOf<RetractorCard>& row, const RowOf<Retr
     if (node != retractor.node && !at_one_place(b, node, retractor.node, size)) continue;
     const Index meets = node;
     node = retractor.node;
+    b.nodes_of_rings.push_back(meets);
     return find_wound_up(b, row, retractor, index, meets, size);
   }
   refuse(b, row[&RetractorCard::sbid], "the belt does not end where the retractor is", "give both one place");

@@ -29,7 +29,7 @@ CardOf<ControlCard> control_card(const FieldOf<ControlCard>& target, const Field
   return {
       {&ControlCard::cntlid, id("cntlid", IdSpace::other, 0, "number of the control in messages")},
       {&ControlCard::type, text("type", 10,
-                                "what is controlled: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, ELESET; others "
+                                "what is controlled: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, BELTRETRA, ELESET; others "
                                 "are not built")},
       target,
       fourth,
@@ -168,6 +168,16 @@ void take_joints(Builder& b, const ControlCards& of) {
            "write ON and one switch");
 }
 
+void take_retractors(Builder& b, const ControlCards& of) {
+  const auto retractor = std::ranges::find(b.model.belts.retractors, of.row->target, &Retractor::id);
+  if (retractor == b.model.belts.retractors.end()) return nothing_controlled(b, of, "*ELEMENT_SEATBELT_RETRACTOR");
+  retractor->control = of.index;
+  const SensorControl& control = b.model.sensor_controls[of.index];
+  if (control.starts_on || !changes_once(control))
+    refuse(b, of.switches[&SwitchesCard::initstt], "a retractor is told to lock once, by being turned on",
+           "write OFF and one switch");
+}
+
 /// Where the elements of one kind and their sets are found.
 struct ControlledElements {
   ElementKind kind;
@@ -222,6 +232,7 @@ const std::map<std::string, ControlledKind>& controlled_kinds() {
       {"PRESC-MOT", {take_motions, &controlled_curve_card}}, {"PRESSURE", {take_pressures, &controlled_curve_card}},
       {"SPC", {take_supports, &controlled_whole_card}},      {"RWALL", {take_walls, &controlled_whole_card}},
       {"CONTACT", {take_contacts, &controlled_whole_card}},  {"JOINT", {take_joints, &controlled_whole_card}},
+      {"BELTRETRA", {take_retractors, &controlled_whole_card}},
       {"ELESET", {take_elements, &controlled_elements_card}}};
   return kinds;
 }
@@ -271,7 +282,7 @@ void read_control(Builder& builder, const Block& block, const Options& options) 
     of.switches = cursor.read(switches_card);
     if (kind == controlled_kinds().end()) {
       refuse(builder, of.row[&ControlCard::type],
-             "this is not turned on and off: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT and ELESET are",
+             "this is not turned on and off: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, BELTRETRA and ELESET are",
              remedy_of(type));
       continue;
     }
@@ -304,7 +315,7 @@ std::vector<Keyword> sensor_control_keywords() {
   return {{.name = "SENSOR_CONTROL",
            .options = {"TITLE"},
            .layout = {{"PRESC-MOT, PRESSURE", &controlled_curve_card},
-                      {"SPC, RWALL, CONTACT, JOINT", &controlled_whole_card},
+                      {"SPC, RWALL, CONTACT, JOINT, BELTRETRA", &controlled_whole_card},
                       {"ELESET", &controlled_elements_card},
                       {"", &switches_card}},
            .read = read_control}};
