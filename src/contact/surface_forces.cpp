@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the hits of a surface contact do to its nodes, and what they add up to.
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "contact/couple.hpp"
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
+#include "system/share.hpp"
 
 namespace nugget::contact {
 

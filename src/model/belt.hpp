@@ -36,11 +36,11 @@ struct SlipRing {
   int id = 0;
   std::array<Index, 2> belt{none, none};
   Index node = none;
-  double friction = 0.0, static_friction = 0.0;        ///< FC, FCS; 0 of the latter: as the former
-  Index friction_curve = none, static_curve = none;    ///< over time, in their place
-  double decay = 0.0;                                  ///< DC [time/length]
-  double lock_time = 1e20;                             ///< LTIME: nothing slides from then on
-  bool to_first = true, to_second = true;              ///< ways that material may go, DIRECT
+  double friction = 0.0, static_friction = 0.0;      ///< FC, FCS; 0 of the latter: as the former
+  Index friction_curve = none, static_curve = none;  ///< over time, in their place
+  double decay = 0.0;                                ///< DC [time/length]
+  double lock_time = 1e20;                           ///< LTIME: nothing slides from then on
+  bool to_first = true, to_second = true;            ///< ways that material may go, DIRECT
   Place place;
 };
 
@@ -50,12 +50,12 @@ struct BeltSensor {
   int id = 0;
   Kind kind = Kind::time;
   std::array<Index, 2> node{none, none};
-  Vec3d direction;               ///< of an acceleration
+  Vec3d direction;  ///< of an acceleration
   Index retractor = none;
-  double above = 1e20;           ///< it responds above this
-  double below = -1e20;          ///< and below this
-  double duration = 0.0;         ///< for so long [time]
-  bool in_relaxation = false;    ///< SBSFL 1
+  double above = 1e20;         ///< it responds above this
+  double below = -1e20;        ///< and below this
+  double duration = 0.0;       ///< for so long [time]
+  bool in_relaxation = false;  ///< SBSFL 1
   Place place;
 };
 

@@ -19,6 +19,7 @@ inline constexpr auto history_files = std::to_array<std::string_view>({
     "dcfail",
     "deforc",
     "jntforc",
+    "sbtout",
     "rwforc",
     "spcforc",
     "bndout",
@@ -29,7 +30,6 @@ inline constexpr auto history_files = std::to_array<std::string_view>({
     "nodfor",
     "elout",
     "sleout",
-    "sbtout",
 });
 
 /// A name of that list; one that is not in it does not compile.

@@ -28,6 +28,7 @@ struct Sensor {
     force,
     moment,
     element,
+    belt,
     calculation,
     function
   };
@@ -64,6 +65,9 @@ struct Sensor {
     failed  ///< 1 once it is deleted
   };
 
+  /// Of seat belts: `element` is the place of a belt, a slip ring or a retractor in Model::belts.
+  enum class OfBelt { tension, elongation, slip, first_tension, second_tension, pull_out, pull_out_rate, reel_tension };
+
   int id = 0;
   Quantity quantity = Quantity::time;
   std::array<Index, 2> node{none, none};  ///< with a second one: of the first, seen from the second
@@ -81,6 +85,7 @@ struct Sensor {
   ElementKind kind = ElementKind::nothing;
   Index element = none;
   OfElement of_element = OfElement::stress;
+  OfBelt of_belt = OfBelt::tension;
   std::size_t component = 0;
   int layer = 0;                    ///< from 1: as elout lists them; 0: the lowest; -1: the highest
   double scale = 1.0, power = 1.0;  ///< the value is (scale v)^power

@@ -247,6 +247,25 @@ class Retractors(SeatBelts):
         switch = "*SENSOR_SWITCH\n" + card(1, "TIME", 0, "", 5e-3) + "*SENSOR_CONTROL\n" + card(3, "BELTRETRA", 7) + card("OFF", 1)
         self.assertAlmostEqual(when(self.NEVER, more=switch, sensors=()), 5e-3, delta=2e-5)
 
+    def test_what_switches_see(self):
+        """A run ends by a tension, an elongation, a pull-out, a rate of it and a retractor's force, at times that are known."""
+        steady = 200.0 / STIFF
+        for sensor, above, time in (("*SENSOR_DEFINE_MISC\n" + card(5, "RETRACTOR", "PULLOUT", 7), 20.0, (50.0 * (1 + steady) - 30) / 5000.0),
+                                    ("*SENSOR_DEFINE_MISC\n" + card(5, "RETRACTOR", "", 7), 4500.0, 0.0),
+                                    ("*SENSOR_DEFINE_MISC\n" + card(5, "RETRACTOR", "FORCE", 7), 205.0, 3e-3),
+                                    ("*SENSOR_DEFINE_ELEMENT\n" + card(5, "SEATBELT", 1, "", "FORCE"), 600.0, 3.84e-3)):
+            with self.subTest(sensor):
+                switch = sensor + "*SENSOR_SWITCH\n" + card(1, "SENSOR", 5, "GT", above, 0, 1e-4 if above > 4000 else 0.0) + "*TERMINATION_SENSOR\n" + card(1)
+                self.nugget("run", self.write(self.out_of_a_retractor(card(1, 3) + card(3e-3), more=switch)).name, "-o", "run", "--quiet")
+                summary = self.json("run/summary.json")
+                self.assertEqual(summary["message"], "sensor switch 1 is on")
+                self.assertAlmostEqual(summary["time"], time, delta=3e-4)
+        ring = Rings.over_a_ring(self, card(5, 1, 2, 0.2, 4), more="*SENSOR_DEFINE_MISC\n" + card(5, "SLIPRING", "FSB2", 5) + "*SENSOR_SWITCH\n" + card(1, "SENSOR", 5, "GT", 800.0)
+                                 + "*TERMINATION_SENSOR\n" + card(1))
+        self.nugget("run", self.write(ring).name, "-o", "run", "--quiet")
+        share = solve(lambda s: 800.0 - Rings.expected(self, 4.0 * s, math.exp(0.1 * math.pi))[1], 0.0, 1.0)
+        self.assertAlmostEqual(self.json("run/summary.json")["time"], 8e-3 * share, delta=5e-5)
+
     def test_what_is_refused(self):
         for text, message in ((self.out_of_a_retractor(self.NEVER, sensors=(9,)), "sid1 = 9: seat belt sensor 9 is not defined"),
                               (self.out_of_a_retractor(self.NEVER, law=card(0.0, 0.0, 12, 0, FED, 13)), "lcfl = 13: load limiters by switches are not built"),

@@ -112,7 +112,7 @@ class RunEnds(RepeatedRuns):
         for cards, text in (
                 (self.switch(node.format(0, 0, "TEMP"), "SENSOR,5,GT,1.0"), "ctype = TEMP: of nodes COORD, VEL and ACC are measured"),
                 (self.switch(node.format(2, 1, "VEL"), "SENSOR,5,GT,1.0"), "vid = 1: along a vector only one node is measured"),
-                (self.switch("*SENSOR_DEFINE_MISC\n5,MATSUM,INTERNAL,7", "SENSOR,5,GT,1.0"), "mtype = MATSUM: TIME, CURVE, RIGIDBODY, BNDOUT and JNTSTG are measured"),
+                (self.switch("*SENSOR_DEFINE_MISC\n5,MATSUM,INTERNAL,7", "SENSOR,5,GT,1.0"), "mtype = MATSUM: TIME, CURVE, RIGIDBODY, BNDOUT, JNTSTG, RETRACTOR and SLIPRING are measured"),
                 (self.switch("*SENSOR_DEFINE_ELEMENT_SET\n5,SOLID,1,XX,STRESS", "SENSOR,5,GT,1.0"), "sensid = 5: no sensor that is built has this id"),
                 (self.switch("*SENSOR_DEFINE_MISC\n5,TIME", "SENSOR,5,GT,1.0,3"), "filtrid = 3: filtered sensors are not built"),
                 (self.switch("*SENSOR_DEFINE_CALC-MATH\n5,SUM,5", "SENSOR,5,GT,1.0"), "sensor 5 depends on itself"),

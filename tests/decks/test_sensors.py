@@ -149,7 +149,7 @@ class OfElements(Sensors):
         self.expect(element_deck("brick", dies + switch("*SENSOR_DEFINE_ELEMENT\n5,BEAM,2,,FAIL", 0.5)), 2e-4, 3e-6)
 
     def test_what_is_refused(self):
-        for sensor, text in (("TSHELL,1,XX,STRESS", "etype = TSHELL: of SOLID, SHELL, BEAM and DISC-ELE is measured"),
+        for sensor, text in (("TSHELL,1,XX,STRESS", "etype = TSHELL: of SOLID, SHELL, BEAM, DISC-ELE and SEATBELT is measured"),
                              ("SOLID,1,XX,STRAIN", "ctype = STRAIN: STRESS of bricks and shells is measured"),
                              ("BEAM,2,AXIAL,MOMENT", "ctype = MOMENT: STRESS of bricks"), ("SOLID,9,XX,STRESS", "elemid = 9: no SOLID has this id")):
             with self.subTest(sensor):

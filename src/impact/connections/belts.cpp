@@ -116,8 +116,7 @@ void Belts::measure(Element& e, const system::State& state) const {
 /// The half of the work of the forces that is done with the velocities of the step that has ended.
 void Belts::book(const system::State& state) {
   for (const Element& e : elements_)
-    if (!e.inside)
-      energy_ -= 0.5 * state.dt * dot(e.pull, vec(state.v[e.node[0]]) - vec(state.v[e.node[1]]));
+    if (!e.inside) energy_ -= 0.5 * state.dt * dot(e.pull, vec(state.v[e.node[0]]) - vec(state.v[e.node[1]]));
 }
 
 /// A node comes to stand, and move, between two others, at a share of their distance; what that adds to its kinetic
@@ -137,7 +136,8 @@ void Belts::pass(Ring& ring, int short_one, system::State& state) {
   const std::size_t side = ring.element[0] == short_one ? 0 : 1;
   Element& passing = elements_[short_one];
   Element& longer = elements_[ring.element[1 - side]];
-  const int node = far(short_one, ring.node), behind = next(short_one, node), end = far(ring.element[1 - side], ring.node);
+  const int node = far(short_one, ring.node), behind = next(short_one, node),
+            end = far(ring.element[1 - side], ring.node);
   Element& follower = elements_[behind];
   // The belt behind keeps its strain over the longer way to the ring.
   for (int& n : follower.node)
@@ -168,7 +168,8 @@ double Belts::friction(const Ring& ring, const system::State& state) const {
   const auto value = [&](double constant, model::Index curve) {
     return curve == model::none ? constant : system_.model.curves[curve].clamped(state.time);
   };
-  const double sliding = value(card.friction, card.friction_curve), sticking = value(card.static_friction, card.static_curve);
+  const double sliding = value(card.friction, card.friction_curve),
+               sticking = value(card.static_friction, card.static_curve);
   if (!(sticking > 0.0)) return sliding;
   if (card.decay > 0.0) return sliding + (sticking - sliding) * std::exp(-card.decay * std::abs(ring.speed));
   return ring.speed == 0.0 ? sticking : sliding;
@@ -181,9 +182,7 @@ void Belts::slide(Ring& ring, const system::State& state) {
     ring.speed = 0.0;
     return;
   }
-  const auto towards = [&](int element) {
-    return vec(state.x[far(element, ring.node)]) - vec(state.x[ring.node]);
-  };
+  const auto towards = [&](int element) { return vec(state.x[far(element, ring.node)]) - vec(state.x[ring.node]); };
   const Vec3d one = towards(ring.element[0]), other = -towards(ring.element[1]);
   const double wrap = std::atan2(norm(cross(one, other)), dot(one, other));
   const double ratio = std::exp(friction(ring, state) * wrap);
@@ -191,9 +190,8 @@ void Belts::slide(Ring& ring, const system::State& state) {
     const bool passes = next(giving, far(giving, ring.node)) >= 0;
     const double most = from.length - (passes ? shortest : 1.0) * from.least;
     if (!(most > 0.0) || !(tension_at(to, to.length) > ratio * tension_at(from, from.length))) return 0.0;
-    const double moved = where_it_falls_to_zero(0.0, most, [&](double d) {
-      return tension_at(to, to.length + d) - ratio * tension_at(from, from.length - d);
-    });
+    const double moved = where_it_falls_to_zero(
+        0.0, most, [&](double d) { return tension_at(to, to.length + d) - ratio * tension_at(from, from.length - d); });
     to.length += moved;
     from.length -= moved;
     return moved;
@@ -291,8 +289,7 @@ void Belts::wind(Reel& reel, const system::State& state) {
     reel.tension.advance(reel.pulled, reel.state);
   } else {
     const double wanted = reel.tension(0.0, reel.tension.start());
-    change = where_it_falls_to_zero(-in, most,
-                                    [&](double d) { return tension_at(mouth, mouth.length + d) - wanted; });
+    change = where_it_falls_to_zero(-in, most, [&](double d) { return tension_at(mouth, mouth.length + d) - wanted; });
   }
   const double before = tension_at(mouth, mouth.length), after = tension_at(mouth, mouth.length + change);
   reeled_ += 0.5 * (before + after) * std::max(0.0, -change);

@@ -14,22 +14,23 @@
 namespace nugget::impact {
 
 /// Seat belts: bars between two nodes that carry tension alone, slip rings, and retractors. With L the distance of its
-/// nodes and l its unstretched length a belt has the tension T(L / l - 1) of kernel::BeltTension, and a damping of 0.1 m
-/// / dt times the rate at which it is stretched, a tenth of the tension at most.
+/// nodes and l its unstretched length a belt has the tension T(L / l - 1) of kernel::BeltTension, and a damping of 0.1
+/// m / dt times the rate at which it is stretched, a tenth of the tension at most.
 ///
 /// Slip ring: where the tensions of its two belts differ by more than exp(mu theta), theta the angle by which the belt
 /// turns there, unstretched length goes to the belt of the higher tension until they differ by just that. A belt that
 /// has become shorter than LMIN passes the ring: its far node comes out on the other side, 1.1 LMIN of belt from the
 /// ring, where both belts have one strain; the belt behind it ends at the ring, its strain as before.
 ///
-/// Retractor: gives out belt, or reels it in, such that its belt has the first tension of its loading curve, 0.01 LFED a
-/// cycle at most. It locks once one of its sensors has responded, TDEL later, when PULL more was pulled out. Then the
+/// Retractor: gives out belt, or reels it in, such that its belt has the first tension of its loading curve, 0.01 LFED
+/// a cycle at most. It locks once one of its sensors has responded, TDEL later, when PULL more was pulled out. Then the
 /// tension goes by its curves over what is pulled out from there. A belt that is longer than LFED + LMIN lets the next
 /// one come out, 1.1 LMIN long; one that is shorter than LMIN goes in.
 ///
 /// Energy: minus the work of the belts' forces on the nodes, and what nodes gain or lose in kinetic energy when they
 /// pass a ring or go in and out. What retractors reel in is put in from outside, tension times length; what is pulled
-/// out of them stays in the belts' energy. Source: LS-DYNA theory manual, seat belts; docs/decisions/0118 for what is ours.
+/// out of them stays in the belts' energy. Source: LS-DYNA theory manual, seat belts; docs/decisions/0118 for what is
+/// ours.
 class Belts {
  public:
   Belts(const system::System& system, Findings& findings);
@@ -45,9 +46,11 @@ class Belts {
 
   // For results, in the order of the model.
   double force(std::size_t belt) const { return elements_[belt].force; }
-  double length(std::size_t belt) const { return elements_[belt].distance; }       ///< of its nodes
+  double length(std::size_t belt) const { return elements_[belt].distance; }  ///< of its nodes
   double unstretched(std::size_t belt) const { return elements_[belt].length; }
-  double slip(std::size_t ring) const { return rings_[ring].slip; }                ///< to its first belt so far
+  double slip(std::size_t ring) const { return rings_[ring].slip; }  ///< to its first belt so far
+  double ring_tension(std::size_t ring, std::size_t side) const { return elements_[rings_[ring].element[side]].force; }
+  double pull_out_rate(std::size_t retractor) const { return reels_[retractor].rate; }
   double pull_out(std::size_t retractor) const { return reels_[retractor].paid; }  ///< so far [length]
   double tension(std::size_t retractor) const { return elements_[reels_[retractor].mouth].force; }
   bool is_inside(std::size_t belt) const { return elements_[belt].inside; }
@@ -104,9 +107,7 @@ class Belts {
     void archive(Archive& a) { a(since, on, velocity, step, known); }
   };
   int far(int element, int node) const;
-  double tension_at(const Element& e, double length) const {
-    return (*e.tension)(e.distance / length - 1.0, e.state);
-  }
+  double tension_at(const Element& e, double length) const { return (*e.tension)(e.distance / length - 1.0, e.state); }
   void measure(Element& e, const system::State& state) const;
   /// The other belt at a node where two belts meet and nothing else holds; -1: there is none.
   int next(int element, int node) const;
@@ -131,9 +132,9 @@ class Belts {
   std::vector<Ring> rings_;
   std::vector<Reel> reels_;
   std::vector<Sensing> sensors_;
-  std::vector<double> mobility_;      ///< by system node, of belts' nodes: largest inverse mass that a force meets there
-  std::vector<double> stiffness_;     ///< the same: sum of its belts'
-  std::vector<int> nodes_;            ///< of belts
+  std::vector<double> mobility_;   ///< by system node, of belts' nodes: largest inverse mass that a force meets there
+  std::vector<double> stiffness_;  ///< the same: sum of its belts'
+  std::vector<int> nodes_;         ///< of belts
   std::vector<unsigned char> fixed_;  ///< by system node: something else holds it
   double energy_ = 0.0, reeled_ = 0.0;
   double stable_step_ = std::numeric_limits<double>::infinity();

@@ -95,8 +95,8 @@ struct Components {
   static void visit_all(Self& c, Visit& visit) {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.linear_constraints,
-        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.belts, c.element_alive, c.erosion, c.strains, c.nodal_forces,
-        c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
+        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.belts, c.element_alive, c.erosion, c.strains,
+        c.nodal_forces, c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
   }
 };
 

@@ -182,6 +182,25 @@ double Sensors::of_element(const Sensor& sensor, const system::State& state) con
   return component_of(sensor, stress);
 }
 
+namespace {
+
+double of_belts(const Sensor& sensor, const Belts& belts) {
+  const std::size_t i = at(sensor.element);
+  switch (sensor.of_belt) {
+    case Sensor::OfBelt::tension: return belts.force(i);
+    case Sensor::OfBelt::elongation: return belts.is_inside(i) ? 0.0 : belts.length(i) - belts.unstretched(i);
+    case Sensor::OfBelt::slip: return belts.slip(i);
+    case Sensor::OfBelt::first_tension: return belts.ring_tension(i, 0);
+    case Sensor::OfBelt::second_tension: return belts.ring_tension(i, 1);
+    case Sensor::OfBelt::pull_out: return belts.pull_out(i);
+    case Sensor::OfBelt::pull_out_rate: return belts.pull_out_rate(i);
+    case Sensor::OfBelt::reel_tension: return belts.tension(i);
+  }
+  return 0.0;
+}
+
+}  // namespace
+
 double Sensors::measure(std::size_t i, const system::State& state, const Components& components) {
   const Sensor& one = system_.model.sensors[i];
   switch (one.quantity) {
@@ -209,6 +228,7 @@ double Sensors::measure(std::size_t i, const system::State& state, const Compone
     case Sensor::Quantity::force:
     case Sensor::Quantity::moment: return along(one, load_of(one, components), state);
     case Sensor::Quantity::element: return of_element(one, state);
+    case Sensor::Quantity::belt: return of_belts(one, components.belts);
     case Sensor::Quantity::work_of_motion: {
       double work = 0.0;
       for (const Supports::Reaction& r : components.supports.motion_reactions())

@@ -141,8 +141,8 @@ void Simulation::choose_step(double end_time) {
   if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (dt < smallest_step_) {
     smallest_step_ = dt;
-    smallest_by_ = by_belts                                    ? "the seat belts"
-                   : by_joints                                  ? "the stiffness of a joint"
+    smallest_by_ = by_belts                                   ? "the seat belts"
+                   : by_joints                                ? "the stiffness of a joint"
                    : bodies_step_ > 0.0 && dt <= bodies_step_ ? "the opening of joints"
                                                               : controlling_.describe(system_);
   }

@@ -129,7 +129,8 @@ void add_belt(Builder& b, const RowOf<BeltCard>& row) {
   const Part& part = b.model.parts[belt.part];
   const auto material = b.belt_materials.find(part.material);
   if (part.kind != ElementKind::nothing || material == b.belt_materials.end())
-    return refuse(b, row[&BeltCard::pid], "a part of belts has *MAT_SEATBELT and *SECTION_SEATBELT, and no other elements",
+    return refuse(b, row[&BeltCard::pid],
+                  "a part of belts has *MAT_SEATBELT and *SECTION_SEATBELT, and no other elements",
                   "give the belts a part of their own");
   belt.material = material->second;
   if (row->sbrid != 0 && b.retractors.find(row->sbrid) == none)
@@ -230,7 +231,8 @@ void add_slip_ring(Builder& b, const RowOf<SlipRingCard>& row, SlipRing ring) {
                       "give both one place");
       for (const Index m : {one.material, other.material})
         if (!(b.model.belts.materials[m].least_length > 0.0))
-          return refuse(b, row[&SlipRingCard::sbid1], "belts at slip rings need a least length", "give LMIN of *MAT_SEATBELT");
+          return refuse(b, row[&SlipRingCard::sbid1], "belts at slip rings need a least length",
+                        "give LMIN of *MAT_SEATBELT");
       b.nodes_of_rings.push_back(one.node[i]);
       one.node[i] = other.node[j] = ring.node;
       b.slip_rings.add(ring.id, static_cast<Index>(b.model.belts.rings.size()), ring.place, row.keyword(), "slip ring",
@@ -256,7 +258,8 @@ void read_slip_ring(Builder& builder, const Block& block, const Options&) {
       const auto more = cursor.read(ring_friction_card);
       for (const deck::Entry& field : {more[&RingFrictionCard::k], more[&RingFrictionCard::funcid],
                                        more[&RingFrictionCard::lcnffd], more[&RingFrictionCard::lcnffs]})
-        refuse_nonzero(builder, field, "friction by skew, function or normal force is not built", "give FC, FCS and DC");
+        refuse_nonzero(builder, field, "friction by skew, function or normal force is not built",
+                       "give FC, FCS and DC");
       if (more->direct != 0 && more->direct != 12 && more->direct != 21)
         refuse(builder, more[&RingFrictionCard::direct], "expected 0, 12 or 21");
       ring.decay = more->dc;
@@ -349,7 +352,8 @@ void add_retractor(Builder& b, const RowOf<RetractorCard>& row, const RowOf<Retr
   if (retractor.node == none || retractor.belt == none) return;
   Belt& belt = b.model.belts.elements[retractor.belt];
   if (!(b.model.belts.materials[belt.material].least_length > 0.0))
-    return refuse(b, row[&RetractorCard::sbid], "belts at retractors need a least length", "give LMIN of *MAT_SEATBELT");
+    return refuse(b, row[&RetractorCard::sbid], "belts at retractors need a least length",
+                  "give LMIN of *MAT_SEATBELT");
   const double size = length_of_belt(b, belt);
   for (Index& node : belt.node) {
     if (node != retractor.node && !at_one_place(b, node, retractor.node, size)) continue;
@@ -397,23 +401,24 @@ struct SensingCard {
   int first = 0, second = 0, dof = 0;
   double most = 0, least = 0;
 };
-const CardOf<SensingCard>
-    belt_by_acceleration{{&SensingCard::first, id("nid", IdSpace::node, required, "node")},
-                    {&SensingCard::dof, integer("dof", 1, between(1, 3), "1 x, 2 y, 3 z")},
-                    {&SensingCard::most, real("acc", dimension::acceleration, required, any_value,
-                                              "it responds above this acceleration, or below one that is below 0")},
-                    {&SensingCard::least, real("atime", dimension::time, 0, at_least(0), "for so long")}},
+const CardOf<SensingCard> belt_by_acceleration{
+    {&SensingCard::first, id("nid", IdSpace::node, required, "node")},
+    {&SensingCard::dof, integer("dof", 1, between(1, 3), "1 x, 2 y, 3 z")},
+    {&SensingCard::most, real("acc", dimension::acceleration, required, any_value,
+                              "it responds above this acceleration, or below one that is below 0")},
+    {&SensingCard::least, real("atime", dimension::time, 0, at_least(0), "for so long")}},
     belt_by_rate{{&SensingCard::first, id("sbrid", IdSpace::other, required, "retractor")},
-            {&SensingCard::most, real("pulrat", dimension::velocity, required, any_value, "above this rate")},
-            {&SensingCard::least, real("pultim", dimension::time, 0, at_least(0), "for so long")}},
+                 {&SensingCard::most, real("pulrat", dimension::velocity, required, any_value, "above this rate")},
+                 {&SensingCard::least, real("pultim", dimension::time, 0, at_least(0), "for so long")}},
     belt_by_time{{&SensingCard::most, real("time", dimension::time, 0, at_least(0), "after this time")}},
-    belt_by_distance{{&SensingCard::first, id("nid1", IdSpace::node, required, "node 1")},
-                {&SensingCard::second, id("nid2", IdSpace::node, required, "node 2")},
-                {&SensingCard::most, real("dmx", dimension::length, 0, at_least(0), "above this; 0: no bound")},
-                {&SensingCard::least, real("dmn", dimension::length, 0, at_least(0), "and below this; 0: no bound")}},
+    belt_by_distance{
+        {&SensingCard::first, id("nid1", IdSpace::node, required, "node 1")},
+        {&SensingCard::second, id("nid2", IdSpace::node, required, "node 2")},
+        {&SensingCard::most, real("dmx", dimension::length, 0, at_least(0), "above this; 0: no bound")},
+        {&SensingCard::least, real("dmn", dimension::length, 0, at_least(0), "and below this; 0: no bound")}},
     belt_by_pull_out{{&SensingCard::first, id("sbrid", IdSpace::other, required, "retractor")},
-                {&SensingCard::most, real("pulmx", dimension::length, 1e16, any_value, "above this")},
-                {&SensingCard::least, real("pulmn", dimension::length, -1e16, any_value, "and below this")}};
+                     {&SensingCard::most, real("pulmx", dimension::length, 1e16, any_value, "above this")},
+                     {&SensingCard::least, real("pulmn", dimension::length, -1e16, any_value, "and below this")}};
 
 void read_belt_sensor(Builder& builder, const Block& block, const Options&) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
@@ -424,8 +429,8 @@ void read_belt_sensor(Builder& builder, const Block& block, const Options&) {
     sensor.in_relaxation = row->sbsfl == 1;
     using enum BeltSensor::Kind;
     constexpr std::array<BeltSensor::Kind, 5> kinds{acceleration, pull_out_rate, time, distance, pull_out};
-    const std::array<const CardOf<SensingCard>*, 5> cards{&belt_by_acceleration, &belt_by_rate, &belt_by_time, &belt_by_distance,
-                                                          &belt_by_pull_out};
+    const std::array<const CardOf<SensingCard>*, 5> cards{&belt_by_acceleration, &belt_by_rate, &belt_by_time,
+                                                          &belt_by_distance, &belt_by_pull_out};
     const auto type = at(row->sbstyp >= 1 && row->sbstyp <= 5 ? row->sbstyp - 1 : 2);
     sensor.kind = kinds[type];
     const auto by = cursor.read(*cards[type]);

@@ -26,17 +26,17 @@ struct ControlCard {
 };
 CardOf<ControlCard> control_card(const FieldOf<ControlCard>& target, const FieldOf<ControlCard>& fourth,
                                  const FieldOf<ControlCard>& sixth) {
-  return {
-      {&ControlCard::cntlid, id("cntlid", IdSpace::other, 0, "number of the control in messages")},
-      {&ControlCard::type, text("type", 10,
-                                "what is controlled: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, BELTRETRA, ELESET; others "
-                                "are not built")},
-      target,
-      fourth,
-      {&ControlCard::nrep, integer("nrep", 0, any_value, "-1: behind the last switch the first one again; 0 not")},
-      sixth,
-      {&ControlCard::sidr, integer("sidr", 0, any_value, "0: switches are looked at in the run only")},
-      unused()};
+  return {{&ControlCard::cntlid, id("cntlid", IdSpace::other, 0, "number of the control in messages")},
+          {&ControlCard::type,
+           text("type", 10,
+                "what is controlled: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, BELTRETRA, ELESET; others "
+                "are not built")},
+          target,
+          fourth,
+          {&ControlCard::nrep, integer("nrep", 0, any_value, "-1: behind the last switch the first one again; 0 not")},
+          sixth,
+          {&ControlCard::sidr, integer("sidr", 0, any_value, "0: switches are looked at in the run only")},
+          unused()};
 }
 const FieldOf<ControlCard> whole_target{&ControlCard::target,
                                         id("typeid", IdSpace::other, required, "its number, of _ID of its keyword")},
@@ -229,11 +229,10 @@ struct ControlledKind {
 };
 const std::map<std::string, ControlledKind>& controlled_kinds() {
   static const std::map<std::string, ControlledKind> kinds{
-      {"PRESC-MOT", {take_motions, &controlled_curve_card}}, {"PRESSURE", {take_pressures, &controlled_curve_card}},
-      {"SPC", {take_supports, &controlled_whole_card}},      {"RWALL", {take_walls, &controlled_whole_card}},
-      {"CONTACT", {take_contacts, &controlled_whole_card}},  {"JOINT", {take_joints, &controlled_whole_card}},
-      {"BELTRETRA", {take_retractors, &controlled_whole_card}},
-      {"ELESET", {take_elements, &controlled_elements_card}}};
+      {"PRESC-MOT", {take_motions, &controlled_curve_card}},    {"PRESSURE", {take_pressures, &controlled_curve_card}},
+      {"SPC", {take_supports, &controlled_whole_card}},         {"RWALL", {take_walls, &controlled_whole_card}},
+      {"CONTACT", {take_contacts, &controlled_whole_card}},     {"JOINT", {take_joints, &controlled_whole_card}},
+      {"BELTRETRA", {take_retractors, &controlled_whole_card}}, {"ELESET", {take_elements, &controlled_elements_card}}};
   return kinds;
 }
 

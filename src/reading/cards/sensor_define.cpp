@@ -53,7 +53,7 @@ struct MiscSensorCard {
 };
 const FieldOf<MiscSensorCard> misc_sensid{&MiscSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
     misc_type{&MiscSensorCard::mtype,
-              text("mtype", 10, "TIME, CURVE, RIGIDBODY, BNDOUT, JNTSTG; others are not built")};
+              text("mtype", 10, "TIME, CURVE, RIGIDBODY, BNDOUT, JNTSTG, RETRACTOR, SLIPRING; others are not built")};
 const CardOf<MiscSensorCard> time_sensor_card{misc_sensid, misc_type},
     any_misc_sensor_card{misc_sensid,
                          misc_type,
@@ -84,7 +84,15 @@ const CardOf<MiscSensorCard> time_sensor_card{misc_sensid, misc_type},
         misc_sensid,
         misc_type,
         {&MiscSensorCard::word0, text("i0", 10, "PHI, THETA, PSI [degrees], PHIR, THETAR, PSIR")},
-        {&MiscSensorCard::i1, id("i1", IdSpace::other, 0, "*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED, as in jntforc")}};
+        {&MiscSensorCard::i1, id("i1", IdSpace::other, 0, "*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED, as in jntforc")}},
+    retractor_sensor_card{misc_sensid,
+                          misc_type,
+                          {&MiscSensorCard::word0, text("i0", 10, "PULLRATE (default), PULLOUT, FORCE")},
+                          {&MiscSensorCard::i1, id("i1", IdSpace::other, 0, "*ELEMENT_SEATBELT_RETRACTOR")}},
+    ring_sensor_card{misc_sensid,
+                     misc_type,
+                     {&MiscSensorCard::word0, text("i0", 10, "SLIP, FSB1, FSB2; WRAP, SKEW, FC and FN are not built")},
+                     {&MiscSensorCard::i1, id("i1", IdSpace::other, 0, "*ELEMENT_SEATBELT_SLIPRING")}};
 
 struct ForceSensorCard {
   int sensid = 0, typeid_ = 0, crd = 0;
@@ -109,13 +117,14 @@ struct ElementSensorCard {
 };
 const CardOf<ElementSensorCard> element_sensor_card{
     {&ElementSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
-    {&ElementSensorCard::etype, text("etype", 10, "SOLID, SHELL, BEAM, DISC-ELE; others are not built")},
+    {&ElementSensorCard::etype, text("etype", 10, "SOLID, SHELL, BEAM, DISC-ELE, SEATBELT; others are not built")},
     {&ElementSensorCard::elemid, id("elemid", IdSpace::element, 0, "element")},
     {&ElementSensorCard::comp, text("comp", 10,
                                     "of a stress XX YY ZZ XY YZ ZX, VM, HYDR, PRIN1 PRIN2 PRIN3, MAXS; of a beam's "
                                     "force AXIAL, SHEARS, SHEART")},
     {&ElementSensorCard::ctype,
-     text("ctype", 10, "STRESS of bricks and shells, FORCE of beams and springs, DLEN of springs, FAIL")},
+     text("ctype", 10,
+          "STRESS of bricks and shells, FORCE of beams, springs and belts, DLEN of springs and belts, FAIL")},
     {&ElementSensorCard::layer, text("layer", 10, "of a shell BOT lowest, TOP highest, or a number as in elout")},
     {&ElementSensorCard::sf, real("sf", dimension::number, 1, any_value, "the value is (SF v)^PWR")},
     {&ElementSensorCard::pwr, real("pwr", dimension::number, 1, any_value, "the same")},
@@ -250,6 +259,25 @@ void leave_joint_angle(Builder& builder, const RowOf<MiscSensorCard>& row, Senso
   };
 }
 
+void leave_belt_device(Builder& builder, const RowOf<MiscSensorCard>& row, Sensor& sensor, Index index, bool ring) {
+  using enum Sensor::OfBelt;
+  static const std::map<std::string, Sensor::OfBelt> of_ring{
+      {"SLIP", slip}, {"FSB1", first_tension}, {"FSB2", second_tension}},
+      of_retractor{{"", pull_out_rate}, {"PULLRATE", pull_out_rate}, {"PULLOUT", pull_out}, {"FORCE", reel_tension}};
+  const auto& known = ring ? of_ring : of_retractor;
+  const auto found = known.find(deck::upper(row->word0));
+  if (found == known.end())
+    return leave_fault(builder, index, row[&MiscSensorCard::word0],
+                       ring ? "expected SLIP, FSB1 or FSB2" : "expected PULLRATE, PULLOUT or FORCE");
+  sensor.quantity = Sensor::Quantity::belt;
+  sensor.of_belt = found->second;
+  builder.sensor_sources[index] = [row, index, ring](Builder& b) {
+    b.model.sensors[at(index)].element = (ring ? b.slip_rings : b.retractors).find(row->i1);
+    if (b.model.sensors[at(index)].element == none)
+      leave_fault(b, index, row[&MiscSensorCard::i1], ring ? "no slip ring has this id" : "no retractor has this id");
+  };
+}
+
 void read_misc_sensor(Builder& builder, const Block& block, const Options& options) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
     read_title(cursor, options);
@@ -258,6 +286,8 @@ void read_misc_sensor(Builder& builder, const Block& block, const Options& optio
                                  : type == "RIGIDBODY" ? body_sensor_card
                                  : type == "BNDOUT"    ? motion_sensor_card
                                  : type == "JNTSTG"    ? stiffness_sensor_card
+                                 : type == "RETRACTOR" ? retractor_sensor_card
+                                 : type == "SLIPRING"  ? ring_sensor_card
                                  : type == "TIME"      ? time_sensor_card
                                                        : any_misc_sensor_card);
     Sensor sensor;
@@ -267,6 +297,8 @@ void read_misc_sensor(Builder& builder, const Block& block, const Options& optio
     const auto index = static_cast<Index>(builder.model.sensors.size());
     if (type == "RIGIDBODY") leave_body_motion(builder, row, sensor, index);
     if (type == "JNTSTG") leave_joint_angle(builder, row, sensor, index);
+    const bool of_ring = type == "SLIPRING", of_belt = of_ring || type == "RETRACTOR";
+    if (of_belt) leave_belt_device(builder, row, sensor, index, of_ring);
     add_sensor(builder, row, sensor);
     if (type == "CURVE") {
       if ((row->i0 != 0) == (row->i1 != 0))
@@ -280,9 +312,9 @@ void read_misc_sensor(Builder& builder, const Block& block, const Options& optio
         if (row->i1 == 0 || b.model.sensors[at(index)].sources.empty())
           leave_fault(b, index, row[&MiscSensorCard::i1], "no *BOUNDARY_PRESCRIBED_MOTION_..._ID has this id");
       };
-    } else if (type != "TIME" && type != "RIGIDBODY" && type != "JNTSTG") {
+    } else if (type != "TIME" && type != "RIGIDBODY" && type != "JNTSTG" && !of_belt) {
       leave_fault(builder, index, row[&MiscSensorCard::mtype],
-                  "TIME, CURVE, RIGIDBODY, BNDOUT and JNTSTG are measured");
+                  "TIME, CURVE, RIGIDBODY, BNDOUT, JNTSTG, RETRACTOR and SLIPRING are measured");
     }
   }
 }
@@ -390,6 +422,20 @@ bool take_component(Sensor& sensor, const std::string& type, const std::string& 
   return sensor.kind != ElementKind::discrete && type == "STRESS" && take(stresses);
 }
 
+void leave_belt(Builder& builder, const RowOf<ElementSensorCard>& row, Sensor sensor) {
+  const std::string type = deck::upper(row->ctype);
+  sensor.quantity = Sensor::Quantity::belt;
+  sensor.of_belt = type == "DLEN" ? Sensor::OfBelt::elongation : Sensor::OfBelt::tension;
+  const Index index = add_sensor(builder, row, sensor);
+  if (type != "DLEN" && type != "FORCE")
+    leave_fault(builder, index, row[&ElementSensorCard::ctype], "of belts FORCE and DLEN are measured");
+  builder.sensor_sources[index] = [row, index](Builder& b) {
+    b.model.sensors[at(index)].element = b.belts.find(row->elemid);
+    if (b.model.sensors[at(index)].element == none)
+      leave_fault(b, index, row[&ElementSensorCard::elemid], "no belt has this id");
+  };
+}
+
 void read_element_sensor(Builder& builder, const Block& block, const Options& options) {
   static const std::map<std::string, std::pair<ElementKind, Ids Builder::*>> kinds{
       {"SOLID", {ElementKind::solid, &Builder::solids}},
@@ -405,6 +451,10 @@ void read_element_sensor(Builder& builder, const Block& block, const Options& op
     sensor.quantity = Sensor::Quantity::element;
     sensor.scale = row->sf;
     sensor.power = row->pwr;
+    if (deck::upper(row->etype) == "SEATBELT") {
+      leave_belt(builder, row, sensor);
+      continue;
+    }
     const auto kind = kinds.find(deck::upper(row->etype));
     if (kind != kinds.end()) sensor.kind = kind->second.first;
     const bool has_it = take_component(sensor, type, deck::upper(row->comp));
@@ -412,7 +462,8 @@ void read_element_sensor(Builder& builder, const Block& block, const Options& op
     sensor.layer = number ? std::stoi(layer) : layer == "TOP" ? -1 : 0;
     const Index index = add_sensor(builder, row, sensor);
     if (kind == kinds.end()) {
-      leave_fault(builder, index, row[&ElementSensorCard::etype], "of SOLID, SHELL, BEAM and DISC-ELE is measured");
+      leave_fault(builder, index, row[&ElementSensorCard::etype],
+                  "of SOLID, SHELL, BEAM, DISC-ELE and SEATBELT is measured");
       continue;
     }
     if (!has_it)
@@ -522,7 +573,9 @@ std::vector<Keyword> sensor_define_keywords() {
                   {"MTYPE CURVE", &curve_sensor_card},
                   {"MTYPE RIGIDBODY", &body_sensor_card},
                   {"MTYPE BNDOUT", &motion_sensor_card},
-                  {"MTYPE JNTSTG", &stiffness_sensor_card}},
+                  {"MTYPE JNTSTG", &stiffness_sensor_card},
+                  {"MTYPE RETRACTOR", &retractor_sensor_card},
+                  {"MTYPE SLIPRING", &ring_sensor_card}},
        .read = read_misc_sensor},
       {.name = "SENSOR_DEFINE_FORCE",
        .options = title,

@@ -29,8 +29,7 @@ void print(output::AsciiFile& file, const SbtoutState& state) {
   for (const BeltRow& r : state.belts)
     file.print(" belt {:10}  tension ={:13.5E}  length ={:13.5E}\n", r.id, output::column(r.force),
                output::column(r.length));
-  for (const RingRow& r : state.rings)
-    file.print(" slip ring {:5}  slip ={:13.5E}\n", r.id, output::column(r.slip));
+  for (const RingRow& r : state.rings) file.print(" slip ring {:5}  slip ={:13.5E}\n", r.id, output::column(r.slip));
   for (const RetractorRow& r : state.retractors)
     file.print(" retractor {:5}  pull-out ={:13.5E}  tension ={:13.5E}\n", r.id, output::column(r.pull_out),
                output::column(r.force));
