@@ -61,6 +61,7 @@ void check_subcycling(const impact::Simulation& simulation, Findings& findings) 
   in_each_cycle(acting.rigid_welds.size() > 0, "rigid welds");
   in_each_cycle(acting.rivets.size() > 0, "rivets");
   in_each_cycle(!acting.joints.empty(), "joints");
+  if (!acting.belts.empty()) refuse("seat belts", "which slide by the tensions of each cycle");
   if (findings.errors() > 0) return;
   if (system.period() == 1)
     report(Severity::note, "no element allows twice the step of the run: all have their forces in each cycle",

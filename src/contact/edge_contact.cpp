@@ -180,7 +180,7 @@ void EdgeContact::apply(const Step& step, std::span<Row> force) {
   touches_.clear();
   resultant_ = {};
   deepest_ = 0.0;
-  if (step.time >= setup_.birth && step.time < setup_.death) {
+  if (!step.off && step.time >= setup_.birth && step.time < setup_.death) {
     approach_.update(step.x);
     if (!searched_ || approach_.since_start() > margin_) search(step.x, step.element_alive);
     parallel_for(blocks_.size(), 4, [this, &step](std::size_t begin, std::size_t end) {

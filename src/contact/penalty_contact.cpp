@@ -52,7 +52,14 @@ ContactEnergies PenaltyContact::energies() const {
 }
 
 Vec3d PenaltyContact::resultant() const {
-  Vec3d sum = surface_.resultant();
+  return with_edges_and_glue(surface_.resultant());
+}
+
+Vec3d PenaltyContact::resultant_of_all_ranks() const {
+  return with_edges_and_glue(surface_.resultant_of_all_ranks());
+}
+
+Vec3d PenaltyContact::with_edges_and_glue(Vec3d sum) const {
   if (edges_) sum += edges_->resultant();
   if (glue_) sum += glue_->resultant();
   return sum;

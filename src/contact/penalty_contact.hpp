@@ -44,6 +44,7 @@ class PenaltyContact {
   std::array<double, 2> energy_of_sides() const;
   ContactEnergies energies() const;  ///< see SurfaceContact::energies; of glue friction alone
   Vec3d resultant() const;           ///< see SurfaceContact::resultant
+  Vec3d resultant_of_all_ranks() const;
   Vec3d force_on(std::span<const unsigned char> marked) const;
   Vec3d force_between(const TwoBodies& bodies) const;  ///< see SurfaceContact::force_between
   const SurfaceContact& surface() const { return surface_; }
@@ -52,6 +53,8 @@ class PenaltyContact {
   void archive(Archive& a);
 
  private:
+  Vec3d with_edges_and_glue(Vec3d sum) const;
+
   SurfaceContact surface_;
   std::optional<EdgeContact> edges_;
   std::unique_ptr<Glue> glue_;

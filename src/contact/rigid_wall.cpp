@@ -64,6 +64,12 @@ Vec3d RigidWall::prescribed_velocity(double time, double dt) const {
   return (way / dt) * motion_direction_;
 }
 
+void RigidWall::turn(bool on) {
+  if (on_ && !on)
+    for (Tracked& tracked : tracked_) tracked.attachment = kernel::WallAttachment::none;
+  on_ = on;
+}
+
 void RigidWall::press(const contact::Step& step, std::span<Row> f) {
   if (!bodies_) return;
   if (acts(step.time))
@@ -330,7 +336,7 @@ void RigidWall::average(double time, bool begins) {
 void RigidWall::archive(Archive& a) {
   a.section("wall");
   a(origin_, velocity_, tracked_, groups_, travelled_, started_, force_, impulse_, normal_force_, normal_impulse_,
-    energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_);
+    energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_, on_);
   if (bodies_) a(*bodies_);
   a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
           birth_, death_, found_, followed_, first_followed_);

@@ -47,6 +47,9 @@ class RigidWall {
   RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion = nullptr,
             std::optional<WallPenalty> bodies = {});
 
+  /// From the next call on it stops nodes, or none (*SENSOR_CONTROL); nodes that stayed on it are free then. It moves
+  /// all the same.
+  void turn(bool on);
   /// Adds the forces on nodes of rigid bodies at the end of the step to `f`.
   void press(const contact::Step& step, std::span<Row> f);
 
@@ -163,7 +166,7 @@ class RigidWall {
   void share_found(const system::Share& share);
   Vec3d friction(const Vec3d& slip, double normal_change) const;
 
-  bool acts(double time) const { return time >= birth_ && time < death_; }
+  bool acts(double time) const { return on_ && time >= birth_ && time < death_; }
 
   kernel::WallShape shape_;
   Vec3d origin_, normal_;
@@ -174,6 +177,7 @@ class RigidWall {
   Vec3d motion_direction_;
   Vec3d wall_velocity_;  // in the last step
   double birth_ = 0.0, death_ = 0.0;
+  bool on_ = true;
 
   std::vector<Tracked> tracked_;
   std::vector<Group> groups_;                // of tracked nodes

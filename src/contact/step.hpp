@@ -32,6 +32,7 @@ struct Step {
   std::span<const double> mass;
   std::span<const unsigned char> element_alive;
   const SharedNodes* shared = nullptr;  ///< null: one process
+  bool off = false;                     ///< *SENSOR_CONTROL has turned the contact off
 };
 
 }  // namespace nugget::contact

@@ -95,7 +95,7 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
 }
 
 void SurfaceContact::apply(const Step& step, std::span<Row> force) {
-  acts_ = !faces_.empty() && step.time >= birth_ && step.time < death_;
+  acts_ = !faces_.empty() && !step.off && step.time >= birth_ && step.time < death_;
   if (acts_) {
     if (step.shared != nullptr) take_share(*step.shared);
     if (moved_too_far(step.x) || !searched_) search(step);

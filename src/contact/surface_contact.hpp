@@ -156,6 +156,8 @@ class SurfaceContact {
   /// Force on the tracked side (SURFA) as a whole. In a single surface contact, where that is zero: the sum over the
   /// tracked nodes as such, without the reactions on segments [force].
   Vec3d resultant() const;
+  /// The same where several ranks look at the pairs, each at some: on all of them, and all must ask.
+  Vec3d resultant_of_all_ranks() const;
   /// Sum of the forces on the nodes that are marked (by node; nodes beyond its end are not) [force].
   Vec3d force_on(std::span<const unsigned char> marked) const;
   /// Force on the first body by the second: the sum over those pairs that have one side in each [force].

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the hits of a surface contact do to its nodes, and what they add up to.
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "contact/couple.hpp"
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
+#include "system/share.hpp"
 
 namespace nugget::contact {
 
@@ -120,6 +123,18 @@ ContactEnergies SurfaceContact::energies() const {
 Vec3d SurfaceContact::resultant() const {
   Vec3d sum;
   for (std::size_t b = 0; acts_ && b < blocks_.size(); ++b) sum += blocks_[b].resultant;
+  return sum;
+}
+
+Vec3d SurfaceContact::resultant_of_all_ranks() const {
+  if (share_ == nullptr || rank_of_block_.empty() || !acts_) return resultant();
+  std::vector<Vec3d> own(blocks_.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (computes(b)) own[b] = blocks_[b].resultant;
+  std::vector<Vec3d> of_all(own.size() * at(share_->ranks().count()));
+  share_->ranks().gather(std::as_bytes(std::span(own)), std::as_writable_bytes(std::span(of_all)));
+  Vec3d sum;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) sum += of_all[at(rank_of_block_[b]) * own.size() + b];
   return sum;
 }
 

@@ -88,6 +88,7 @@ struct Contact {
   bool balances_friction = false;  ///< FTORQ
   double damping = 0.0;            ///< VDC, percent of critical
   double birth = 0.0, death = forever;
+  Index control = none;                                     ///< *SENSOR_CONTROL that turns it on and off
   double stiffness_scale_a = 1.0, stiffness_scale_b = 1.0;  ///< SFSA, SFSB
   double thickness_a = 0.0, thickness_b = 0.0;              ///< SAST, SBST; negative: tie tolerance
   double thickness_scale_a = 1.0, thickness_scale_b = 1.0;  ///< SFSAT, SFSBT

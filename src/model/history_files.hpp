@@ -19,6 +19,7 @@ inline constexpr auto history_files = std::to_array<std::string_view>({
     "dcfail",
     "deforc",
     "jntforc",
+    "sbtout",
     "rwforc",
     "spcforc",
     "bndout",

@@ -45,6 +45,7 @@ struct Joint {
     std::array<double, 3> force{}, moment{};  ///< at failure [force, moment]; 0: not considered
   };
   std::optional<Failure> failure;
+  Index control = none;  ///< *SENSOR_CONTROL: the joint is released for good when that is off
   /// _LOCAL: results are in axes that turn with this body and are these at time 0.
   struct Output {
     Index body = none;

@@ -22,6 +22,9 @@ struct SinglePointConstraint {
   Index system = none;  ///< local axes, or none (global)
   unsigned fixed = 0;   ///< bits 0..2 translations, 3..5 rotations
   double birth = 0.0, death = forever;
+  Index control = none;  ///< *SENSOR_CONTROL that turns it on and off
+  /// Whether it holds all the time from the start on to `end`.
+  bool holds_until(double end) const { return control == none && birth <= 0.0 && death >= end; }
 };
 
 /// *BOUNDARY_PRESCRIBED_MOTION_...
@@ -44,6 +47,10 @@ struct PrescribedMotion {
   Index curve = none;
   double scale = 1.0;
   double birth = 0.0, death = forever;
+  Index control = none;      ///< *SENSOR_CONTROL that turns it on and off
+  bool from_switch = false;  ///< TIMEOFF: the curve begins when that turns it on
+  /// Whether it drives all the time from the start on to `end`.
+  bool drives_until(double end) const { return control == none && birth <= 0.0 && death >= end; }
   Place place;
 };
 
@@ -75,11 +82,15 @@ struct BodyLoad {
 
 /// Pressure on segments; positive pushes onto the face, against its right-hand normal.
 struct PressureLoad {
+  int id = 0;  ///< of _ID
   std::vector<Segment> segments;
   std::vector<CornerShares> share;  ///< of each segment's force, by its corners; see share_pressure
   Index curve = none;
   double scale = 1.0;
   double arrival = 0.0;
+  Index control = none;      ///< *SENSOR_CONTROL that turns it on and off
+  bool from_switch = false;  ///< TIMEOFF: the curve begins when that turns it on
+  Place place;
 };
 
 /// Traction on segments along a fixed direction, on their present area: force over area, linear between the corners.
@@ -171,6 +182,7 @@ struct RigidWall {
   Vec3d motion_direction;
   int soft = 0;  ///< SOFT of _FORCES: cycles to bring the relative velocity to zero
   double birth = 0.0, death = forever;
+  Index control = none;  ///< *SENSOR_CONTROL that turns it on and off
   Place place;
 };
 

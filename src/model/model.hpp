@@ -14,6 +14,7 @@
 #include "base/finding.hpp"
 #include "base/index.hpp"
 #include "base/vec3.hpp"
+#include "model/belt.hpp"
 #include "model/body_stopper.hpp"
 #include "model/coarsening.hpp"
 #include "model/contact.hpp"
@@ -34,6 +35,7 @@
 #include "model/requests.hpp"
 #include "model/rigid_weld.hpp"
 #include "model/run_ends.hpp"
+#include "model/sensors.hpp"
 #include "model/user_function.hpp"
 #include "model/weld_law.hpp"
 #include "model/weld_library.hpp"
@@ -238,7 +240,14 @@ struct Model : LoadLists {
   std::vector<Vec3d> initial_velocity;  ///< per node; empty: all zero [length/time]
   std::vector<Vec3d> initial_spin;      ///< per node; empty: all zero [1/time]
   Damping damping;
-  RunEnds run_ends;
+  Belts belts;
+  std::vector<Sensor> sensors;
+  std::vector<SensorSwitch> sensor_switches;
+  std::vector<SensorControl> sensor_controls;
+  std::vector<RunEnd> run_ends;
+  bool holds_at_start(const SinglePointConstraint& spc) const {
+    return spc.birth <= 0.0 && (spc.control == none || sensor_controls[spc.control].starts_on);
+  }
   std::vector<BodyStopper> body_stoppers;
   std::vector<LinearConstraint> linear_constraints;
   InitialState initial_state;

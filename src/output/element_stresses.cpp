@@ -2,6 +2,7 @@
 #include "output/element_stresses.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -95,6 +96,29 @@ std::array<double, 6> stress_of_kernel(const system::System& system, const syste
 std::optional<Frame3d> shell_axes(const system::System& system, const system::ElementGroup& group, std::size_t e,
                                   const system::State& state) {
   return shown_axes(system, group, e, state, group.axes(e, state));
+}
+
+std::optional<Frame3d> axes_in_elout(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                     int layer, const system::State& state) {
+  using enum model::Requests::ShellAxes;
+  const model::Requests& ask = system.model.requests;
+  if (ask.shell_axes == global) return {};
+  if (ask.shell_axes == standard && ask.material_axes)
+    if (const auto axes = group.material_axes(e, layer, state)) return axes;
+  return shell_axes(system, group, e, state);
+}
+
+std::vector<int> layers_in_elout(const model::Model& model, const system::ElementGroup& group) {
+  std::vector<int> order(at(group.layers()));
+  std::iota(order.begin(), order.end(), 0);
+  const model::Part& part = model.parts[group.part];
+  if (order.size() % 2 == 0 || part.section == model::none) return order;
+  const model::SectionShell& section = model.shell_sections[part.section];
+  const bool is_gauss = !section.trapezoidal && section.rule.empty() &&
+                        !std::holds_alternative<kernel::Laminate>(model.materials[part.material].law);
+  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+  if (is_gauss) std::rotate(order.begin(), middle, middle + 1);
+  return order;
 }
 
 std::array<double, 6> by_cmpflg(const model::Model& model, const system::ElementGroup& group, std::size_t e, int layer,

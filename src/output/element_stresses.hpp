@@ -43,6 +43,13 @@ std::array<double, 6> along(const Frame3d& axes, const std::array<double, 6>& te
 std::optional<Frame3d> shell_axes(const system::System& system, const system::ElementGroup& group, std::size_t e,
                                   const system::State& state);
 
+/// Axes in which elout has a layer of a shell, as EOCS and CMPFLG want them; nothing: the global ones.
+std::optional<Frame3d> axes_in_elout(const system::System& system, const system::ElementGroup& group, std::size_t e,
+                                     int layer, const system::State& state);
+/// The layers of a shell as LS-DYNA lists them in elout: of Gauss's rule with an odd number of points the middle one
+/// first, then from the bottom up.
+std::vector<int> layers_in_elout(const model::Model& model, const system::ElementGroup& group);
+
 /// A tensor as CMPFLG of *DATABASE_EXTENT_BINARY wants it: along the material's axes where it has some.
 std::array<double, 6> by_cmpflg(const model::Model& model, const system::ElementGroup& group, std::size_t e, int layer,
                                 const system::State& state, const std::array<double, 6>& tensor);

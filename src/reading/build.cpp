@@ -113,6 +113,7 @@ model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsuppo
   b.defer(Phase::mesh, make_mesh);
   b.defer(Phase::sets, make_layers);
   b.defer(Phase::sets, resolve_sets);
+  b.defer(Phase::bodies, weigh_belts);
   b.defer(Phase::bodies, make_rigid_bodies);
   // Behind what the conditions leave for that phase.
   b.defer(Phase::checks, [](Builder& late) { late.defer(Phase::checks, check_inertia); });

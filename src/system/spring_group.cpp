@@ -203,7 +203,7 @@ Vec3d free_of_supports(const model::Model& model, model::Index node, const Vec3d
                        double to) {
   Vec3d rest = n;
   for (const model::SinglePointConstraint& spc : model.spcs) {
-    if (spc.node != node || spc.birth > from || spc.death < to) continue;
+    if (spc.node != node || spc.control != model::none || spc.birth > from || spc.death < to) continue;
     const unsigned bits = rotation ? spc.fixed >> 3 : spc.fixed & 7u;
     const Frame3d axes =
         spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[spc.system].axes;

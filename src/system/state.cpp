@@ -4,7 +4,7 @@
 namespace nugget::system {
 
 void State::archive(Archive& a) {
-  a(time, dt, dt_previous, period, cycle, relaxing, x, v, w, f, m);
+  a(time, dt, dt_previous, period, cycle, relaxing, controls, x, v, w, f, m);
 }
 
 }  // namespace nugget::system

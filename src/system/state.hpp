@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "base/archive.hpp"
+#include "base/index.hpp"
 #include "base/row.hpp"
 #include "base/zeroed.hpp"
 
@@ -22,6 +25,16 @@ struct State {
   bool begins_period() const { return cycle == 0 || cycle % period == 1; }
   long cycle = 0;         ///< n
   bool relaxing = false;  ///< dynamic relaxation, before the run
+  /// What a *SENSOR_CONTROL has come to by the last look at its switches, before the step to come.
+  struct Controlled {
+    bool on = true;
+    double since = 0.0;  ///< when it was turned on, or off [time]; 0: at the start
+    void archive(Archive& a) { a(on, since); }
+  };
+  std::vector<Controlled> controls;  ///< by Model::sensor_controls
+  /// Whether what this control turns on and off acts; -1: nothing does so.
+  bool acts(int control) const { return control < 0 || controls[control].on; }
+  double turned_on(int control) const { return control < 0 ? 0.0 : controls[control].since; }
   Rows x;                 ///< positions at t(n) [length]
   Rows v, w;              ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
   Rows f, m;              ///< forces and moments on the nodes at t(n): external minus internal

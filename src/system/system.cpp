@@ -354,6 +354,7 @@ void System::transfer_dependent_mass() {
 
 State System::initial_state() {
   State state;
+  for (const model::SensorControl& control : model.sensor_controls) state.controls.push_back({control.starts_on, 0.0});
   const std::size_t n = all_nodes();
   state.x.resize(n);
   state.v.resize(n);

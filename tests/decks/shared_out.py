@@ -47,6 +47,20 @@ def tube(around=24, along=30, *, fail=0.0, mass_step=0.0, elform=2, dtmin=0.0, e
     return text + "*END\n"
 
 
+def switched_tube():
+    """The tube, in which a pressure, the motion and shells are turned on and off by a force, a stress and an acceleration."""
+    text = tube().replace("*BOUNDARY_SPC_SET\n", "*BOUNDARY_SPC_SET_ID\n" + f"{41:10}base\n", 1)
+    text = text.replace("*BOUNDARY_PRESCRIBED_MOTION_SET\n", "*BOUNDARY_PRESCRIBED_MOTION_SET_ID\n" + f"{42:10}top\n")
+    text = text.replace("*LOAD_SEGMENT\n", "*LOAD_SEGMENT_ID\n" + f"{43:10}side\n")
+    sensors = ("*SENSOR_DEFINE_FORCE\n" + card(1, "SPC", 41, "Z") + "*SENSOR_DEFINE_ELEMENT\n" + card(2, "SHELL", 360, "VM", "STRESS", "TOP")
+               + "*SENSOR_DEFINE_NODE\n" + card(3, 556, 0, 0, 0, "ACC") + "*SENSOR_DEFINE_CALC-MATH\n" + card(4, "MAX", 3))
+    switches = ("*SENSOR_SWITCH\n" + card(1, "SENSOR", 1, "GT", 30000.0) + card(2, "SENSOR", 2, "GT", 400.0, 0, 2e-5)
+                + card(3, "SENSOR", 4, "GT", 1e7, 0, 0.0, 5e-5))
+    controls = ("*SENSOR_CONTROL\n" + card(1, "PRESSURE", 43, 1) + card("OFF", 1) + card(2, "PRESC-MOT", 42) + card("ON", 2)
+                + card(3, "ELESET", 4, 0, 0, "SHELL") + card("ON", 3))
+    return text.replace("*END\n", sensors + switches + controls + "*END\n")
+
+
 def block(n=6, *, elform=1, ihq=6, speed=60000.0, end=6.0e-5):
     """n x n x 2n bricks that fly into supports under their lowest face, with beams along an edge and tetrahedra on top."""
     draw = random.Random(5)

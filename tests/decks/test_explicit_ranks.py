@@ -12,7 +12,7 @@ from few_elements import card, curve
 from lap_joint import deck as lap_joint
 from nugget_command import SOURCE
 from repeated_runs import FOREVER, LANES, RepeatedRuns, with_lanes
-from shared_out import block, tube
+from shared_out import block, switched_tube, tube
 from test_breaking_metals import torn
 from test_composites import plates
 from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
@@ -92,6 +92,35 @@ class ExplicitRanks(RepeatedRuns):
                 summary = self.compare_ranks(tube().replace("*END\n", end + "*END\n"), ranks=((2, 1), (7, 1)))
                 self.assertLess(summary["time"], 3.9e-4)
                 self.assertIn(message, summary["message"])
+
+    def test_sensors_that_turn_things_on_and_off(self):
+        """Forces of a support, a stress, an acceleration; a contact's force, whose pairs the ranks share. Sabotage: a contact's force of one rank's pairs."""
+        self.compare_ranks(switched_tube(), ranks=((2, 1), (3, 1)))
+        for what in ("turns PRESSURE 43 on", "turns PRESC-MOT 42 off", "turns ELESET 4 off"):
+            self.assertIn(what, self.log("r3_1"))
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        text = (self.folder / "double_hat.k").read_text(encoding="ascii")
+        sensors = ("*SENSOR_DEFINE_FORCE\n" + card(1, "CONTACT", 2, "M") + "*SENSOR_SWITCH\n" + card(1, "SENSOR", 1, "GT", 1.0) + card(2, "SENSOR", 1, "GT", 4.0)
+                   + "*SENSOR_CONTROL\n" + card(1, "RWALL", 1) + card("ON", 1) + "*TERMINATION_SENSOR\n" + card(2))
+        summary = self.compare_ranks(text.replace("*END", sensors + "*END"), "--until", "6.0e-4", ranks=((3, 1),))
+        self.assertEqual(summary["message"], "sensor switch 2 is on")
+        self.assertIn("turns RWALL 1 off, by switch 1", self.log("r3_1"))
+
+    def test_seat_belts(self):
+        """On the tube: a retractor at a node of its base, a slip ring at one of a shell, the end at the top, which comes down. Every rank computes all belts."""
+        belts = ("*MAT_SEATBELT\n" + card(5, 1e-7, 91, 92, 3.0) + "*SECTION_SEATBELT\n" + card(5) + "*PART\nbelt\n" + card(5, 5, 5) + curve(91, (0.0, 0.0), (1.0, 1e5))
+                 + curve(92, (0.0, 0.0), (0.5, 1e5)) + curve(93, (0.0, 200.0), (5.0, 800.0), (50.0, 900.0)))
+        places = {3001: (-30.0, -30.0, 0.0), 3002: (-30.0, -30.0, 0.0), 3003: (-30.0, -30.0, 0.0), 3004: (60.0, -60.0, 75.0), 3005: (75.0, -75.0, 75.0)}
+        belts += "*NODE\n" + "".join(f"{n:8}{x:16.9f}{y:16.9f}{z:16.9f}\n" for n, (x, y, z) in places.items())
+        rows = ((1, 3001, 3004, 0), (2, 3001, 3002, 8), (3, 3002, 3003, 8), (4, 3004, 721, 0))  # node 721 is at the top
+        belts += "*ELEMENT_SEATBELT\n" + "".join(f"{e:8}{5:8}{a:8}{b:8}{r:8}{0.0:16}\n" for e, a, b, r in rows)
+        belts += "*ELEMENT_SEATBELT_SENSOR\n" + card(9, 3) + card(2e-4) + "*ELEMENT_SEATBELT_RETRACTOR\n" + card(8, 1, 1, 9) + card(0.0, 0.0, 93, 0, 10.0)
+        belts += "*NODE\n" + f"{3006:8}{60.0:16.9f}{-60.0:16.9f}{75.0:16.9f}\n" + "*ELEMENT_MASS\n" + f"{901:8}{3006:8}{1e-3:16}\n"
+        belts += "*INITIAL_VELOCITY_NODE\n" + card(3006, 15000.0, -15000.0, 0.0) + "*ELEMENT_SEATBELT_SLIPRING\n" + card(7, 1, 4, 0.2, 3006) + "*DATABASE_SBTOUT\n" + card(1e-5, 3)
+        self.compare_ranks(tube().replace("*END\n", belts + "*END\n"), ranks=((2, 1), (3, 1)))
+        self.assertIn("seat belts", self.log("r3_1"))
+        self.assertIn("retractor 8 has locked", self.log("r3_1"))
+        self.assertIn("has come out of retractor 8", self.log("r3_1"))
 
     def test_subcycling_is_refused(self):
         said = self.over(2, "run", self.write(tube()), "-o", "refused", "--subcycle", expect=1).stderr

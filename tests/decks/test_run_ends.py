@@ -110,23 +110,21 @@ class RunEnds(RepeatedRuns):
     def test_what_is_refused(self):
         node = "*SENSOR_DEFINE_NODE\n5,1,{},{},0,{}"
         for cards, text in (
-                (self.switch(node.format(0, 0, "ACC"), "SENSOR,5,GT,1.0"), "ctype = ACC: of nodes COORD and VEL are measured"),
+                (self.switch(node.format(0, 0, "TEMP"), "SENSOR,5,GT,1.0"), "ctype = TEMP: of nodes COORD, VEL and ACC are measured"),
                 (self.switch(node.format(2, 1, "VEL"), "SENSOR,5,GT,1.0"), "vid = 1: along a vector only one node is measured"),
-                (self.switch("*SENSOR_DEFINE_MISC\n5,RIGIDBODY,7", "SENSOR,5,GT,1.0"), "mtype = RIGIDBODY: TIME and CURVE are measured"),
-                (self.switch("*SENSOR_DEFINE_ELEMENT\n5,SOLID,1,XX,STRESS", "SENSOR,5,GT,1.0"), "sensid = 5: no sensor that is built has this id"),
+                (self.switch("*SENSOR_DEFINE_MISC\n5,MATSUM,INTERNAL,7", "SENSOR,5,GT,1.0"), "mtype = MATSUM: TIME, CURVE, RIGIDBODY, BNDOUT, JNTSTG, RETRACTOR and SLIPRING are measured"),
+                (self.switch("*SENSOR_DEFINE_ELEMENT_SET\n5,SOLID,1,XX,STRESS", "SENSOR,5,GT,1.0"), "sensid = 5: no sensor that is built has this id"),
                 (self.switch("*SENSOR_DEFINE_MISC\n5,TIME", "SENSOR,5,GT,1.0,3"), "filtrid = 3: filtered sensors are not built"),
-                (self.switch("*SENSOR_DEFINE_MISC\n5,TIME", "SENSOR,5,GT,1.0,0,0,1e-3"), "tdelay = 1e-3: a delay is not built"),
                 (self.switch("*SENSOR_DEFINE_CALC-MATH\n5,SUM,5", "SENSOR,5,GT,1.0"), "sensor 5 depends on itself"),
                 (self.switch("*SENSOR_DEFINE_MISC\n6,TIME\n*SENSOR_DEFINE_CALC-MATH\n5,MAX,-6", "SENSOR,5,GT,1.0"), "a sign has a meaning in SUM and MULTIPLY only"),
                 ("*SENSOR_SWITCH_CALC-LOGIC\n1,2\n*SENSOR_SWITCH_CALC-LOGIC\n2,1\n*TERMINATION_SENSOR\n1", "depends on itself"),
                 ("*TERMINATION_SENSOR\n4", "swid1 = 4: no sensor switch has this id"),
                 ("*TERMINATION_NODE\n1,4,1.0", "stop = 4: an end by contact is not built"),
-                ("*TERMINATION_CONTACT\n1", "ends by contact, curve or deleted elements are not built"),
-                ("*SENSOR_CONTROL\n1,AIRBAG,1\nON,1", "nothing is switched on or off during a run")):
+                ("*TERMINATION_CONTACT\n1", "ends by contact, curve or deleted elements are not built")):
             with self.subTest(text):
                 self.assertIn(text, self.nugget("check", self.write(deck(cards)).name, expect=1).stderr)
         # What nothing asks for is passed over.
-        self.nugget("check", self.write(deck(node.format(0, 0, "ACC") + "\n*SENSOR_DEFINE_ELEMENT\n6,SOLID,1,XX,STRESS")).name)
+        self.nugget("check", self.write(deck(node.format(0, 0, "TEMP") + "\n*SENSOR_DEFINE_ELEMENT\n6,TSHELL,1,XX,STRESS\n*SENSOR_DEFINE_MISC\n7,RIGIDBODY,7")).name)
 
 
 if __name__ == "__main__":

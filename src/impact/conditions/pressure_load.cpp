@@ -55,9 +55,10 @@ void PressedFaces::archive(Archive& a) {
 }
 
 void ActingLoad<model::PressureLoad>::apply(system::State& state, double dt, double& work) {
-  const double time = state.time - load_.arrival;
+  const double time = state.time - load_.arrival - (load_.from_switch ? state.turned_on(load_.control) : 0.0);
   const Curve& curve = system_.model.curves[load_.curve];
-  faces_.press(time >= 0.0 ? load_.scale * load_value(curve, time, state) : 0.0, state, dt, work);
+  const bool acts = time >= 0.0 && state.acts(load_.control);
+  faces_.press(acts ? load_.scale * load_value(curve, time, state) : 0.0, state, dt, work);
 }
 
 void ActingLoad<model::PressureLoad>::archive(Archive& a) {

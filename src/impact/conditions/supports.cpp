@@ -52,6 +52,14 @@ void drop_overridden_supports(std::vector<Item>& items, const std::vector<Prescr
       const bool together = d.rotation == items[i].rotation && std::abs(dot(d.axis, items[i].axis)) >= 1.0 - 1e-9 &&
                             d.birth < items[i].death && d.death > items[i].birth;
       if (!together || !overrides(i, other->second)) continue;
+      if (items[i].control != model::none || d.control != model::none) {
+        findings.error(d.motion->place, "*BOUNDARY_PRESCRIBED_MOTION",
+                       fmt::format("node {} {}, and one of them is turned on and off by *SENSOR_CONTROL: which one "
+                                   "counts is not documented",
+                                   system.node_id(d.node), what),
+                       "take the node out of one of the two cards");
+        continue;
+      }
       findings.warning(d.motion->place, "*BOUNDARY_PRESCRIBED_MOTION",
                        fmt::format("node {} {}", system.node_id(d.node), what), "take it out of one of the two cards");
       std::vector<Item> cut;
@@ -79,7 +87,7 @@ bool are_oblique(const Vec3d& a, const Vec3d& b) {
 /// velocities would not all be 0 after one is met behind the other. So what is held at one time is put at right
 /// angles, in the order of the cards (Gram and Schmidt); what adds no direction is left out.
 template <class Item>
-void orthogonalize(std::vector<Item>& items) {
+void orthogonalize(std::vector<Item>& items, const system::System& system, Findings& findings) {
   std::map<std::pair<int, bool>, std::vector<std::size_t>> of_node;
   for (std::size_t i = 0; i < items.size(); ++i) of_node[{items[i].node, items[i].rotation}].push_back(i);
   std::vector<char> replaced(items.size(), 0);
@@ -88,7 +96,16 @@ void orthogonalize(std::vector<Item>& items) {
     bool any = false;
     for (const std::size_t i : members)
       for (const std::size_t j : members) any = any || are_oblique(items[i].axis, items[j].axis);
+    const auto switched = [&](std::size_t i) { return items[i].control != model::none; };
     if (!any) continue;
+    if (const auto found = std::ranges::find_if(members, switched); found != members.end()) {
+      findings.error(system.model.sensor_controls[items[*found].control].place, "*SENSOR_CONTROL",
+                     fmt::format("node {} is held in directions that are oblique to each other, by a support that is "
+                                 "turned on and off: this is not built",
+                                 system.node_id(items[*found].node)),
+                     "hold the node along axes at right angles");
+      continue;
+    }
     std::vector<double> times;
     for (const std::size_t i : members) {
       replaced[i] = 1;
@@ -115,6 +132,10 @@ void orthogonalize(std::vector<Item>& items) {
     if (replaced[i] == 0) all.push_back(items[i]);
   all.insert(all.end(), made.begin(), made.end());
   items = std::move(all);
+}
+
+double time_on_curve(const model::PrescribedMotion& motion, const system::State& state) {
+  return state.time - motion.birth - (motion.from_switch ? state.turned_on(motion.control) : 0.0);
 }
 
 /// Time on the curve at which the step begins; a motion activated within it has its curve from there on.
@@ -161,7 +182,8 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
     if (obeyed == 0) continue;
     for (int i = 0; i < 6; ++i) {
       if (!(obeyed >> i & 1u)) continue;
-      constrained_dofs_.push_back({spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death});
+      constrained_dofs_.push_back(
+          {spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death, spc.control});
     }
     spc_.push_back({node, static_cast<model::Index>(s), spc.set_id, {}, {}, 0.0, {}, {}});
   }
@@ -174,8 +196,8 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
         for (const Vec3d& n : normals(motion.direction)) directions.push_back(n);
       for (std::size_t d = 0; d < directions.size(); ++d) {
         PrescribedDof prescribed;
-        static_cast<ConstrainedDof&>(prescribed) = {motion_.size(),  node,         directions[d],
-                                                    motion.rotation, motion.birth, motion.death};
+        static_cast<ConstrainedDof&>(prescribed) = {motion_.size(), node,         directions[d], motion.rotation,
+                                                    motion.birth,   motion.death, motion.control};
         prescribed.motion = &motion;
         prescribed.body = body;
         prescribed.constrain_others = d > 0;
@@ -210,7 +232,7 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
                              return one < other && !prescribed_dofs_[one].constrain_others &&
                                     prescribed_dofs_[one].motion != prescribed_dofs_[other].motion;
                            });
-  orthogonalize(constrained_dofs_);
+  orthogonalize(constrained_dofs_, system, findings);
   // Several motions of a node beside an oblique support may ask for too much: the motions are obeyed then.
   std::map<std::pair<int, bool>, int> motions;
   std::map<std::pair<int, bool>, std::vector<std::size_t>> constrained_at;
@@ -229,7 +251,7 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
 
 void Supports::constrain_at_start(system::State& state) {
   for (const ConstrainedDof& h : constrained_dofs_) {
-    if (h.birth > 0.0) continue;
+    if (h.birth > 0.0 || !state.acts(h.control)) continue;
     Row& row = h.rotation ? state.w[h.node] : state.v[h.node];
     add(row, -dot(h.axis, vec(row)) * h.axis);
   }
@@ -238,7 +260,7 @@ void Supports::constrain_at_start(system::State& state) {
 void Supports::hold_for_good(std::span<Row> v, std::span<Row> w) const {
   const double end = system_.model.control.end_time;
   const auto hold = [&](const ConstrainedDof& dof) {
-    if (dof.birth > 0.0 || dof.death < end) return;
+    if (dof.birth > 0.0 || dof.death < end || dof.control != model::none) return;
     Row& row = dof.rotation ? w[dof.node] : v[dof.node];
     add(row, -dot(dof.axis, vec(row)) * dof.axis);
   };
@@ -253,13 +275,13 @@ Supports::OfNode Supports::of_node(int node, bool rotation) const {
   for (const ConstrainedDof& h : constrained_dofs_) {
     if (h.node != node || h.rotation != rotation) continue;
     found.held.push_back(h.axis);
-    found.passing = found.passing || h.birth > 0.0 || h.death < end;
+    found.passing = found.passing || h.birth > 0.0 || h.death < end || h.control != model::none;
   }
   for (std::size_t d = 0; d < prescribed_dofs_.size(); ++d) {
     const PrescribedDof& p = prescribed_dofs_[d];
     if (p.node != node || p.rotation != rotation || p.body >= 0) continue;
     found.driven.push_back(d);
-    found.passing = found.passing || p.birth > 0.0 || p.death < end;
+    found.passing = found.passing || p.birth > 0.0 || p.death < end || p.control != model::none;
     found.turning = found.turning || p.motion->circular || !p.oblique_to.empty();
   }
   return found;
@@ -279,7 +301,7 @@ double Supports::target(PrescribedDof& prescribed, const system::State& state, d
   if (prescribed.constrain_others) return 0.0;
   const model::PrescribedMotion& motion = *prescribed.motion;
   const Curve& curve = system_.model.curves[motion.curve];
-  const double t = state.time - motion.birth;
+  const double t = time_on_curve(motion, state);
   switch (motion.quantity) {
     case model::PrescribedMotion::Quantity::velocity: return motion.scale * velocity_of_step(curve, system_, state, t);
     case model::PrescribedMotion::Quantity::acceleration:
@@ -296,7 +318,7 @@ double Supports::circular_target(PrescribedDof& prescribed, const system::State&
                                  double velocity_interval) const {
   const model::PrescribedMotion& motion = *prescribed.motion;
   const Curve& curve = system_.model.curves[motion.curve];
-  const double dt = state.dt, t = state.time - motion.birth;
+  const double dt = state.dt, t = time_on_curve(motion, state);
   if (!(dt > 0.0)) return 0.0;
   const auto node = at(prescribed.node);
   const model::PlaceOnCircle place = model::place_on_circle(motion, vec(state.x[node]));
@@ -394,7 +416,9 @@ void Supports::set_component(ConstrainedDof& dof, double target, int body, syste
 }
 
 void Supports::prescribe(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies) {
-  const auto alive = [&](const ConstrainedDof& h) { return state.time >= h.birth && state.time < h.death; };
+  const auto alive = [&](const ConstrainedDof& h) {
+    return state.time >= h.birth && state.time < h.death && state.acts(h.control);
+  };
   dt_previous_ = state.dt_previous;
   power_on_change_ = 0.0;
   const auto component = [&](const ConstrainedDof& h) {
@@ -474,7 +498,7 @@ void Supports::book_opening_work(double dt) {
 
 void Supports::ConstrainedDof::archive(Archive& a) {
   a(axis, force, before, velocity, active);
-  a.built(reaction, node, rotation, birth, death);
+  a.built(reaction, node, rotation, birth, death, control);
 }
 
 void Supports::PrescribedDof::archive(Archive& a) {

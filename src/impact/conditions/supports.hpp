@@ -73,6 +73,7 @@ class Supports {
     Vec3d axis;
     bool rotation;
     double birth, death;
+    model::Index control = model::none;                ///< *SENSOR_CONTROL that turns it on and off
     double force = 0.0, before = 0.0, velocity = 0.0;  // of the last prescribe: velocities before and after it
     bool active = false;
     void archive(Archive& a);

@@ -119,6 +119,7 @@ void Joints::apply(system::State& state) {
 }
 
 bool Joints::fails(const Joint& j, const system::State& state) const {
+  if (!state.acts(j.source->control)) return true;
   if (!j.source->failure) return false;
   const model::Joint::Failure& failure = *j.source->failure;
   if (failure.time > 0.0 && state.time >= failure.time) return true;

@@ -64,7 +64,7 @@ void Rivets::find_constrained_directions(Findings& findings) {
       const model::Index node = rivet.source->nodes[end];
       for (const model::SinglePointConstraint& spc : model.spcs) {
         if (spc.node != node || (spc.fixed & 7u) == 0) continue;
-        if (spc.birth > 0.0 || spc.death < model::forever) refuse(rivet, node, "is held for a time");
+        if (!spc.holds_until(model::forever)) refuse(rivet, node, "is held for a time");
         const Frame3d axes =
             spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model.systems[spc.system].axes;
         const std::array<Vec3d, 3> axis{axes.e1, axes.e2, axes.e3};

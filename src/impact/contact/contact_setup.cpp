@@ -418,8 +418,7 @@ bool is_fully_prescribed(const model::Model& model, model::Index rigid_body) {
   for (std::size_t i = 0; i < 6; ++i)
     if (body.fixed >> i & 1u) held[i / 3].add(own[i % 3]);
   for (const model::PrescribedMotion& motion : model.motions) {
-    const bool for_good =
-        motion.birth <= 0.0 && motion.death >= model.control.end_time && model.curves[motion.curve].in_run;
+    const bool for_good = motion.drives_until(model.control.end_time) && model.curves[motion.curve].in_run;
     if (motion.rigid_body != rigid_body || !for_good) continue;
     Directions& driven = held[motion.rotation ? 1 : 0];
     driven.add(motion.direction);

@@ -41,6 +41,7 @@ Contacts::Contacts(const system::System& system, std::span<const Row> x, Finding
       continue;
     }
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, x);
+    control_.push_back(card.control);
     if (card.glue) report_tiebreak(card, *contacts_.back().glue(), findings);
   }
   const auto is_transducer = [](const model::Contact& card) { return card.kind == model::Contact::Kind::transducer; };
@@ -48,12 +49,15 @@ Contacts::Contacts(const system::System& system, std::span<const Row> x, Finding
     for (contact::PenaltyContact& c : contacts_) c.keep_hits_for_results();
 }
 
-void Contacts::apply(const contact::Step& step, std::span<Row> force) {
+void Contacts::apply(const contact::Step& step, const system::State& state, std::span<Row> force) {
   contact::Step now = step;
   // While nothing is deleted no pair need look at what its elements are.
   const std::span<const unsigned char>& alive = step.element_alive;
   if (!alive.empty() && std::memchr(alive.data(), 0, alive.size()) == nullptr) now.element_alive = {};
-  for (contact::PenaltyContact& c : contacts_) c.apply(now, force);
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    now.off = !state.acts(control_[c]);
+    contacts_[c].apply(now, force);
+  }
 }
 
 void Contacts::surface_changed() {

@@ -19,8 +19,8 @@ class Contacts {
   /// An error where a contact has no segments.
   Contacts(const system::System& system, std::span<const Row> x, Findings& findings);
 
-  /// Adds the forces of this step.
-  void apply(const contact::Step& step, std::span<Row> force);
+  /// Adds the forces of this step, of those contacts that `state` says are turned on.
+  void apply(const contact::Step& step, const system::State& state, std::span<Row> force);
   /// Elements were deleted.
   void surface_changed();
 
@@ -42,10 +42,14 @@ class Contacts {
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
     for (contact::PenaltyContact& contact : contacts_) contact.carry(of.rank, what, parcel);
   }
-  void archive(Archive& a) { a(contacts_); }
+  void archive(Archive& a) {
+    a(contacts_);
+    a.built(control_);
+  }
 
  private:
   std::vector<contact::PenaltyContact> contacts_;
+  std::vector<model::Index> control_;  ///< *SENSOR_CONTROL of each
 };
 
 }  // namespace nugget::impact

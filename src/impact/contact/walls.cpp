@@ -66,6 +66,7 @@ Walls::Walls(const system::System& system, Findings& findings) {
                                    wall.friction, wall.id, wall.friction == 2.0 ? "without friction" : "and stick"),
                        "hold such bodies by a constraint if they are to stay there");
     walls_.emplace_back(wall, std::move(nodes), curve, std::move(bodies));
+    if (wall.control != model::none) walls_.back().turn(model.sensor_controls[wall.control].starts_on);
   }
 }
 
@@ -78,6 +79,7 @@ void Walls::constrain(const system::System& system, system::State& state, std::s
   const double fastest = 2 * tracked > state.v.size() ? largest_speed(system, state.v) : infinity;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const model::RigidWall& card = model.walls[w];
+    walls_[w].turn(state.acts(card.control));
     double time = state.time;
     // The step at the end of the run is not taken, but the wall's force then is that of half of it. A motion whose
     // curve ends there continues as in the step before.

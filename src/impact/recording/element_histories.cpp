@@ -37,39 +37,16 @@ output::EloutSolid solid(const Snapshot& now, model::Index index, const system::
   return row;
 }
 
-/// Axes of a layer of a shell as EOCS wants them; nothing: the global ones.
-std::optional<Frame3d> axes_of_layer(const Snapshot& now, const system::ElementGroup& group, std::size_t e, int layer) {
-  using enum model::Requests::ShellAxes;
-  const model::Requests& ask = now.system.model.requests;
-  if (ask.shell_axes == global) return {};
-  if (ask.shell_axes == standard && ask.material_axes)
-    if (const auto axes = group.material_axes(e, layer, now.state)) return axes;
-  return output::shell_axes(now.system, group, e, now.state);
-}
-
-/// As LS-DYNA lists them: of Gauss's rule with an odd number of points the middle one first, then from the bottom up.
-std::vector<int> layers_in_order(const model::Model& model, const system::ElementGroup& group) {
-  std::vector<int> order(at(group.layers()));
-  std::iota(order.begin(), order.end(), 0);
-  const model::Part& part = model.parts[group.part];
-  if (order.size() % 2 == 0 || part.section == model::none) return order;
-  const model::SectionShell& section = model.shell_sections[part.section];
-  const bool is_gauss = !section.trapezoidal && section.rule.empty() &&
-                        !std::holds_alternative<kernel::Laminate>(model.materials[part.material].law);
-  const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
-  if (is_gauss) std::rotate(order.begin(), middle, middle + 1);
-  return order;
-}
-
 output::EloutShell shell(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
   const model::Model& model = now.system.model;
   output::EloutShell row;
   row.id = model.shells.id[index];
   row.part = model.parts[group.part].id;
   const auto turn = [&](output::Tensor& tensor, int layer) {
-    if (const auto axes = axes_of_layer(now, group, e, layer)) tensor = output::along(*axes, tensor);
+    if (const auto axes = output::axes_in_elout(now.system, group, e, layer, now.state))
+      tensor = output::along(*axes, tensor);
   };
-  for (const int k : layers_in_order(model, group)) {
+  for (const int k : output::layers_in_elout(model, group)) {
     row.layers.push_back(point(group, e, k, now));
     turn(row.layers.back().stress, k);
   }

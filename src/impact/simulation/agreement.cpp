@@ -61,6 +61,7 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   add(c.welds.joints_need_each_cycle(), "joints of weld bricks and of stacks of welds");
   add(!c.connectors.empty(), "discrete beams");
   add(!c.joints.empty(), "joints");
+  add(!c.belts.empty(), "seat belts");
   add(c.rivets.size() != 0, "rivets");
   add(!c.linear_constraints.empty(), "linear equations between nodes");
   add(!model.discretes.empty(), "springs");
@@ -108,6 +109,13 @@ std::vector<char> Simulation::followed_by_all() const {
     if (contact.looks_everywhere()) contact.each_node(follow_place);
   for (const contact::InteriorContact& contact : c.interiors.all())
     std::ranges::for_each(contact.nodes(), follow_place);
+  for (const model::Belt& belt : model.belts.elements) std::ranges::for_each(belt.node, follow);
+  for (const model::SlipRing& ring : model.belts.rings) follow(ring.node);
+  for (const model::Retractor& retractor : model.belts.retractors) {
+    follow(retractor.node);
+    std::ranges::for_each(retractor.inside_nodes, follow);
+  }
+  for (const model::BeltSensor& sensor : model.belts.sensors) std::ranges::for_each(sensor.node, follow);
   for (const model::Accelerometer& a : model.accelerometers) std::ranges::for_each(a.node, follow);
   for (const model::ControlVolume& volume : model.control_volumes) {
     follow_segments(volume.segments);
@@ -123,8 +131,8 @@ std::vector<char> Simulation::followed_by_all() const {
   for (const model::TractionLoad& load : model.traction_loads) follow_segments(load.segments);
   for (const model::BlastLoad& load : model.blast_loads) follow_segments(load.segments);
   for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
-  for (const model::Sensor& sensor : model.run_ends.sensors) std::ranges::for_each(sensor.node, follow);
-  for (const model::RunEnd& end : model.run_ends.ends) follow(end.node);
+  for (const model::Sensor& sensor : model.sensors) std::ranges::for_each(sensor.node, follow);
+  for (const model::RunEnd& end : model.run_ends) follow(end.node);
   for (const model::CoordinateSystem& system : model.systems)
     if (system.nodes)
       for (const model::Index n : {system.nodes->origin, system.nodes->on_axis, system.nodes->in_plane}) follow(n);

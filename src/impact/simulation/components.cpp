@@ -16,6 +16,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       tie_forces(system),
       tie_releases(system, welds, tie_forces),
       joints(system),
+      belts(system, findings),
       element_alive(system.model),
       erosion(system),
       strains(system, system.model.requests.strains),
@@ -25,7 +26,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       interiors(system, x, findings),
       walls(system, findings),
       stoppers(system),
-      ends(system) {}
+      sensors(system) {}
 
 int Components::failed_welds() const {
   int sum = 0;

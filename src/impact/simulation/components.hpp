@@ -11,6 +11,7 @@
 #include "impact/conditions/preloads.hpp"
 #include "impact/conditions/stoppers.hpp"
 #include "impact/conditions/supports.hpp"
+#include "impact/connections/belts.hpp"
 #include "impact/connections/connectors.hpp"
 #include "impact/connections/joints.hpp"
 #include "impact/connections/linear_constraints.hpp"
@@ -23,8 +24,8 @@
 #include "impact/contact/element_alive.hpp"
 #include "impact/contact/interiors.hpp"
 #include "impact/contact/walls.hpp"
-#include "impact/simulation/ends.hpp"
 #include "impact/simulation/erosion.hpp"
+#include "impact/simulation/sensors.hpp"
 #include "impact/simulation/strains.hpp"
 
 namespace nugget::impact {
@@ -46,6 +47,7 @@ struct Components {
   TieForces tie_forces;
   TieReleases tie_releases;  ///< of `welds` and `tie_forces`
   Joints joints;
+  Belts belts;
   ElementAlive element_alive;
   Erosion erosion;
   Strains strains;
@@ -55,7 +57,7 @@ struct Components {
   Interiors interiors;
   Walls walls;
   Stoppers stoppers;
-  Ends ends;
+  Sensors sensors;
 
   /// Faults of the input become findings. `x`: places at the start [length].
   Components(system::System& system, std::span<const Row> x, Findings& findings);
@@ -93,8 +95,8 @@ struct Components {
   static void visit_all(Self& c, Visit& visit) {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.linear_constraints,
-        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.element_alive, c.erosion, c.strains, c.nodal_forces,
-        c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.ends);
+        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.belts, c.element_alive, c.erosion, c.strains,
+        c.nodal_forces, c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
   }
 };
 

@@ -44,7 +44,9 @@ std::string too_many_failed(const system::System& system, double time) {
 
 }  // namespace
 
-Erosion::Erosion(system::System& system) : system_(system), deaths_(system.model.element_deaths) {
+Erosion::Erosion(system::System& system) : system_(system) {
+  for (const model::ElementDeath& death : system.model.element_deaths)
+    (death.control == model::none ? deaths_ : switched_).push_back(death);
   std::stable_sort(deaths_.begin(), deaths_.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
 }
 
@@ -83,6 +85,7 @@ double Erosion::smallest_step(double first_step) const {
 
 void Erosion::update(const system::State& state, double first_step) {
   delete_by_time(state.time);
+  delete_by_switch(state);
   const double limit = smallest_step(first_step);
   for (const auto& group : system_.groups) {
     if (group->inverted >= 0 && wants_negative_volume(*group)) delete_negative_volumes(*group, state.time);
@@ -93,16 +96,27 @@ void Erosion::update(const system::State& state, double first_step) {
 }
 
 void Erosion::delete_by_time(double time) {
-  for (; next_death_ < deaths_.size() && deaths_[next_death_].time <= time; ++next_death_) {
-    const model::ElementDeath& death = deaths_[next_death_];
-    const system::System::ElementLocation location = system_.location_of(death.kind, death.element);
-    if (location.group < 0) continue;
-    system::ElementGroup& group = *system_.groups[location.group];
-    const std::size_t e = at(location.element);
-    if (!group.alive(e)) continue;
-    remove(group, e, time, "as *DEFINE_ELEMENT_DEATH says");
-    group.release_step(e);
-  }
+  for (; next_death_ < deaths_.size() && deaths_[next_death_].time <= time; ++next_death_)
+    delete_one(deaths_[next_death_], time, "as *DEFINE_ELEMENT_DEATH says");
+}
+
+void Erosion::delete_by_switch(const system::State& state) {
+  std::erase_if(switched_, [&](const model::ElementDeath& death) {
+    if (state.acts(death.control)) return false;
+    delete_one(death, state.time,
+               fmt::format("as *SENSOR_CONTROL {} says", system_.model.sensor_controls[death.control].id));
+    return true;
+  });
+}
+
+void Erosion::delete_one(const model::ElementDeath& death, double time, std::string_view why) {
+  const system::System::ElementLocation location = system_.location_of(death.kind, death.element);
+  if (location.group < 0) return;
+  system::ElementGroup& group = *system_.groups[location.group];
+  const std::size_t e = at(location.element);
+  if (!group.alive(e)) return;
+  remove(group, e, time, why);
+  group.release_step(e);
 }
 
 void Erosion::remove(system::ElementGroup& group, std::size_t e, double time, std::string_view why) {
@@ -163,7 +177,7 @@ void Erosion::check_distortion(system::ElementGroup& group, int rule, const syst
 }
 
 void Erosion::archive(Archive& a) {
-  a(deleted_, events_, stop_, next_death_);
+  a(deleted_, events_, stop_, next_death_, switched_);
   a.built(system_, deaths_);
 }
 

@@ -10,10 +10,10 @@
 
 namespace nugget::impact {
 
-/// Deletes elements at the time that *DEFINE_ELEMENT_DEATH gives, and those that would stop the run: bricks of negative
-/// volume and elements whose step falls below DTMIN (or a millionth) times the first one, where ERODE (1 bricks, 10
-/// shells, 100 beams, or their sums) or PSFAIL says so, and shells that turn inside out, where NFAIL1 and NFAIL4 do.
-/// What the deck does not name stays: the run stops there.
+/// Deletes elements at the time that *DEFINE_ELEMENT_DEATH gives, or when *SENSOR_CONTROL turns them off, and those
+/// that would stop the run: bricks of negative volume and elements whose step falls below DTMIN (or a millionth) times
+/// the first one, where ERODE (1 bricks, 10 shells, 100 beams, or their sums) or PSFAIL says so, and shells that turn
+/// inside out, where NFAIL1 and NFAIL4 do. What the deck does not name stays: the run stops there.
 class Erosion {
  public:
   explicit Erosion(system::System& system);
@@ -42,6 +42,8 @@ class Erosion {
   bool wants_negative_volume(const system::ElementGroup& group) const;
   int distortion_rule(const system::ElementGroup& group) const;
   void delete_by_time(double time);
+  void delete_by_switch(const system::State& state);
+  void delete_one(const model::ElementDeath& death, double time, std::string_view why);
   void remove(system::ElementGroup& group, std::size_t e, double time, std::string_view why);
   void delete_small_steps(system::ElementGroup& group, double limit, double time);
   void delete_negative_volumes(system::ElementGroup& group, double time);
@@ -51,6 +53,7 @@ class Erosion {
   Count deleted_;
   std::vector<model::ElementDeath> deaths_;  ///< by time
   std::size_t next_death_ = 0;
+  std::vector<model::ElementDeath> switched_;  ///< of *SENSOR_CONTROL, those that are still there
   std::vector<std::string> events_;
   std::string stop_;
 };

@@ -16,6 +16,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/contact/contact_setup.hpp"
+#include "impact/simulation/ends.hpp"
 #include "model/bond.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -155,7 +156,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (!relaxed.stops()) write_checkpoint_if_due(options);
     choose_step(end_time);
     outcome = relaxed.stops() ? relaxed : reason_to_stop(options, end_time);
-    if (!outcome.stops()) outcome.message = components_.ends.update(state_);
+    components_.sensors.update(state_, components_);
+    if (!outcome.stops()) outcome.message = reason_to_end(system_, state_, components_.sensors);
     last = outcome.stops() || state_.time >= end_time;
     const bool record = last || results_due(recorder);
     const bool balance = last || state_.cycle % 100 == 0 || (record && balance_due(recorder));
@@ -289,6 +291,7 @@ void Simulation::step() {
   components_.accelerometers.add_step(state_);
   add_time(constraints);
   move();
+  components_.belts.move(state_);
   add_time(motion);
   components_.preloads.apply(state_);
   system_.internal_force(state_);
@@ -552,7 +555,7 @@ void Simulation::contact_forces() {
 }
 
 void Simulation::apply_contacts(const contact::Step& step, std::span<Row> force) {
-  components_.contacts.apply(step, force);
+  components_.contacts.apply(step, state_, force);
   components_.interiors.apply(step, force);
   components_.walls.press(step, force);
 }
@@ -560,6 +563,7 @@ void Simulation::apply_contacts(const contact::Step& step, std::span<Row> force)
 void Simulation::applied_forces() {
   components_.tie_forces.apply(state_);
   components_.joints.apply(state_);
+  components_.belts.apply(state_);
   components_.loads.apply(state_, state_.dt);
   components_.damping.apply(state_, state_.dt);
 }

@@ -130,6 +130,9 @@ void Simulation::choose_step(double end_time) {
   const double of_joints = control.step_scale * components_.joints.stable_step();
   const bool by_joints = of_joints < dt;
   if (by_joints) dt = of_joints;
+  const double of_belts = control.step_scale * components_.belts.stable_step();
+  const bool by_belts = of_belts < dt;
+  if (by_belts) dt = of_belts;
   if (controlling_.step == std::numeric_limits<double>::infinity()) {
     const double of_bodies = step_of_bodies(end_time);
     if (dt == std::numeric_limits<double>::infinity() || (bodies_step_ > 0.0 && of_bodies < dt)) dt = of_bodies;
@@ -138,7 +141,8 @@ void Simulation::choose_step(double end_time) {
   if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (dt < smallest_step_) {
     smallest_step_ = dt;
-    smallest_by_ = by_joints                                  ? "the stiffness of a joint"
+    smallest_by_ = by_belts                                   ? "the seat belts"
+                   : by_joints                                ? "the stiffness of a joint"
                    : bodies_step_ > 0.0 && dt <= bodies_step_ ? "the opening of joints"
                                                               : controlling_.describe(system_);
   }

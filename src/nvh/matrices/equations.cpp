@@ -92,8 +92,8 @@ struct Supports {
 void report_passing_spcs(const model::Model& model, Findings& findings) {
   int late = 0, early = 0;
   for (const model::SinglePointConstraint& spc : model.spcs) {
-    late += spc.birth > 0.0;
-    early += spc.birth <= 0.0 && spc.death < std::max(model.control.end_time, 0.0);
+    late += !model.holds_at_start(spc);
+    early += model.holds_at_start(spc) && !spc.holds_until(std::max(model.control.end_time, 0.0));
   }
   if (late + early > 0)
     findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
@@ -109,7 +109,7 @@ Supports supports_of(const system::System& system, Findings& findings) {
   report_passing_spcs(model, findings);
   for (std::size_t s = 0; s < model.spcs.size(); ++s) {
     const model::SinglePointConstraint& spc = model.spcs[s];
-    if (spc.birth > 0.0) continue;
+    if (!model.holds_at_start(spc)) continue;
     const int node = system.node_of[spc.node];
     // A node that is tied by its translations alone has its own rotations.
     const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;

@@ -214,6 +214,9 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
     if (weld.kind == model::RigidWeld::Kind::rivet)
       findings.error(weld.place, "*CONSTRAINED_RIVET", "rivets are not built in linear analyses",
                      "weld the two nodes with *CONSTRAINED_SPOTWELD");
+  if (!m.belts.empty())
+    findings.error(m.belts.elements.front().place, "*ELEMENT_SEATBELT", "seat belts are not built in linear analyses",
+                   "put springs (*ELEMENT_DISCRETE) in their place");
   for (const model::ControlVolume& gas : m.control_volumes)
     findings.warning(gas.place, "*" + gas.keyword,
                      "the gas takes no part in linear analyses: it has no stiffness there");

@@ -80,7 +80,7 @@ class States {
     for (std::size_t i = 0; i < model_.spcs.size(); ++i) {
       const model::SinglePointConstraint& spc = model_.spcs[i];
       const int node = m_.system.node_of[spc.node];
-      if (spc.birth > 0.0 || (m_.system.map.dependent(node) && m_.system.map.rotations(node))) continue;
+      if (!model_.holds_at_start(spc) || (m_.system.map.dependent(node) && m_.system.map.rotations(node))) continue;
       const SixDof force = support_load(Equations::Support::Source::spc, i, node);
       const Frame3d axes =
           spc.system == model::none ? Frame3d{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}} : model_.systems[spc.system].axes;

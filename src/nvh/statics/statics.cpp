@@ -123,11 +123,16 @@ void check_statics(const model::Model& model, Findings& findings) {
       findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
                      "linear statics takes prescribed displacements; velocities and accelerations are not built",
                      "write VAD 2 with the displacement at ENDTIM");
-    if (motion.birth > 0.0 || motion.death < model.control.end_time)
+    if (!motion.drives_until(model.control.end_time))
       findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
                      "a motion that is not there from time 0 to ENDTIM is not built in linear statics",
-                     "leave BIRTH and DEATH empty");
+                     "leave BIRTH and DEATH empty, and take out its *SENSOR_CONTROL");
   }
+  for (const model::PressureLoad& load : model.pressure_loads)
+    if (load.control != model::none)
+      findings.error(load.place, "*LOAD_SEGMENT",
+                     "a pressure that *SENSOR_CONTROL turns on and off is not built in linear statics",
+                     "take out its *SENSOR_CONTROL");
   for (const model::BodyLoad& load : model.body_loads) {
     if (load.centrifugal)
       findings.error(deck, "*LOAD_BODY_RX",

@@ -137,6 +137,7 @@ void release_driven_bodies(Builder& b) {
         continue;
       }
       body.fixed &= ~bit;
+      b.motions_of_held_bodies.insert(static_cast<Index>(&motion - b.model.motions.data()));
       b.findings.warning(motion.place, "*BOUNDARY_PRESCRIBED_MOTION", what + ": the motion counts, nothing holds it",
                          "free it in CON1 or CON2 of *MAT_RIGID, or in the body's SPC");
     }

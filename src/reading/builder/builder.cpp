@@ -129,7 +129,9 @@ void Builder::mark_ignored(const deck::Block& block) {
   };
   const Family families[] = {
       {"MAT_", IdSpace::material, {&materials}},
-      {"SECTION_", IdSpace::other, {&shell_sections, &solid_sections, &beam_sections, &discrete_sections}},
+      {"SECTION_",
+       IdSpace::other,
+       {&shell_sections, &solid_sections, &beam_sections, &discrete_sections, &belt_sections}},
       {"SET_NODE", IdSpace::set, {&node_sets}},
       {"SET_PART_TREE", IdSpace::set, {&branches}},
       {"SET_PART", IdSpace::set, {&part_sets}},

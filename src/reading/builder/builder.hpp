@@ -155,8 +155,14 @@ class Builder {
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;
   Ids sensors, sensor_switches;
+  Ids belts, slip_rings, belt_sensors, retractors, belt_sections;
+  std::map<Index, Index> belt_materials;  ///< by material: its place in Belts::materials
+  std::vector<Index> nodes_of_rings;      ///< for which a slip ring or retractor stands in belts
   std::map<Index, std::pair<deck::Entry, std::string>> sensor_faults;  ///< by sensor: what of it is not built
-  Ids pair_strengths, load_rate_strengths, connections, functions;     ///< of Model's arrays of these names
+  std::map<Index, std::function<void(Builder&)>> sensor_sources;       ///< by sensor: finds what it looks at
+  std::set<int> supports_of_bodies;                                    ///< ids of SPCs that hold nodes of rigid bodies
+  std::set<Index> motions_of_held_bodies;  ///< whose body is held in their direction; known after Phase::checks
+  Ids pair_strengths, load_rate_strengths, connections, functions;  ///< of Model's arrays of these names
   Ids node_sets, part_sets, segment_sets, shell_sets, solid_sets, beam_sets, branches;
 
   void defer(Phase phase, std::function<void(Builder&)> work) {

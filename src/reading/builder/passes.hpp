@@ -18,6 +18,9 @@ void make_discretes(Builder& builder);
 /// those of their layers (kernel::Laminate).
 void make_layers(Builder& builder);
 
+/// First of Phase::bodies: seat belts give their masses to their nodes.
+void weigh_belts(Builder& builder);
+
 /// Phase::sets. Works out the members of all sets, whichever order they refer to each other in.
 void resolve_sets(Builder& builder);
 

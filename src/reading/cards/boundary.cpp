@@ -110,7 +110,9 @@ void read_spc(Builder& builder, const Block& block, const Options& options) {
       spc.system = b.system(row[&SpcCard::cid]);
       if constexpr (set) spc.set_id = row->target;
       auto nodes = nodes_of<set>(b, row[&SpcCard::target]);
+      const std::size_t all = nodes.size();
       constrain_bodies(b, row[&SpcCard::target], spc, nodes);
+      if (nodes.size() < all) b.supports_of_bodies.insert(spc.id);
       for (const Index node : nodes) {
         spc.node = node;
         b.model.spcs.push_back(spc);

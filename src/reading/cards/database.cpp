@@ -502,7 +502,6 @@ std::vector<Keyword> database_keywords() {
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
       not_written("DATABASE_DISBOUT",
                   "discrete beams (disbout) are not written; swforc has the forces of those that join sheets"),
-      not_written("DATABASE_SBTOUT", "seat belts (sbtout) are not written; there are none"),
 
       request_without_effect("DATABASE_BINARY_RUNRSF",
                              "restart files are asked for on the command line (--checkpoint)"),

@@ -368,13 +368,15 @@ void warn_of_no_area(Builder& b, const RowOf<PressureCard>& row, const std::vect
 
 /// Makes a pressure load of what `segments` returns, in its phase.
 template <class Segments>
-void leave_pressure(Builder& builder, const RowOf<PressureCard>& row, Segments segments) {
+void leave_pressure(Builder& builder, int id, const RowOf<PressureCard>& row, Segments segments) {
   if (row->lcid < 0)
     return refuse(builder, row[&PressureCard::lcid],
                   "blast loads by numbers below 0 (Brode, ConWep) are not built here",
                   "write *LOAD_BLAST_ENHANCED with *LOAD_BLAST_SEGMENT_SET, or give a curve of pressure over time");
-  builder.defer(Phase::conditions, [row, segments](Builder& b) {
+  builder.defer(Phase::conditions, [id, row, segments](Builder& b) {
     PressureLoad load;
+    load.id = id;
+    load.place = row.place();
     load.curve = b.curve(row[&PressureCard::lcid]);
     load.scale = row->sf;
     load.arrival = row->at;
@@ -400,12 +402,12 @@ std::vector<Segment> one_segment(Builder& builder, const RowOf<PressureCard>& ro
 void read_segment(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    read_heading(cursor, options.contains("ID"));
+    const int id = read_heading(cursor, options.contains("ID")).id;
     const auto row = cursor.read(load_segment_card);
     if (row->n5 != 0)
       return refuse(builder, row[&PressureCard::n5], "segments of quadratic elements are not built",
                     "give three or four corners");
-    leave_pressure(builder, row, is_mirrored(block) ? one_segment<true> : one_segment<false>);
+    leave_pressure(builder, id, row, is_mirrored(block) ? one_segment<true> : one_segment<false>);
   }
 }
 
@@ -492,8 +494,8 @@ void read_traction(Builder& builder, const Block& block, const Options& options)
 void read_segment_set(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    read_heading(cursor, options.contains("ID"));
-    leave_pressure(builder, cursor.read(segment_set_card), [](Builder& b, const RowOf<PressureCard>& row) {
+    const int id = read_heading(cursor, options.contains("ID")).id;
+    leave_pressure(builder, id, cursor.read(segment_set_card), [](Builder& b, const RowOf<PressureCard>& row) {
       const auto* set = b.segment_set(row[&PressureCard::target]);
       return set ? set->members : std::vector<Segment>{};
     });
@@ -504,8 +506,8 @@ template <bool set>
 void read_shell_pressure(Builder& builder, const Block& block, const Options& options) {
   Cursor cursor(builder.deck, block, builder.findings);
   while (!at_end(cursor)) {
-    read_heading(cursor, options.contains("ID"));
-    leave_pressure(builder, cursor.read(set ? shell_set_card : load_shell_card),
+    const int id = read_heading(cursor, options.contains("ID")).id;
+    leave_pressure(builder, id, cursor.read(set ? shell_set_card : load_shell_card),
                    [](Builder& b, const RowOf<PressureCard>& row) {
                      std::vector<Segment> segments;
                      const auto add = [&](Index shell) { segments.push_back(b.model.shells.node[shell]); };

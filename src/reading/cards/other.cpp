@@ -17,6 +17,9 @@ Keyword refused(std::string_view name, std::string_view why) {
 
 using Rows = std::vector<Keyword>;
 
+constexpr std::string_view of_many_sensors =
+    "measures something that nothing here asks for; sets (_SET) and _UPDATE are not built, single ones are";
+
 /// Nothing of the run depends on them.
 Rows without_effect() {
   return {
@@ -30,8 +33,15 @@ Rows without_effect() {
       ignored("CONTROL_NONLOCAL", "storage for nonlocal laws, which are not built"),
       ignored("ELEMENT_PLOTEL", "lines for pictures only"),
       ignored("SET_DISCRETE*", "no card that is obeyed takes a set of springs and dampers; deforc has each of them"),
+      ignored("SENSOR_DEFINE_NODE_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_FORCE_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_ELEMENT_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_MISC_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_CALC-MATH_*", of_many_sensors),
+      ignored("SENSOR_DEFINE_FUNCTION_*", of_many_sensors),
       ignored("SENSOR_DEFINE_*",
-              "measures something that nothing here asks for; of nodes, of the time and calculations is built"),
+              "measures something that nothing here asks for; _NODE, _FORCE, _ELEMENT, _MISC, _CALC-MATH and _FUNCTION "
+              "are built"),
       ignored("INTERFACE_SPRINGBACK_*", "asks for a file of the final state (dynain); d3plot holds it"),
   };
 }
@@ -66,7 +76,6 @@ Rows other_solutions() {
       refused("USER_*", "user subroutines are not built"),
       refused("MODULE_*", "user subroutines are not built"),
       refused("SENSOR_SWITCH_*", "this form of a switch is not built; *SENSOR_SWITCH and _SWITCH_CALC-LOGIC are"),
-      refused("SENSOR_CONTROL", "nothing is switched on or off during a run; give birth and death times instead"),
       refused("SENSOR_*", "switching by sensors is not built"),
   };
 }
@@ -104,8 +113,8 @@ Rows other_physics() {
 Rows other_elements() {
   return {
       refused("ELEMENT_DISCRETE_*", "this form of a spring is not built; write *ELEMENT_DISCRETE"),
-      refused("ELEMENT_SEATBELT*", "seat belts are not built"),
-      refused("SECTION_SEATBELT*", "seat belts are not built"),
+      refused("ELEMENT_SEATBELT_PRETENSIONER",
+              "pretensioners are not built; let the retractor reel in, or move its node"),
       refused("SET_TSHELL*", "sets of thick shells are not built; name their parts, or write *DATABASE_HISTORY_TSHELL"),
       refused("ELEMENT_TSHELL_*",
               "thick shells with angles or layers of their own (_BETA, _COMPOSITE) are not built; *ELEMENT_TSHELL is"),
@@ -145,7 +154,7 @@ Rows other_laws() {
       refused("MAT_GENERAL_JOINT_*", discrete_beam_laws),
       refused("MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM*", discrete_beam_laws),
       refused("MAT_CABLE_DISCRETE_BEAM*", "cables are not built"),
-      refused("MAT_SEATBELT*", "seat belts are not built"),
+      refused("MAT_SEATBELT_2D", "belts of shells are not built; belts of two nodes (*MAT_SEATBELT) are"),
       refused("MAT_B01*", "seat belts are not built"),
       refused("MAT_THERMAL_*", "heat conduction is not built"),
       refused("MAT_T0*", "heat conduction is not built"),

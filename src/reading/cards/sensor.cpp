@@ -1,161 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <map>
+#include <string>
 
 #include "base/index.hpp"
 #include "deck/text.hpp"
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
+#include "reading/cards/sensor.hpp"
 
-// *SENSOR_DEFINE_..., *SENSOR_SWITCH..., *TERMINATION_...: what ends a run before its time.
+// *SENSOR_SWITCH..., *TERMINATION_...: switches on what sensors measure, and what ends a run before its time.
 namespace nugget::reading {
 
 namespace {
 
 using deck::Block;
 using deck::Cursor;
-using deck::RowOf;
-
-// ---- sensors. What is not built of one is said where it is used: many decks define sensors that nothing asks.
-
-struct NodeSensorCard {
-  int sensid = 0, node1 = 0, node2 = 0, vid = 0;
-  std::string ctype;
-};
-const CardOf<NodeSensorCard> node_sensor_card{
-    {&NodeSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
-    {&NodeSensorCard::node1, id("node1", IdSpace::node, required, "node")},
-    {&NodeSensorCard::node2, id("node2", IdSpace::node, 0, "node from which the first is seen; 0: none")},
-    {&NodeSensorCard::vid,
-     id("vid", IdSpace::define, 0, "*DEFINE_VECTOR along which it counts; 0: the amount of the vector")},
-    unused(),
-    {&NodeSensorCard::ctype, text("ctype", 10, "COORD place, VEL velocity; ACC and TEMP are not built")},
-    text("setopt", 10, "of node sets only"),
-};
-
-struct MiscSensorCard {
-  int sensid = 0, first = 0;
-  std::string mtype;
-};
-const CardOf<MiscSensorCard> misc_sensor_card{
-    {&MiscSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
-    {&MiscSensorCard::mtype, text("mtype", 10, "TIME; CURVE: the value of curve I0 at the time; others are not built")},
-    {&MiscSensorCard::first, id("i0", IdSpace::function, 0, "of CURVE: the curve")},
-};
-
-struct MathSensorCard {
-  int sensid = 0;
-  std::string calc;
-  std::array<int, 6> sens{};
-};
-const CardOf<MathSensorCard> math_sensor_card = [] {
-  CardOf<MathSensorCard> card{
-      {&MathSensorCard::sensid, id("sensid", IdSpace::other, required, "sensor")},
-      {&MathSensorCard::calc, text("calc", 10,
-                                   "SUM, ABSSUM, MIN, MAX, MINMAG, MAXMAG, MULTIPLY, SQRE, SQRTSQRE, SQRT of the "
-                                   "sensors")}};
-  constexpr std::array<std::string_view, 6> names{"sens1", "sens2", "sens3", "sens4", "sens5", "sens6"};
-  for (std::size_t i = 0; i < names.size(); ++i)
-    card.add({at(&MathSensorCard::sens, i),
-              or_negative(id(names[i], IdSpace::other, 0, "sensor; below 0: taken away (SUM), divided by (MULTIPLY)"),
-                          IdSpace::other)});
-  return card;
-}();
-
-Index add_sensor(Builder& b, const deck::Row& row, Sensor sensor) {
-  const auto index = static_cast<Index>(b.model.run_ends.sensors.size());
-  b.sensors.add(sensor.id, index, row.place(), row.keyword(), "sensor", b.findings);
-  b.model.run_ends.sensors.push_back(std::move(sensor));
-  return index;
-}
-
-void leave_fault(Builder& b, Index sensor, const deck::Entry& field, std::string text) {
-  b.sensor_faults.emplace(sensor, std::pair{field, std::move(text)});
-}
-
-void read_node_sensor(Builder& builder, const Block& block, const Options& options) {
-  for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
-    read_title(cursor, options);
-    const auto row = cursor.read(node_sensor_card);
-    const std::string type = deck::upper(row->ctype);
-    Sensor sensor;
-    sensor.id = row->sensid;
-    sensor.quantity = type == "VEL" ? Sensor::Quantity::velocity : Sensor::Quantity::place;
-    const Index index = add_sensor(builder, row, sensor);
-    if (type != "VEL" && type != "COORD")
-      leave_fault(builder, index, row[&NodeSensorCard::ctype], "of nodes COORD and VEL are measured");
-    if (row->vid != 0 && row->node2 != 0)
-      leave_fault(builder, index, row[&NodeSensorCard::vid],
-                  "along a vector only one node is measured: which of two is taken from the other is not documented");
-    builder.defer(Phase::conditions, [row, index](Builder& b) {
-      Sensor& of = b.model.run_ends.sensors[at(index)];
-      of.node = {b.node(row[&NodeSensorCard::node1]), row->node2 == 0 ? none : b.node(row[&NodeSensorCard::node2])};
-      if (row->vid == 0) return;
-      if (const Vec3d* vector = b.vector(row[&NodeSensorCard::vid]); vector != nullptr && norm(*vector) > 0.0)
-        of.direction = unit(*vector);
-    });
-  }
-}
-
-void read_misc_sensor(Builder& builder, const Block& block, const Options& options) {
-  for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
-    read_title(cursor, options);
-    const auto row = cursor.read(misc_sensor_card);
-    const std::string type = deck::upper(row->mtype);
-    Sensor sensor;
-    sensor.id = row->sensid;
-    if (type == "CURVE") sensor.quantity = Sensor::Quantity::curve;
-    const Index index = add_sensor(builder, row, sensor);
-    if (type == "CURVE")
-      builder.defer(Phase::conditions, [row, index](Builder& b) {
-        b.model.run_ends.sensors[at(index)].curve = b.curve(row[&MiscSensorCard::first]);
-      });
-    else if (type != "TIME")
-      leave_fault(builder, index, row[&MiscSensorCard::mtype], "TIME and CURVE are measured");
-  }
-}
-
-void read_math_sensor(Builder& builder, const Block& block, const Options& options) {
-  using enum Sensor::Calculation;
-  static const std::map<std::string, Sensor::Calculation> calculations{
-      {"SUM", sum},          {"ABSSUM", sum_of_amounts}, {"MIN", least},
-      {"MAX", greatest},     {"MINMAG", least_amount},   {"MAXMAG", greatest_amount},
-      {"MULTIPLY", product}, {"SQRE", squares},          {"SQRTSQRE", root_of_squares},
-      {"SQRT", roots}};
-  for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
-    read_title(cursor, options);
-    const auto row = cursor.read(math_sensor_card);
-    Sensor sensor;
-    sensor.id = row->sensid;
-    sensor.quantity = Sensor::Quantity::calculation;
-    const auto found = calculations.find(deck::upper(row->calc));
-    if (found != calculations.end()) sensor.calculation = found->second;
-    const Index index = add_sensor(builder, row, sensor);
-    if (found == calculations.end())
-      leave_fault(builder, index, row[&MathSensorCard::calc], "this calculation is not built");
-    builder.defer(Phase::conditions, [row, index](Builder& b) {
-      const Sensor::Calculation how = b.model.run_ends.sensors[at(index)].calculation;
-      for (std::size_t i = 0; i < row->sens.size(); ++i) {
-        const int id = row->sens[i];
-        if (id == 0) continue;
-        const deck::Entry field = row[at(&MathSensorCard::sens, i)];
-        if (id < 0 && how != sum && how != product)
-          return leave_fault(b, index, field, "a sign has a meaning in SUM and MULTIPLY only");
-        const Index other = b.sensors.find(std::abs(id));
-        if (other == none)
-          return leave_fault(b, index, field,
-                             fmt::format("sensor {} is not defined, or of a kind that is not built", std::abs(id)));
-        b.model.run_ends.sensors[at(index)].terms.push_back({other, id < 0});
-      }
-      if (b.model.run_ends.sensors[at(index)].terms.empty())
-        leave_fault(b, index, row[at(&MathSensorCard::sens, 0)], "names no sensor");
-    });
-  }
-}
 
 // ---- switches
 
@@ -173,7 +35,7 @@ const CardOf<SwitchCard> switch_card{
     {&SwitchCard::filtrid, id("filtrid", IdSpace::define, 0, "*DEFINE_FILTER: not built")},
     {&SwitchCard::timwin,
      real("timwin", dimension::time, 0, at_least(0), "so long the condition must hold without a break")},
-    {&SwitchCard::tdelay, real("tdelay", dimension::time, 0, any_value, "delay: not built")},
+    {&SwitchCard::tdelay, real("tdelay", dimension::time, 0, at_least(0), "it goes on and off so much later")},
 };
 
 struct LogicCard {
@@ -191,9 +53,9 @@ const CardOf<LogicCard> logic_card = [] {
 }();
 
 Index add_switch(Builder& b, const deck::Row& row, SensorSwitch one) {
-  const auto index = static_cast<Index>(b.model.run_ends.switches.size());
+  const auto index = static_cast<Index>(b.model.sensor_switches.size());
   b.sensor_switches.add(one.id, index, row.place(), row.keyword(), "sensor switch", b.findings);
-  b.model.run_ends.switches.push_back(std::move(one));
+  b.model.sensor_switches.push_back(std::move(one));
   return index;
 }
 
@@ -207,7 +69,6 @@ void read_switch(Builder& builder, const Block& block, const Options& options) {
     if (!logic.empty() && logic != "LT" && logic != "GT") refuse(builder, row[&SwitchCard::logic], "expected LT or GT");
     refuse_nonzero(builder, row[&SwitchCard::filtrid], "filtered sensors are not built",
                    "leave it 0 and give a time TIMWIN");
-    refuse_nonzero(builder, row[&SwitchCard::tdelay], "a delay is not built", "give a time TIMWIN");
     if (block.transform != nullptr && (block.transform->length != 1.0 || block.transform->time != 1.0))
       refuse(builder, row[&SwitchCard::value], "its unit is that of the sensor, which FCTLEN and FCTTIM do not know",
              "write the switch in the main file");
@@ -217,14 +78,15 @@ void read_switch(Builder& builder, const Block& block, const Options& options) {
     one.above = logic == "GT";
     one.value = row->value;
     one.window = row->timwin;
+    one.delay = row->tdelay;
     const Index index = add_switch(builder, row, one);
     if (one.kind == SensorSwitch::Kind::sensor)
       builder.defer(Phase::conditions, [row, index](Builder& b) {
         const Index sensor = b.sensors.find(row->sensid);
         if (sensor == none)
           return refuse(b, row[&SwitchCard::sensid], "no sensor that is built has this id",
-                        "*SENSOR_DEFINE_NODE, _MISC (TIME, CURVE) and _CALC-MATH are built");
-        b.model.run_ends.switches[at(index)].sensor = sensor;
+                        "*SENSOR_DEFINE_NODE, _FORCE, _ELEMENT, _MISC, _CALC-MATH and _FUNCTION are built");
+        b.model.sensor_switches[at(index)].sensor = sensor;
       });
   }
 }
@@ -244,7 +106,7 @@ void read_logic(Builder& builder, const Block& block, const Options& options) {
         if (other == none)
           return refuse(b, row[at(&LogicCard::swit, i)],
                         fmt::format("switch {} is not defined", std::abs(row->swit[i])), "define it");
-        b.model.run_ends.switches[at(index)].terms.push_back({other, row->swit[i] < 0});
+        b.model.sensor_switches[at(index)].terms.push_back({other, row->swit[i] < 0});
       }
     });
   }
@@ -286,7 +148,7 @@ void read_end(Builder& builder, const Block& block, const Options&) {
         end.body = find_body(b, row[&EndCard::target]);
       else
         end.node = b.node(row[&EndCard::target]);
-      if (end.body != none || end.node != none) b.model.run_ends.ends.push_back(end);
+      if (end.body != none || end.node != none) b.model.run_ends.push_back(end);
     });
   }
 }
@@ -304,41 +166,6 @@ const CardOf<SensorEndCard> sensor_end_card = [] {
   return card;
 }();
 
-/// Refuses what a sensor that a switch asks for does not measure, and sensors and switches that ask for themselves.
-class Asked {
- public:
-  Asked(Builder& b, const deck::Entry& field) : b_(b), field_(field) {}
-
-  void of_switch(Index index, int depth = 0) {
-    const SensorSwitch& one = b_.model.run_ends.switches[at(index)];
-    if (depth > deepest) return refuse_circle(fmt::format("switch {}", one.id));
-    if (one.kind == SensorSwitch::Kind::sensor && one.sensor != none) of_sensor(one.sensor, 0);
-    for (const SensorSwitch::Term& term : one.terms) of_switch(term.of, depth + 1);
-  }
-
- private:
-  static constexpr int deepest = 20;
-
-  void of_sensor(Index index, int depth) {
-    const Sensor& sensor = b_.model.run_ends.sensors[at(index)];
-    if (depth > deepest) return refuse_circle(fmt::format("sensor {}", sensor.id));
-    if (const auto fault = b_.sensor_faults.find(index); fault != b_.sensor_faults.end()) {
-      const auto [field, text] = fault->second;
-      b_.sensor_faults.erase(fault);
-      refuse(b_, field, text, "end the run by something else");
-    }
-    for (const Sensor::Term& term : sensor.terms) of_sensor(term.sensor, depth + 1);
-  }
-  void refuse_circle(const std::string& what) {
-    if (!refused_) refuse(b_, field_, what + " depends on itself", "break the circle");
-    refused_ = true;
-  }
-
-  Builder& b_;
-  deck::Entry field_;
-  bool refused_ = false;
-};
-
 void read_sensor_end(Builder& builder, const Block& block, const Options&) {
   for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
     const auto row = cursor.read(sensor_end_card);
@@ -354,24 +181,61 @@ void read_sensor_end(Builder& builder, const Block& block, const Options&) {
           refuse(b, field, "no sensor switch has this id", "define it by *SENSOR_SWITCH");
           continue;
         }
-        Asked(b, field).of_switch(end.of_switch);
-        b.model.run_ends.ends.push_back(end);
+        check_asked_switch(b, field, end.of_switch);
+        b.model.run_ends.push_back(end);
       }
     });
   }
 }
 
+/// Refuses what a sensor that a switch asks for does not measure, and sensors and switches that ask for themselves.
+class Asked {
+ public:
+  Asked(Builder& b, const deck::Entry& field) : b_(b), field_(field) {}
+
+  void of_switch(Index index, int depth = 0) {
+    const SensorSwitch& one = b_.model.sensor_switches[at(index)];
+    if (depth > deepest) return refuse_circle(fmt::format("switch {}", one.id));
+    if (one.kind == SensorSwitch::Kind::sensor && one.sensor != none) of_sensor(one.sensor, 0);
+    for (const SensorSwitch::Term& term : one.terms) of_switch(term.of, depth + 1);
+  }
+
+ private:
+  static constexpr int deepest = 20;
+
+  void of_sensor(Index index, int depth) {
+    if (depth > deepest) return refuse_circle(fmt::format("sensor {}", b_.model.sensors[at(index)].id));
+    if (const auto source = b_.sensor_sources.find(index); source != b_.sensor_sources.end()) {
+      const auto find = std::move(source->second);
+      b_.sensor_sources.erase(source);
+      find(b_);
+    }
+    if (const auto fault = b_.sensor_faults.find(index); fault != b_.sensor_faults.end()) {
+      const auto [field, text] = fault->second;
+      b_.sensor_faults.erase(fault);
+      refuse(b_, field, text, "measure something else");
+    }
+    for (const Sensor::Term& term : b_.model.sensors[at(index)].terms) of_sensor(term.sensor, depth + 1);
+  }
+  void refuse_circle(const std::string& what) {
+    if (!refused_) refuse(b_, field_, what + " depends on itself", "break the circle");
+    refused_ = true;
+  }
+
+  Builder& b_;
+  deck::Entry field_;
+  bool refused_ = false;
+};
+
 }  // namespace
+
+void check_asked_switch(Builder& b, const deck::Entry& field, Index of_switch) {
+  Asked(b, field).of_switch(of_switch);
+}
 
 std::vector<Keyword> sensor_keywords() {
   const std::vector<std::string_view> title{"TITLE"};
   return {
-      {.name = "SENSOR_DEFINE_NODE", .options = title, .layout = {{"", &node_sensor_card}}, .read = read_node_sensor},
-      {.name = "SENSOR_DEFINE_MISC", .options = title, .layout = {{"", &misc_sensor_card}}, .read = read_misc_sensor},
-      {.name = "SENSOR_DEFINE_CALC-MATH",
-       .options = title,
-       .layout = {{"", &math_sensor_card}},
-       .read = read_math_sensor},
       {.name = "SENSOR_SWITCH", .options = title, .layout = {{"", &switch_card}}, .read = read_switch},
       {.name = "SENSOR_SWITCH_CALC-LOGIC", .options = title, .layout = {{"", &logic_card}}, .read = read_logic},
       {.name = "TERMINATION_NODE", .layout = {{"", &node_end_card}}, .read = read_end<false>},

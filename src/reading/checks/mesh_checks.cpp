@@ -250,6 +250,7 @@ void count_free_nodes(Builder& b) {
   for (const SpringOrientation& o : m.spring_orientations) std::for_each(o.node.begin(), o.node.end(), use);
   for (const auto& p : m.masses) use(p.node);
   for (const auto& p : m.inertias) use(p.node);
+  std::ranges::for_each(b.nodes_of_rings, use);
   for (const auto& body : m.rigid_bodies) std::for_each(body.nodes.begin(), body.nodes.end(), use);
   for (const auto& weld : m.interpolation_spotwelds) std::for_each(weld.nodes.begin(), weld.nodes.end(), use);
   const auto free = std::count(used.begin(), used.end(), 0);

@@ -470,6 +470,9 @@ void check_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   else if (is_weld && part.kind == ElementKind::beam && material.weld != none && m.weld_laws[material.weld].connection)
     refuse(b, row[&PartCard::mid], "*MAT_SPOTWELD_DAIMLERCHRYSLER is a law of welds of bricks, but the part has beams",
            "model the welds by bricks, or use *MAT_SPOTWELD_DAMAGE-FAILURE");
+  else if (part.kind == ElementKind::discrete && b.belt_materials.contains(part.material))
+    refuse(b, row[&PartCard::mid], "*MAT_SEATBELT is the law of belts (*ELEMENT_SEATBELT), but the part has springs",
+           "give one of *MAT_S01 to *MAT_S08");
   else if (part.kind == ElementKind::discrete && !is<kernel::Spring>(m, part))
     refuse(b, row[&PartCard::mid], fmt::format("*{} is not a law of springs and dampers", material.keyword),
            "give one of *MAT_S01 to *MAT_S08");
@@ -616,9 +619,12 @@ void check_parts(Builder& b) {
       if (layer.names == LayerCard::Names::part) of_layers.insert(layer.id.integer());
   std::vector<char> reported_shell(b.model.shell_sections.size(), 0), reported_solid(b.model.solid_sections.size(), 0),
       reported_beam(b.model.beam_sections.size(), 0);
+  std::set<Index> of_belts;
+  for (const Belt& belt : b.model.belts.elements) of_belts.insert(belt.part);
   const auto warn_of_none = [&](const Part& part, Index index, const std::string& keyword) {
     const bool is_twin = b.parts.find(part.id) != index;  // its id is another part's already; reported
-    if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin && !of_layers.contains(part.id))
+    if (part.kind == ElementKind::nothing && part.rigid_body == none && !is_twin && !of_layers.contains(part.id) &&
+        !of_belts.contains(index))
       b.findings.warning(part.place, keyword, fmt::format("part {} has no elements", part.id));
   };
   for (const auto& [index, section, id, hourglass] : b.composite_parts) {

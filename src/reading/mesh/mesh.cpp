@@ -517,11 +517,13 @@ std::string_view name_of(ElementKind kind) {
 
 /// The section that a part's elements need: same id, of their kind.
 void link_section(Builder& b, Part& part, const deck::RowOf<PartCard>& row) {
+  // Belts are no elements of the mesh: a part of theirs has none, and its section says nothing.
+  const int id = row->secid;
+  if (part.kind == ElementKind::nothing && b.belt_sections.find(id) != none) return;
   const std::array<std::pair<ElementKind, const Ids*>, 4> kinds{{{ElementKind::shell, &b.shell_sections},
                                                                  {ElementKind::solid, &b.solid_sections},
                                                                  {ElementKind::beam, &b.beam_sections},
                                                                  {ElementKind::discrete, &b.discrete_sections}}};
-  const int id = row->secid;
   if (id == 0) return;
   bool exists = false;
   for (const auto& [kind, ids] : kinds) {
@@ -530,6 +532,7 @@ void link_section(Builder& b, Part& part, const deck::RowOf<PartCard>& row) {
     if (kind == part.kind) part.section = found;
   }
   if (part.section != none || (part.kind == ElementKind::nothing && exists)) return;
+  exists = exists || b.belt_sections.find(id) != none;
   if (part.kind == ElementKind::nothing || !exists)
     return b.report_missing(b.shell_sections, "section", row[&PartCard::secid]);
   refuse(b, row[&PartCard::secid],

@@ -106,7 +106,7 @@ TEST(Database, HistoriesOfNodesSetsAndHeadings) {
 }
 
 TEST(Database, WhatIsNotWrittenIsSaid) {
-  const Built built(small_deck(R"(*DATABASE_SBTOUT
+  const Built built(small_deck(R"(*DATABASE_NCFORC
     1.0E-3
 *DATABASE_BINARY_RUNRSF
     1000.0
@@ -118,7 +118,7 @@ TEST(Database, WhatIsNotWrittenIsSaid) {
          4         0        -3
 )"));
   EXPECT_EQ(built.findings.errors(), 0) << built.all_findings();
-  EXPECT_TRUE(built.warning("sbtout"));
+  EXPECT_TRUE(built.warning("ncforc"));
   EXPECT_TRUE(built.find(Severity::note, "zeros follow", "neiph"));
   EXPECT_TRUE(built.warning("not written", "option1"));
   EXPECT_TRUE(built.warning("the mean over a shell's in-plane points", "maxint"));
