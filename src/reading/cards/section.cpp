@@ -125,17 +125,19 @@ const CardOf<SolidCard> thick_shell_card{
     {&SolidCard::id, id("secid", IdSpace::other, required, "section id")},
     {&SolidCard::elform,
      integer("elform", 1, any_value,
-             "formulation: 5 assumed strains, one point in its plane, layers with laws of solids; others are refused")},
+             "formulation: 1 one point in its plane, 2 four, layers with laws of shells and a stiffness across of their "
+             "own; 5 one point, assumed strains, laws of solids; others are refused")},
     {&SolidCard::shrf,
      real("shrf", dimension::number, 1, above_zero(),
-          "factor on the transverse shear stiffness, with TSHEAR 1; the parabola of TSHEAR 0 has 5/6")},
+          "factor on the transverse shear stiffness; of ELFORM 5 with TSHEAR 1, the parabola of TSHEAR 0 has 5/6")},
     {&SolidCard::nip, integer("nip", 2, between(2, 10), "layers through the thickness")},
     real("propt", dimension::number, 0, any_value, "listings, no effect"),
     {&SolidCard::qr, integer("qr", 0, between(0, 1),
                              "places of the layers: 0 Gauss, 1 equally spaced with the outermost on the faces")},
     integer("icomp", 0, only(0), "angles of layers are not built"),
     {&SolidCard::tshear, real("tshear", dimension::number, 0, between(0, 1),
-                              "transverse shear strain: 0 a parabola through the thickness, 1 constant")},
+                              "transverse shear strain of ELFORM 5: 0 a parabola through the thickness, 1 constant, as that of 1 and "
+                              "2 always is")},
 };
 
 /// What the cards say beside the section's own members.
