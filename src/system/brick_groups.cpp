@@ -68,7 +68,7 @@ kernel::ExtrudedShellProperties extruded_shell(const kernel::HexahedronPropertie
   shell.membrane_hourglass = hourglass.membrane;
   shell.bending_hourglass = hourglass.bending;
   shell.warping_hourglass = hourglass.warping;
-  shell.warping_stiffness = true;
+  shell.warping_stiffness = extruded.full;
   return extruded;
 }
 

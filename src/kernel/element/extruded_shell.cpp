@@ -16,13 +16,15 @@ struct Pairs {
   Gradient<R> g;
   Vec3<R> n;  ///< of the midway surface
   Vec3<R> line[4];
-  R over_square[4], over_height[4];  ///< 1 / line^2, 1 / (line . n)
+  R over_height[4];  ///< 1 / (line . n)
+  R least_height;
 
   [[gnu::always_inline]] Pairs(const Patterns<R>& x, const Vec3<R> (&lines)[4]) : g(x), n(unit(cross(x.a, x.b))) {
     for (int i = 0; i < 4; ++i) {
       line[i] = lines[i];
-      over_square[i] = 1.0 / dot(line[i], line[i]);
-      over_height[i] = 1.0 / dot(line[i], n);
+      const R height = dot(line[i], n);
+      over_height[i] = 1.0 / height;
+      least_height = i == 0 ? height : min(least_height, height);
     }
   }
 };
@@ -40,32 +42,25 @@ Vec3<R> spin_of(const Matrix<R>& l) {
   return {0.5 * (l.z.y - l.y.z), 0.5 * (l.x.z - l.z.x), 0.5 * (l.y.x - l.x.y)};
 }
 
-/// Nodal forces f_I = P b_I of a matrix P of the uniform gradient, given as the products P . (V b) by patterns.
-template <class R, class Times>
-[[gnu::always_inline]] inline void on_gradient(const Gradient<R>& g, const Times& times, Vec3<R> (&f)[8]) {
-  nodes_of(
-      Patterns<R>{times(g.a), times(g.b), times(g.c), {times(g.h[0]), times(g.h[1]), times(g.h[2]), Vec3<R>{}}}, f);
-}
-
-/// What resists across: the stresses at the corners and their sum with the viscous pressure.
+/// Stresses across at the corners, with viscosity, and the step that they allow.
 template <class R>
 struct Across {
   R stress[4];
   R step;
 };
 
-/// Strains along the normal at the corners: that of the mean, and what a pair stretches beyond what the mean says.
+/// `fibre`: how the normal moves at the corners, by its length and time.
 template <class R>
 [[gnu::always_inline]] inline Across<R> resist_across(const ExtrudedShellProperties& extruded,
-                                                      const ElasticConstants& e, const Pairs<R>& mid,
-                                                      const Matrix<R>& l, const Vec3<R> (&rate)[4], const R& volume,
-                                                      const R& thickness, double dt, double* state) {
+                                                      const ElasticConstants& e, const Vec3<R>& n,
+                                                      const Vec3<R> (&fibre)[4], const R& volume, const R& length,
+                                                      double dt, double* state) {
   using L = ExtrudedShellLayout;
-  const R mean = dot(mid.n, l * mid.n), quarter = R(0.25);
+  const R quarter = R(0.25);
   Across<R> a;
   R trace = R(0.0);
   for (int i = 0; i < 4; ++i) {
-    const R strain = mean + dot(mid.n, rate[i] - l * mid.line[i]) * mid.over_height[i];
+    const R strain = dot(n, fibre[i]);
     trace += quarter * strain;
     a.stress[i] = load_field<R>(state, L::across + i) + (R(dt * e.E) * strain);
     store_field(state, L::across + i, a.stress[i]);
@@ -74,7 +69,7 @@ template <class R>
   viscous.bulk_quadratic = extruded.bulk_quadratic;
   viscous.bulk_linear = extruded.bulk_linear;
   const R density = extruded.shell.density * load_field<R>(state, L::density_scale);
-  const BulkViscosity<R> bulk(viscous, R(e.E), density, thickness, trace);
+  const BulkViscosity<R> bulk(viscous, R(e.E), density, length, trace);
   book_viscosity<L>(bulk.pressure, trace, volume, dt, state);
   for (R& stress : a.stress) stress -= bulk.pressure;
   a.step = bulk.step;
@@ -116,11 +111,13 @@ SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, con
     line_mid[i] = line_end[i] - half * rate[i];
   }
   const Pairs<R> mid(motion.mid, line_mid), end(motion.end, line_end);
+  // The fibre along the normal at a corner moves as linear fields say, and beyond them as the pair does.
   const Matrix<R> l = velocity_gradient(mid.g, motion.v);
-  const Vec3<R> spin = spin_of(l);
+  const Vec3<R> mean = l * mid.n, drilling = dot(spin_of(l), mid.n) * mid.n;
+  Vec3<R> fibre[4];
   for (int i = 0; i < 4; ++i) {
-    const Vec3<R>& d = mid.line[i];
-    shell.w[i] = mid.over_square[i] * (cross(d, rate[i]) + dot(d, spin) * d);
+    fibre[i] = mean + mid.over_height[i] * (rate[i] - l * mid.line[i]);
+    shell.w[i] = cross(mid.n, fibre[i]) + drilling;
   }
 
   const R area = area_of(shell.x), thickness = end.g.volume / area;
@@ -129,37 +126,41 @@ SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, con
   const NodalForces<R, 4> in_plane = extruded.full ? full_shell_cycle<R>(extruded.shell, law, shell, dt, own)
                                                    : shell_cycle<R>(extruded.shell, law, shell, dt, own);
 
-  // A moment along a pair's line turns the element; across it, it is a couple of forces on the pair.
-  Vec3<R> turning{}, couple[4];
-  for (int i = 0; i < 4; ++i) {
-    const Vec3<R>&d = end.line[i], &m = in_plane.m[i];
-    couple[i] = end.over_square[i] * cross(m, d);
-    turning += (end.over_square[i] * dot(d, m)) * d;
-  }
-
   if (any(!alive_before))
-    for (Vec3<R>& r : rate) r = select(alive_before, r, Vec3<R>{});
+    for (Vec3<R>& f : fibre) f = select(alive_before, f, Vec3<R>{});
   const Across<R> across =
-      resist_across(extruded, law.elastic(), mid, l, rate, end.g.volume, thickness, dt, state);
+      resist_across(extruded, law.elastic(), mid.n, fibre, end.g.volume, end.least_height, dt, state);
   const auto alive = load_field<R>(state, L::alive) > 0.5;
-  const R quarter = 0.25 * end.g.volume;
-  R whole = R(0.0), on_pair[4];
-  Vec3<R> levers{};
-  for (int i = 0; i < 4; ++i) {
-    const R force = select(alive, quarter * across.stress[i], R(0.0));
-    whole += force;
-    on_pair[i] = force * end.over_height[i];
-    levers += on_pair[i] * end.line[i];
-  }
-  const Vec3<R> along = end.g.over_volume * (whole * end.n - levers), twist = (0.5 * end.g.over_volume) * turning;
 
-  SolidForces<R> out;
-  on_gradient(
-      end.g, [&](const Vec3<R>& b) { return dot(along, b) * end.n + cross(twist, b); }, out.f);
+  // Moments about the normal turn the element; the others are couples of the pairs, and the forces across pull on them.
+  // What lines that are not normal carry along the plane goes to the gradient.
+  const R quarter = 0.25 * end.g.volume;
+  Vec3<R> pair[4], turning{};
+  Matrix<R> slanted{};
   for (int i = 0; i < 4; ++i) {
-    const Vec3<R> middle = R(0.5) * in_plane.f[i], apart = on_pair[i] * end.n + couple[i];
-    out.f[i] += middle - apart;
-    out.f[i + 4] += middle + apart;
+    const Vec3<R>& m = in_plane.m[i];
+    const R force = select(alive, quarter * across.stress[i], R(0.0));
+    pair[i] = end.over_height[i] * (cross(m, end.n) + force * end.n);
+    turning += dot(end.n, m) * end.n;
+    const Vec3<R> slant = end.line[i] - dot(end.line[i], end.n) * end.n;
+    slanted.x -= pair[i].x * slant;
+    slanted.y -= pair[i].y * slant;
+    slanted.z -= pair[i].z * slant;
+  }
+  const Vec3<R> half_turning = R(0.5) * turning;
+  const auto on_gradient = [&](const Vec3<R>& b) {
+    return end.g.over_volume * (slanted * b + cross(half_turning, b));
+  };
+  SolidForces<R> out;
+  nodes_of(Patterns<R>{on_gradient(end.g.a),
+                       on_gradient(end.g.b),
+                       on_gradient(end.g.c),
+                       {on_gradient(end.g.h[0]), on_gradient(end.g.h[1]), on_gradient(end.g.h[2]), Vec3<R>{}}},
+           out.f);
+  for (int i = 0; i < 4; ++i) {
+    const Vec3<R> middle = R(0.5) * in_plane.f[i];
+    out.f[i] += middle - pair[i];
+    out.f[i + 4] += middle + pair[i];
   }
   const R ratio = across.step / in_plane.stable_step;
   out.stable_step =

@@ -55,15 +55,18 @@ void start_extruded_shell(const ExtrudedShellLayout& layout, const std::array<Ve
 /// One cycle of the extruded shell: the four-node shell of shell_cycle (ELFORM 1) or of full_shell_cycle (ELFORM 2) on
 /// the midway surface of eight nodes, and beside it, uncoupled, a stiffness across.
 ///
-/// A node of the shell moves as the middle of its pair of nodes, bottom and top, and spins as the line between them;
-/// about that line it spins with the element, as its uniform gradient says, so that rigid motion strains nothing on any
-/// shape. Nodal forces do the work of the shell's forces and moments on these. The shell's thickness is the volume over
-/// the area of the midway surface. Across, at each of the four corners, the strain along the normal of the midway
-/// surface that linear fields and the pair's stretch make meets Young's modulus, elastically, whatever the law does in
-/// the plane: stress across and stress in the plane know nothing of each other. In the middle of one-dimensional
-/// squeezing it has the bulk viscosity of bricks, over the thickness. An element is deleted as its shell is.
+/// A node of the shell moves as the middle of its pair of nodes, bottom and top. The fibre along the normal moves there
+/// as linear fields say, and beyond them as the pair does; its turning is the spin of the shell's node, its stretch the
+/// strain across. About the normal all nodes spin with the element, as its uniform gradient says. Linear fields are
+/// exact and rigid motion strains nothing whatever the shape, also where the sides are slanted or fan out. Nodal forces
+/// do the work of the shell's forces and moments on these. The shell's thickness is the volume over the area of the
+/// midway surface.
 ///
-/// The stable step is 1 / sqrt(1/a^2 + 1/b^2) of the shell's a and that across b, thickness over sqrt(E / rho), with
+/// The strain across meets Young's modulus at each corner, elastically, whatever the law does in the plane: the two know
+/// nothing of each other. Squeezing across has the bulk viscosity of bricks, over the least height of a corner. An element
+/// is deleted as its shell is.
+///
+/// The stable step is 1 / sqrt(1/a^2 + 1/b^2) of the shell's a and that across b, that height over sqrt(E / rho), with
 /// viscosity. Source: docs/theory/brick.md#extruded-shell.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
