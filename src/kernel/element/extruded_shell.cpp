@@ -16,15 +16,17 @@ struct Pairs {
   Gradient<R> g;
   Vec3<R> n;  ///< of the midway surface
   Vec3<R> line[4];
-  R over_height[4];  ///< 1 / (line . n)
-  R least_height;
+  R over_height[4], over_square[4];  ///< 1 / (line . n) and its square
+  R least_length;  ///< least of (line . n)^2 / |line|, over which the step across is taken
 
   [[gnu::always_inline]] Pairs(const Patterns<R>& x, const Vec3<R> (&lines)[4]) : g(x), n(unit(cross(x.a, x.b))) {
     for (int i = 0; i < 4; ++i) {
       line[i] = lines[i];
       const R height = dot(line[i], n);
       over_height[i] = 1.0 / height;
-      least_height = i == 0 ? height : min(least_height, height);
+      over_square[i] = over_height[i] * over_height[i];
+      const R length = height * height / norm(line[i]);
+      least_length = i == 0 ? length : min(least_length, length);
     }
   }
 };
@@ -49,20 +51,18 @@ struct Across {
   R step;
 };
 
-/// `fibre`: how the normal moves at the corners, by its length and time.
+/// `strain`: across, at the corners.
 template <class R>
 [[gnu::always_inline]] inline Across<R> resist_across(const ExtrudedShellProperties& extruded,
-                                                      const ElasticConstants& e, const Vec3<R>& n,
-                                                      const Vec3<R> (&fibre)[4], const R& volume, const R& length,
-                                                      double dt, double* state) {
+                                                      const ElasticConstants& e, const R (&strain)[4],
+                                                      const R& volume, const R& length, double dt, double* state) {
   using L = ExtrudedShellLayout;
   const R quarter = R(0.25);
   Across<R> a;
   R trace = R(0.0);
   for (int i = 0; i < 4; ++i) {
-    const R strain = dot(n, fibre[i]);
-    trace += quarter * strain;
-    a.stress[i] = load_field<R>(state, L::across + i) + (R(dt * e.E) * strain);
+    trace += quarter * strain[i];
+    a.stress[i] = load_field<R>(state, L::across + i) + R(dt * e.E) * strain[i];
     store_field(state, L::across + i, a.stress[i]);
   }
   HexahedronProperties viscous;
@@ -111,13 +111,15 @@ SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, con
     line_mid[i] = line_end[i] - half * rate[i];
   }
   const Pairs<R> mid(motion.mid, line_mid), end(motion.end, line_end);
-  // The fibre along the normal at a corner moves as linear fields say, and beyond them as the pair does.
+  // At a corner the fibre along the normal turns, and is stretched, as linear fields say, and beyond them as the pair is.
   const Matrix<R> l = velocity_gradient(mid.g, motion.v);
-  const Vec3<R> mean = l * mid.n, drilling = dot(spin_of(l), mid.n) * mid.n;
-  Vec3<R> fibre[4];
+  const Vec3<R> mean = l * mid.n, spin = cross(mid.n, mean) + dot(spin_of(l), mid.n) * mid.n;
+  const R mean_strain = dot(mid.n, mean);
+  R strain[4];
   for (int i = 0; i < 4; ++i) {
-    fibre[i] = mean + mid.over_height[i] * (rate[i] - l * mid.line[i]);
-    shell.w[i] = cross(mid.n, fibre[i]) + drilling;
+    const Vec3<R> beyond = rate[i] - l * mid.line[i];
+    shell.w[i] = spin + mid.over_height[i] * cross(mid.n, beyond);
+    strain[i] = mean_strain + mid.over_square[i] * dot(mid.line[i], beyond);
   }
 
   const R area = area_of(shell.x), thickness = end.g.volume / area;
@@ -127,29 +129,33 @@ SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, con
                                                    : shell_cycle<R>(extruded.shell, law, shell, dt, own);
 
   if (any(!alive_before))
-    for (Vec3<R>& f : fibre) f = select(alive_before, f, Vec3<R>{});
+    for (R& e : strain) e = select(alive_before, e, R(0.0));
   const Across<R> across =
-      resist_across(extruded, law.elastic(), mid.n, fibre, end.g.volume, end.least_height, dt, state);
+      resist_across(extruded, law.elastic(), strain, end.g.volume, end.least_length, dt, state);
   const auto alive = load_field<R>(state, L::alive) > 0.5;
 
-  // Moments about the normal turn the element; the others are couples of the pairs, and the forces across pull on them.
-  // What lines that are not normal carry along the plane goes to the gradient.
+  // The forces that do their work: couples and pulls of the pairs, and on the uniform gradient a matrix (by rows).
   const R quarter = 0.25 * end.g.volume;
-  Vec3<R> pair[4], turning{};
-  Matrix<R> slanted{};
+  Vec3<R> pair[4], whole_moment{};
+  R whole_pull = R(0.0);
+  Matrix<R> matrix{};
   for (int i = 0; i < 4; ++i) {
-    const Vec3<R>& m = in_plane.m[i];
-    const R force = select(alive, quarter * across.stress[i], R(0.0));
-    pair[i] = end.over_height[i] * (cross(m, end.n) + force * end.n);
-    turning += dot(end.n, m) * end.n;
-    const Vec3<R> slant = end.line[i] - dot(end.line[i], end.n) * end.n;
-    slanted.x -= pair[i].x * slant;
-    slanted.y -= pair[i].y * slant;
-    slanted.z -= pair[i].z * slant;
+    const Vec3<R>&m = in_plane.m[i], &d = end.line[i];
+    const R pull = select(alive, quarter * across.stress[i], R(0.0));
+    pair[i] = end.over_height[i] * cross(m, end.n) + (end.over_square[i] * pull) * d;
+    whole_moment += m;
+    whole_pull += pull;
+    matrix.x -= pair[i].x * d;
+    matrix.y -= pair[i].y * d;
+    matrix.z -= pair[i].z * d;
   }
-  const Vec3<R> half_turning = R(0.5) * turning;
+  const Vec3<R> normal = cross(whole_moment, end.n) + whole_pull * end.n,
+                half_turning = (0.5 * dot(end.n, whole_moment)) * end.n;
+  matrix.x += normal.x * end.n;
+  matrix.y += normal.y * end.n;
+  matrix.z += normal.z * end.n;
   const auto on_gradient = [&](const Vec3<R>& b) {
-    return end.g.over_volume * (slanted * b + cross(half_turning, b));
+    return end.g.over_volume * (matrix * b + cross(half_turning, b));
   };
   SolidForces<R> out;
   nodes_of(Patterns<R>{on_gradient(end.g.a),

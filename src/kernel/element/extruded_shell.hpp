@@ -55,18 +55,18 @@ void start_extruded_shell(const ExtrudedShellLayout& layout, const std::array<Ve
 /// One cycle of the extruded shell: the four-node shell of shell_cycle (ELFORM 1) or of full_shell_cycle (ELFORM 2) on
 /// the midway surface of eight nodes, and beside it, uncoupled, a stiffness across.
 ///
-/// A node of the shell moves as the middle of its pair of nodes, bottom and top. The fibre along the normal moves there
-/// as linear fields say, and beyond them as the pair does; its turning is the spin of the shell's node, its stretch the
-/// strain across. About the normal all nodes spin with the element, as its uniform gradient says. Linear fields are
-/// exact and rigid motion strains nothing whatever the shape, also where the sides are slanted or fan out. Nodal forces
-/// do the work of the shell's forces and moments on these. The shell's thickness is the volume over the area of the
-/// midway surface.
+/// A node of the shell moves as the middle of its pair of nodes, bottom and top. At a corner the fibre along the normal
+/// turns as linear fields say, and beyond them as the pair's line does: that is the spin of the shell's node. It is
+/// strained as linear fields say, and beyond them as that line is. About the normal all nodes spin with the element, as
+/// its uniform gradient says. Linear fields are exact and rigid motion strains nothing whatever the shape; bending and
+/// twist of curved elements, whose lines fan out, strain nothing across. Nodal forces do the work of the shell's forces
+/// and moments on these. The shell's thickness is the volume over the area of the midway surface.
 ///
 /// The strain across meets Young's modulus at each corner, elastically, whatever the law does in the plane: the two know
-/// nothing of each other. Squeezing across has the bulk viscosity of bricks, over the least height of a corner. An element
-/// is deleted as its shell is.
+/// nothing of each other. Squeezing across has the bulk viscosity of bricks, over the least height of a corner
+/// times the cosine of its line. An element is deleted as its shell is.
 ///
-/// The stable step is 1 / sqrt(1/a^2 + 1/b^2) of the shell's a and that across b, that height over sqrt(E / rho), with
+/// The stable step is 1 / sqrt(1/a^2 + 1/b^2) of the shell's a and that across b, that length over sqrt(E / rho), with
 /// viscosity. Source: docs/theory/brick.md#extruded-shell.
 ///
 /// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
