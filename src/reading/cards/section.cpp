@@ -130,7 +130,7 @@ const CardOf<SolidCard> thick_shell_card{
     {&SolidCard::shrf,
      real("shrf", dimension::number, 1, above_zero(),
           "factor on the transverse shear stiffness; of ELFORM 5 with TSHEAR 1, the parabola of TSHEAR 0 has 5/6")},
-    {&SolidCard::nip, integer("nip", 2, between(2, 10), "layers through the thickness")},
+    {&SolidCard::nip, integer("nip", 2, between(2, 10), "layers through the thickness; of ELFORM 1 3 for 2 and 5 for 4")},
     real("propt", dimension::number, 0, any_value, "listings, no effect"),
     {&SolidCard::qr, integer("qr", 0, between(0, 1),
                              "places of the layers: 0 Gauss, 1 equally spaced with the outermost on the faces")},
@@ -332,7 +332,14 @@ void read_thick_shell(Builder& b, const Block& block, const Options& options) {
     read_title(cursor, options);
     const auto row = cursor.read(thick_shell_card);
     SectionSolid section = *row;
-    section.thickness = SectionSolid::Thickness{row->nip, row->qr == 1, row->shrf, row->tshear == 0.0};
+    int layers = row->nip;
+    if (row->elform == 1 && (layers == 2 || layers == 4)) {  // manual of Oasys D3PLOT: so LS-DYNA does
+      ++layers;
+      row[&SolidCard::nip].report(b.findings, Severity::note,
+                                  fmt::format("thick shells of ELFORM 1 have {} layers for {}, as LS-DYNA gives them",
+                                              layers, row->nip));
+    }
+    section.thickness = SectionSolid::Thickness{layers, row->qr == 1, row->shrf, row->tshear == 0.0};
     if (row->tshear != 0.0 && row->tshear != 1.0)
       refuse(b, row[&SolidCard::tshear], "this distribution of the transverse shear is not known", "write 0 or 1");
     add_section<SectionSolid>(b, row, section, b.solid_sections, b.model.solid_sections, "section of thick shells");
