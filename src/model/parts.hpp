@@ -82,7 +82,7 @@ struct SectionSolid {
   std::optional<Thickness> thickness{};  ///< of thick shells
   /// Thick shells of ELFORM 1 and 2: shells on the midway surface, with a stiffness across of their own.
   bool has_laws_of_shells() const { return thickness && (elform == 1 || elform == 2); }
-  bool in_swforc = true;                 ///< PRINT = 0 of the weld beams that bricks of this section replace
+  bool in_swforc = true;  ///< PRINT = 0 of the weld beams that bricks of this section replace
   Place place;
 };
 

@@ -42,8 +42,7 @@ FullBrickElement<Law> full_brick(const BrickElement<Law>& of, const model::Secti
 
 /// `brick`: of the section's part. Without hourglass control of type 6 it has the whole elastic stabilisation.
 kernel::ThickShellProperties thick_shell(kernel::HexahedronProperties brick, const model::Hourglass& hourglass,
-                                         const model::SectionSolid::Thickness& through,
-                                         const model::Control& control) {
+                                         const model::SectionSolid::Thickness& through, const model::Control& control) {
   brick.hourglass = 6;
   if (hourglass.type != 6) brick.hourglass_coefficient = 1.0;
   kernel::ThickShellProperties shell{brick, layer_rule(through, control), {}};

@@ -76,8 +76,9 @@ void cantilever_strip(int elform) {
   s.node_set(2, grid.across(20)).card("LOAD_NODE_SET", {2, 3, 9, 1.0 / 6.0});
   const LinearExperiment strip(thick(s));
   // The load of 1 N does 2 U of work.
-  expect_reference(called(elform) + ": cantilever strip", called(elform) + ", cantilever 20 x 2: deflection for 1 N [mm]",
-                   2.0 * solve(strip).energy, 0.952381, 2e-3);
+  expect_reference(called(elform) + ": cantilever strip",
+                   called(elform) + ", cantilever 20 x 2: deflection for 1 N [mm]", 2.0 * solve(strip).energy, 0.952381,
+                   2e-3);
 }
 TEST(ThickShells, CantileverStrip) {
   cantilever_strip(5);
@@ -275,8 +276,9 @@ TEST(ThickShells, PlateHeldAtItsLowerEdges) {
       close += std::abs(f - reference) < 5e-3 * reference ? 1 : 0;
     }
     EXPECT_EQ(close, count) << reference;
-    expect_reference("thick shells 2: FV52", fmt::format("thick shells 2, FV52 24 x 24 x 3: in the plane, {}", reference),
-                     nearest, reference, 5e-3);
+    expect_reference("thick shells 2: FV52",
+                     fmt::format("thick shells 2, FV52 24 x 24 x 3: in the plane, {}", reference), nearest, reference,
+                     5e-3);
   }
 }
 

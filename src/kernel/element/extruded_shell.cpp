@@ -17,7 +17,7 @@ struct Pairs {
   Vec3<R> n;  ///< of the midway surface
   Vec3<R> line[4];
   R over_height[4], over_square[4];  ///< 1 / (line . n) and its square
-  R least_length;  ///< least of (line . n)^2 / |line|, over which the step across is taken
+  R least_length;                    ///< least of (line . n)^2 / |line|, over which the step across is taken
 
   [[gnu::always_inline]] Pairs(const Patterns<R>& x, const Vec3<R> (&lines)[4]) : g(x), n(unit(cross(x.a, x.b))) {
     for (int i = 0; i < 4; ++i) {
@@ -54,8 +54,8 @@ struct Across {
 /// `strain`: across, at the corners.
 template <class R>
 [[gnu::always_inline]] inline Across<R> resist_across(const ExtrudedShellProperties& extruded,
-                                                      const ElasticConstants& e, const R (&strain)[4],
-                                                      const R& volume, const R& length, double dt, double* state) {
+                                                      const ElasticConstants& e, const R (&strain)[4], const R& volume,
+                                                      const R& length, double dt, double* state) {
   using L = ExtrudedShellLayout;
   const R quarter = R(0.25);
   Across<R> a;
@@ -111,7 +111,8 @@ SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, con
     line_mid[i] = line_end[i] - half * rate[i];
   }
   const Pairs<R> mid(motion.mid, line_mid), end(motion.end, line_end);
-  // At a corner the fibre along the normal turns, and is stretched, as linear fields say, and beyond them as the pair is.
+  // At a corner the fibre along the normal turns, and is stretched, as linear fields say, and beyond them as the pair
+  // is.
   const Matrix<R> l = velocity_gradient(mid.g, motion.v);
   const Vec3<R> mean = l * mid.n, spin = cross(mid.n, mean) + dot(spin_of(l), mid.n) * mid.n;
   const R mean_strain = dot(mid.n, mean);
@@ -130,8 +131,7 @@ SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, con
 
   if (any(!alive_before))
     for (R& e : strain) e = select(alive_before, e, R(0.0));
-  const Across<R> across =
-      resist_across(extruded, law.elastic(), strain, end.g.volume, end.least_length, dt, state);
+  const Across<R> across = resist_across(extruded, law.elastic(), strain, end.g.volume, end.least_length, dt, state);
   const auto alive = load_field<R>(state, L::alive) > 0.5;
 
   // The forces that do their work: couples and pulls of the pairs, and on the uniform gradient a matrix (by rows).
@@ -154,9 +154,7 @@ SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, con
   matrix.x += normal.x * end.n;
   matrix.y += normal.y * end.n;
   matrix.z += normal.z * end.n;
-  const auto on_gradient = [&](const Vec3<R>& b) {
-    return end.g.over_volume * (matrix * b + cross(half_turning, b));
-  };
+  const auto on_gradient = [&](const Vec3<R>& b) { return end.g.over_volume * (matrix * b + cross(half_turning, b)); };
   SolidForces<R> out;
   nodes_of(Patterns<R>{on_gradient(end.g.a),
                        on_gradient(end.g.b),

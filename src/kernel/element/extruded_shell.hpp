@@ -62,8 +62,8 @@ void start_extruded_shell(const ExtrudedShellLayout& layout, const std::array<Ve
 /// twist of curved elements, whose lines fan out, strain nothing across. Nodal forces do the work of the shell's forces
 /// and moments on these. The shell's thickness is the volume over the area of the midway surface.
 ///
-/// The strain across meets Young's modulus at each corner, elastically, whatever the law does in the plane: the two know
-/// nothing of each other. Squeezing across has the bulk viscosity of bricks, over the least height of a corner
+/// The strain across meets Young's modulus at each corner, elastically, whatever the law does in the plane: the two
+/// know nothing of each other. Squeezing across has the bulk viscosity of bricks, over the least height of a corner
 /// times the cosine of its line. An element is deleted as its shell is.
 ///
 /// The stable step is 1 / sqrt(1/a^2 + 1/b^2) of the shell's a and that across b, that length over sqrt(E / rho), with

@@ -25,8 +25,7 @@ void change_bricks(model::Model& m, Findings& findings) {
     if (part.kind != model::ElementKind::solid || part.section == model::none || part.material == model::none) continue;
     model::SectionSolid section = m.solid_sections[part.section];
     if (std::holds_alternative<kernel::Spotweld>(m.materials[part.material].law) || section.thickness ||
-        !of_bricks(section.elform) ||
-        section.elform == m.implicit.solid_form)
+        !of_bricks(section.elform) || section.elform == m.implicit.solid_form)
       continue;
     changed.push_back(part.id);
     section.elform = m.implicit.solid_form;

@@ -115,7 +115,8 @@ TEST(ThickShellCards, LawsAndHourglassControl) {
   };
   EXPECT_TRUE(Built(with_control(4)).error("whose stabilisation is that of their assumed strains", "ihq"));
   EXPECT_EQ(Built(with_control(6)).findings.errors(), 0);
-  const std::string one = "         7         1                   5\n", full = "         7         2                   5\n";
+  const std::string one = "         7         1                   5\n",
+                    full = "         7         2                   5\n";
   for (const int type : {1, 2, 3, 4, 5}) EXPECT_EQ(Built(with_control(type, one)).findings.errors(), 0) << type;
   EXPECT_TRUE(Built(with_control(6, one)).error("hourglass control as shells have it", "ihq"));
   EXPECT_EQ(Built(with_control(4, full)).findings.errors(), 0);
