@@ -267,8 +267,11 @@ std::pair<std::string, std::string_view> elements_and_remedy(const model::Model&
   if (part.kind == model::ElementKind::solid && model.solid_sections[part.section].thickness)
     return {
         fmt::format("thick shells of ELFORM {}", model.solid_sections[part.section].elform),
-        "smaller elements where they fold or single nodes are pushed; QM below 1 in an *HOURGLASS with IHQ 6 of the "
-        "part"};
+        model.solid_sections[part.section].elform == 1
+            ? "ELFORM 2 in its *SECTION_TSHELL, or *HOURGLASS with IHQ 4 and QM 0.05; smaller elements where single "
+              "nodes are pushed"
+            : "smaller elements where they fold or single nodes are pushed; QM below 1 in an *HOURGLASS with IHQ 6 of "
+              "the part"};
   if (part.kind == model::ElementKind::solid)
     return {fmt::format("bricks of ELFORM {}", model.solid_sections[part.section].elform),
             "*HOURGLASS with IHQ 5 and QM 0.05 where it is crushed, IHQ 6 and QM 1 where it bends, or ELFORM 2 in its "

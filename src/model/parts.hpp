@@ -80,7 +80,9 @@ struct SectionSolid {
   int id = 0;
   int elform = 1;
   std::optional<Thickness> thickness{};  ///< of thick shells
-  bool in_swforc = true;                 ///< PRINT = 0 of the weld beams that bricks of this section replace
+  /// Thick shells of ELFORM 1 and 2: shells on the midway surface, with a stiffness across of their own.
+  bool has_laws_of_shells() const { return thickness && (elform == 1 || elform == 2); }
+  bool in_swforc = true;  ///< PRINT = 0 of the weld beams that bricks of this section replace
   Place place;
 };
 

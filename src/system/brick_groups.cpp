@@ -7,6 +7,7 @@
 #include "model/bond.hpp"
 #include "system/brick_element.hpp"
 #include "system/cohesive_brick_element.hpp"
+#include "system/extruded_shell_element.hpp"
 #include "system/groups.hpp"
 #include "system/quadratic_tetrahedron_element.hpp"
 #include "system/rotational_tetrahedron_element.hpp"
@@ -41,13 +42,33 @@ FullBrickElement<Law> full_brick(const BrickElement<Law>& of, const model::Secti
 
 /// `brick`: of the section's part. Without hourglass control of type 6 it has the whole elastic stabilisation.
 kernel::ThickShellProperties thick_shell(kernel::HexahedronProperties brick, const model::Hourglass& hourglass,
-                                         const model::SectionSolid::Thickness& through) {
+                                         const model::SectionSolid::Thickness& through, const model::Control& control) {
   brick.hourglass = 6;
   if (hourglass.type != 6) brick.hourglass_coefficient = 1.0;
-  kernel::ThickShellProperties shell{brick, layer_rule(through), {}};
+  kernel::ThickShellProperties shell{brick, layer_rule(through, control), {}};
   shell.shear = kernel::shear_by_layer(shell.layers, through.parabolic_shear,
                                        through.parabolic_shear ? 5.0 / 6.0 : through.shear_factor);
   return shell;
+}
+
+/// `brick`: of the section's part. Hourglass control is that of shells of ELFORM 2, as are its defaults.
+kernel::ExtrudedShellProperties extruded_shell(const kernel::HexahedronProperties& brick,
+                                               const model::Hourglass& hourglass, const model::SectionSolid& section,
+                                               const model::Control& control) {
+  kernel::ExtrudedShellProperties extruded;
+  extruded.full = section.elform == 2;
+  extruded.bulk_quadratic = brick.bulk_quadratic;
+  extruded.bulk_linear = brick.bulk_linear;
+  kernel::ShellProperties& shell = extruded.shell;
+  shell.density = brick.density;
+  shell.layers = layer_rule(*section.thickness, control);
+  shell.shear_factor = section.thickness->shear_factor;
+  shell.hourglass = hourglass.type == 0 || hourglass.type > 5 ? 1 : hourglass.type;
+  shell.membrane_hourglass = hourglass.membrane;
+  shell.bending_hourglass = hourglass.bending;
+  shell.warping_hourglass = hourglass.warping;
+  shell.warping_stiffness = extruded.full;
+  return extruded;
 }
 
 /// The nodes of a weld's brick, so that zeta runs along the weld: the kernel's uniaxial stress state wants that.
@@ -69,8 +90,9 @@ std::array<model::Index, 8> laid_along(const weld::Weld& weld, const std::array<
 
 }  // namespace
 
-kernel::LayerRule layer_rule(const model::SectionSolid::Thickness& through) {
-  return through.trapezoidal ? kernel::equally_spaced_layers(through.layers) : kernel::gauss_layers(through.layers);
+kernel::LayerRule layer_rule(const model::SectionSolid::Thickness& through, const model::Control& control) {
+  if (through.trapezoidal) return kernel::equally_spaced_layers(through.layers);
+  return control.lobatto ? kernel::lobatto_layers(through.layers) : kernel::gauss_layers(through.layers);
 }
 
 void System::make_bricks() {
@@ -105,8 +127,14 @@ void System::make_bricks() {
     }
     const auto& thickness = model.solid_sections[part.section].thickness;
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
+      const model::SectionSolid& section = model.solid_sections[part.section];
+      if (section.has_laws_of_shells())
+        return add_group(ExtrudedShellElement<Law>{extruded_shell(brick, hourglass, section, model.control),
+                                                   kernel::LawKernel<Law>(law)},
+                         model::ElementKind::solid, p, members(model.solids, sorted[p]), solid_location);
       if (thickness)
-        return add_group(ThickShellElement<Law>{thick_shell(brick, hourglass, *thickness), kernel::LawKernel<Law>(law)},
+        return add_group(ThickShellElement<Law>{thick_shell(brick, hourglass, *thickness, model.control),
+                                                kernel::LawKernel<Law>(law)},
                          model::ElementKind::solid, p, members(model.solids, sorted[p]), solid_location);
       const BrickElement<Law> element{brick, kernel::LawKernel<Law>(law)};
       const auto [quadratic, tetrahedra, full, others] =

@@ -26,9 +26,11 @@ constexpr std::array costs{
     Cost{ElementKind::solid, 8, -1, 217.0, 0.0, 3.0},   Cost{ElementKind::solid, 8, -2, 235.0, 0.0, 129.0},
     Cost{ElementKind::solid, 4, 10, 45.0, 0.0, 10.0},   Cost{ElementKind::solid, 4, 13, 58.0, 0.0, 8.0},
     Cost{ElementKind::solid, 10, 16, 132.0, 0.0, 20.0}, Cost{ElementKind::solid, 4, 4, 132.0, 0.0, 20.0},
-    Cost{ElementKind::solid, 8, 5, 92.0, 10.0, 19.0},   Cost{ElementKind::beam, 2, 1, 34.0, 0.0, 39.0},
+    Cost{ElementKind::solid, 8, 105, 92.0, 10.0, 19.0}, Cost{ElementKind::solid, 8, 101, 95.0, 1.5, 10.0},
+    Cost{ElementKind::solid, 8, 102, 140.0, 9.0, 38.0}, Cost{ElementKind::beam, 2, 1, 34.0, 0.0, 39.0},
     Cost{ElementKind::beam, 2, 3, 14.0, 0.0, 3.0},
 };
+constexpr int of_thick_shells = 100;  ///< added to their ELFORM
 constexpr double of_others = 80.0, of_springs = 20.0, single_precision = 0.7;
 
 int form_of(const model::Model& model, const ElementGroup& group) {
@@ -36,7 +38,10 @@ int form_of(const model::Model& model, const ElementGroup& group) {
   if (part.section == model::none) return 0;
   switch (group.kind) {
     case ElementKind::shell: return model.shell_sections[part.section].elform;
-    case ElementKind::solid: return model.solid_sections[part.section].elform;
+    case ElementKind::solid: {
+      const model::SectionSolid& section = model.solid_sections[part.section];
+      return section.thickness ? of_thick_shells + section.elform : section.elform;
+    }
     case ElementKind::beam: return model.beam_sections[part.section].elform;
     default: return 0;
   }

@@ -6,14 +6,14 @@
 
 #include "base/index.hpp"
 #include "kernel/element/thick_shell.hpp"
-#include "model/parts.hpp"
+#include "model/model.hpp"
 #include "system/element_group.hpp"
 #include "system/point_numbers.hpp"
 
 namespace nugget::system {
 
-/// The layers that *SECTION_TSHELL asks for.
-kernel::LayerRule layer_rule(const model::SectionSolid::Thickness& through);
+/// The layers that *SECTION_TSHELL asks for, and INTGRD of *CONTROL_SHELL where it leaves the choice.
+kernel::LayerRule layer_rule(const model::SectionSolid::Thickness& through, const model::Control& control);
 
 /// The thick shell as BatchGroup wants it; see there. It takes no imposed stresses (INITIAL_STRESS_SECTION).
 template <class Law>

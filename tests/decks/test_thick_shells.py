@@ -13,7 +13,7 @@ from under_mpirun import ENVIRONMENT, MPIRUN, mpirun
 STEEL = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n" + card(1, 7.85e-9, 2.1e5, 0.3, 250.0, 1000.0, 0.4) + card(40.0, 5.0) + card(0.0) + card(0.0)
 
 
-def plate(n=8, *, layers=3, speed=60000.0, end=1.2e-4, contact=True, fail=True):
+def plate(n=8, *, layers=3, speed=60000.0, end=1.2e-4, contact=True, fail=True, elform=5):
     """n x n thick shells of 5 mm, 1.5 mm thick, with noise in their nodes and a wedge at a corner, held at the rim; a block of bricks
     flies into it, or its own middle does."""
     draw = random.Random(9)
@@ -28,7 +28,7 @@ def plate(n=8, *, layers=3, speed=60000.0, end=1.2e-4, contact=True, fail=True):
     text = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(end) + "*CONTROL_ENERGY\n" + card(2, 2, 2, 2)
     text += "".join(f"*DATABASE_{name}\n" + card(end / 20, 3) for name in ("GLSTAT", "MATSUM", "NODOUT", "ELOUT"))
     text += "*DATABASE_BINARY_D3PLOT\n" + card(end / 4) + "*DATABASE_EXTENT_BINARY\n" + card("", "", "", 1)
-    text += (STEEL if fail else STEEL.replace(f"{0.4:>10}", f"{0.0:>10}")) + "*SECTION_TSHELL\n" + card(1, 5, "", layers) + part(1)
+    text += (STEEL if fail else STEEL.replace(f"{0.4:>10}", f"{0.0:>10}")) + "*SECTION_TSHELL\n" + card(1, elform, "", layers) + part(1)
     text += "*SET_NODE_LIST\n" + card(1) + "".join(card(*rim[k:k + 8]) for k in range(0, len(rim), 8)) + "*BOUNDARY_SPC_SET\n" + card(1, 0, 1, 1, 1)
     text += "*DATABASE_HISTORY_TSHELL\n" + card(n * n // 2 + n // 2, n * n) + "*DATABASE_HISTORY_NODE\n" + card(middle[0])
     bricks = []
@@ -65,31 +65,42 @@ def thick_layers(folder, thick_shell):
 
 class ThickShells(RepeatedRuns):
     def test_same_bits_and_restart(self):
-        self.write(plate())
-        files = self.compare("model.k")
-        self.assertLessEqual({"d3plot", "d3plot01", "glstat", "matsum", "elout", "nodout"}, set(files))
-        self.resumed(plate(), shares=(0.3, 0.7))
+        for elform in (5, 1, 2):
+            with self.subTest(elform):
+                self.write(plate(elform=elform))
+                files = self.compare("model.k")
+                self.assertLessEqual({"d3plot", "d3plot01", "glstat", "matsum", "elout", "nodout"}, set(files))
+                self.resumed(plate(elform=elform), shares=(0.3, 0.7))
 
     @unittest.skipUnless(MPIRUN, "mpirun is not installed")
     def test_same_bits_over_ranks(self):
-        self.write(plate(contact=False, layers=5))
-        self.nugget("run", "model.k", "-o", "one", "-j", 1, "--quiet")
-        run = subprocess.run(mpirun(2, "run", "model.k", "-o", "two", "-j", 1, "--quiet"), capture_output=True, text=True, timeout=200,
-                             cwd=self.folder, env=ENVIRONMENT)
-        self.assertEqual(run.returncode, 0, run.stderr + run.stdout)
-        self.assertEqual(self.bits("one"), self.bits("two"))
+        for elform, ranks in ((5, 2), (1, 3), (2, 3)):
+            with self.subTest(elform):
+                self.write(plate(contact=False, layers=5, elform=elform))
+                self.nugget("run", "model.k", "-o", "one", "-j", 1, "--quiet")
+                run = subprocess.run(mpirun(ranks, "run", "model.k", "-o", "some", "-j", 1, "--quiet"), capture_output=True, text=True,
+                                     timeout=200, cwd=self.folder, env=ENVIRONMENT)
+                self.assertEqual(run.returncode, 0, run.stderr + run.stdout)
+                self.assertEqual(self.bits("one"), self.bits("some"))
 
     def test_energy_closes(self):
-        self.write(plate(fail=False))
-        self.nugget("run", "model.k", "-o", "run", "--quiet")
-        states = self.glstat("run/glstat")
-        for state in states:
-            self.assertAlmostEqual(state["total energy / initial energy"], 1.0, delta=0.01)
-        self.assertGreater(states[-1]["internal energy"], 0.2 * states[0]["kinetic energy"])
-        self.assertIn("thk shell", self.read("run/glstat"))
+        for elform in (5, 1, 2):
+            with self.subTest(elform):
+                self.write(plate(fail=False, elform=elform))
+                self.nugget("run", "model.k", "-o", "run", "--quiet")
+                states = self.glstat("run/glstat")
+                for state in states:
+                    self.assertAlmostEqual(state["total energy / initial energy"], 1.0, delta=0.01)
+                self.assertGreater(states[-1]["internal energy"], 0.2 * states[0]["kinetic energy"])
+                self.assertIn("thk shell", self.read("run/glstat"))
 
     def test_d3plot_has_the_layers_of_elout(self):
-        self.write(plate(fail=False))
+        for elform in (5, 1, 2):
+            with self.subTest(elform):
+                self.compare_d3plot_with_elout(elform)
+
+    def compare_d3plot_with_elout(self, elform):
+        self.write(plate(fail=False, elform=elform))
         self.nugget("run", "model.k", "-o", "run", "--quiet")
         number = 36  # the middle one, 8 x 8 elements
         layers, strains = thick_layers(self.folder / "run", number - 1)
@@ -106,7 +117,8 @@ class ThickShells(RepeatedRuns):
             self.assertAlmostEqual(ours, theirs, delta=1e-3 * abs(theirs) + 1e-6)
 
     def test_what_is_not_built_is_refused(self):
-        for old, new, words in (("*SECTION_TSHELL\n" + card(1, 5, "", 3), "*SECTION_TSHELL\n" + card(1, 2, "", 3), "ELFORM 2, which have laws of shells"),
+        for old, new, words in (("*SECTION_TSHELL\n" + card(1, 5, "", 3), "*SECTION_TSHELL\n" + card(1, 6, "", 3), "thick shells of ELFORM 6 are not built"),
+                                ("*SECTION_TSHELL\n" + card(1, 5, "", 3), "*SECTION_TSHELL\n" + card(1, 3, "", 3), "thick shells of ELFORM 3 are not built"),
                                 ("*END", "*SET_TSHELL_LIST\n" + card(1) + card(1) + "*END", "SET_TSHELL"),
                                 ("*END", "*INITIAL_STRESS_SOLID\n" + card(1, 1) + card(*7 * [1.0]) + "*END", "thick shells begin without stress")):
             with self.subTest(words):

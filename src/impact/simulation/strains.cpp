@@ -81,7 +81,7 @@ void Strains::find_thick_shells() {
     const auto& section = model.solid_sections[model.parts[model.solids.part[e]].section];
     thick_rank_.resize(model.solids.size(), model::none);
     thick_rank_[e] = static_cast<model::Index>(thick_zeta_.size());
-    const kernel::LayerRule rule = system::layer_rule(*section.thickness);
+    const kernel::LayerRule rule = system::layer_rule(*section.thickness, model.control);
     thick_zeta_.push_back(rule.zeta[at(rule.count - 1)]);
   }
   thick_.resize(thick_zeta_.size());

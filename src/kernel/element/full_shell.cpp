@@ -284,7 +284,7 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel
 
   Drilling<R> drilling;
   const PatternRates<R> rates = rates_on(mid, nodes, shell, drilling);
-  R moment[4];
+  R moment[4]{};
   if (shell.drilling > 0.0) {
     if (any(!alive))
       for (R& spin : drilling.spin) spin = select(alive, spin, R(0.0));

@@ -24,8 +24,8 @@ void change_bricks(model::Model& m, Findings& findings) {
   for (model::Part& part : m.parts) {
     if (part.kind != model::ElementKind::solid || part.section == model::none || part.material == model::none) continue;
     model::SectionSolid section = m.solid_sections[part.section];
-    if (std::holds_alternative<kernel::Spotweld>(m.materials[part.material].law) || !of_bricks(section.elform) ||
-        section.elform == m.implicit.solid_form)
+    if (std::holds_alternative<kernel::Spotweld>(m.materials[part.material].law) || section.thickness ||
+        !of_bricks(section.elform) || section.elform == m.implicit.solid_form)
       continue;
     changed.push_back(part.id);
     section.elform = m.implicit.solid_form;
@@ -75,7 +75,7 @@ void stabilize_bricks(model::Model& m, Findings& findings) {
     const int form = m.solid_sections[part.section].elform;
     const bool rigid = part.material != model::none &&
                        std::holds_alternative<kernel::Rigid>(m.materials[part.material].law),
-               one_point = !rigid && (form == 0 || form == 1);
+               one_point = !rigid && (form == 0 || form == 1) && !m.solid_sections[part.section].thickness;
     const model::Hourglass& now = part.hourglass == model::none ? m.control.hourglass : m.hourglass[part.hourglass];
     model::Hourglass bindeman = now;
     const int elform = m.solid_sections[part.section].elform;
@@ -95,6 +95,20 @@ void stabilize_bricks(model::Model& m, Findings& findings) {
         fmt::format("bricks of part{} {}: linear analyses use hourglass type 6 with QM = 1, which is exact in "
                     "bending of rectangular bricks",
                     changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
+}
+
+/// Thick shells of one point have motions without stiffness, those of four have none.
+void integrate_thick_shells_fully(model::Model& m, Findings& findings) {
+  bool any = false;
+  for (model::SectionSolid& section : m.solid_sections) {
+    if (!section.has_laws_of_shells() || section.elform != 1) continue;
+    section.elform = 2;
+    any = true;
+  }
+  if (any)
+    findings.note({m.deck, 0, 0}, "*SECTION_TSHELL",
+                  "linear analyses use thick shells of ELFORM 2, four points in the plane, instead of 1, which has "
+                  "motions without stiffness");
 }
 
 /// Shells run fully integrated, with stiffness against drilling and against the spins of warped corners.
@@ -227,6 +241,7 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
   enhance_strains(m, findings);
   separate_pressures(m, findings);
   stabilize_bricks(m, findings);
+  integrate_thick_shells_fully(m, findings);
   integrate_shells_fully(m, findings);
   return m;
 }

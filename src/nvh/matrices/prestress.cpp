@@ -175,7 +175,7 @@ std::vector<Vec3d> places_of(const system::ElementGroup& group, std::size_t e, c
 /// The layers' shares of a thick shell; empty of other elements.
 kernel::LayerRule layers_of_thick(const model::Model& model, const system::ElementGroup& group) {
   if (!model.has_thick_shells(group.part)) return {};
-  return system::layer_rule(*model.solid_sections[model.parts[group.part].section].thickness);
+  return system::layer_rule(*model.solid_sections[model.parts[group.part].section].thickness, model.control);
 }
 
 bool any(const Tensor& t) {

@@ -124,18 +124,23 @@ const CardOf<SolidCard> solid_card{
 const CardOf<SolidCard> thick_shell_card{
     {&SolidCard::id, id("secid", IdSpace::other, required, "section id")},
     {&SolidCard::elform,
-     integer("elform", 1, any_value,
-             "formulation: 5 assumed strains, one point in its plane, layers with laws of solids; others are refused")},
+     integer(
+         "elform", 1, any_value,
+         "formulation: 1 one point in its plane, 2 four, layers with laws of shells and a stiffness across of their "
+         "own; 5 one point, assumed strains, laws of solids; others are refused")},
     {&SolidCard::shrf,
      real("shrf", dimension::number, 1, above_zero(),
-          "factor on the transverse shear stiffness, with TSHEAR 1; the parabola of TSHEAR 0 has 5/6")},
-    {&SolidCard::nip, integer("nip", 2, between(2, 10), "layers through the thickness")},
+          "factor on the transverse shear stiffness; of ELFORM 5 with TSHEAR 1, the parabola of TSHEAR 0 has 5/6")},
+    {&SolidCard::nip,
+     integer("nip", 2, between(2, 10), "layers through the thickness; of ELFORM 1 3 for 2 and 5 for 4")},
     real("propt", dimension::number, 0, any_value, "listings, no effect"),
     {&SolidCard::qr, integer("qr", 0, between(0, 1),
                              "places of the layers: 0 Gauss, 1 equally spaced with the outermost on the faces")},
     integer("icomp", 0, only(0), "angles of layers are not built"),
-    {&SolidCard::tshear, real("tshear", dimension::number, 0, between(0, 1),
-                              "transverse shear strain: 0 a parabola through the thickness, 1 constant")},
+    {&SolidCard::tshear,
+     real("tshear", dimension::number, 0, between(0, 1),
+          "transverse shear strain of ELFORM 5: 0 a parabola through the thickness, 1 constant, as that of 1 and "
+          "2 always is")},
 };
 
 /// What the cards say beside the section's own members.
@@ -330,7 +335,14 @@ void read_thick_shell(Builder& b, const Block& block, const Options& options) {
     read_title(cursor, options);
     const auto row = cursor.read(thick_shell_card);
     SectionSolid section = *row;
-    section.thickness = SectionSolid::Thickness{row->nip, row->qr == 1, row->shrf, row->tshear == 0.0};
+    int layers = row->nip;
+    if (row->elform == 1 && (layers == 2 || layers == 4)) {  // manual of Oasys D3PLOT: so LS-DYNA does
+      ++layers;
+      row[&SolidCard::nip].report(
+          b.findings, Severity::note,
+          fmt::format("thick shells of ELFORM 1 have {} layers for {}, as LS-DYNA gives them", layers, row->nip));
+    }
+    section.thickness = SectionSolid::Thickness{layers, row->qr == 1, row->shrf, row->tshear == 0.0};
     if (row->tshear != 0.0 && row->tshear != 1.0)
       refuse(b, row[&SolidCard::tshear], "this distribution of the transverse shear is not known", "write 0 or 1");
     add_section<SectionSolid>(b, row, section, b.solid_sections, b.model.solid_sections, "section of thick shells");

@@ -425,7 +425,9 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
     refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
            "use a law of solids");
   const kernel::LawComponents& components = *law->components;
-  if (part.kind == ElementKind::solid &&
+  const bool in_layers = part.section != none && part.kind == ElementKind::solid &&
+                         b.model.solid_sections[part.section].has_laws_of_shells();
+  if (part.kind == ElementKind::solid && !in_layers &&
       (components.limits.plastic_thinning > 0.0 || (components.erosion && components.erosion->thinning)))
     row[&PartCard::mid].report(
         b.findings, Severity::warning,

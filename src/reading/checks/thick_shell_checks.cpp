@@ -38,16 +38,15 @@ void check_kinds(Builder& b) {
 
 void check_formulation(Builder& b, const deck::RowOf<SolidCard>& row) {
   const int elform = row->elform;
+  if (elform == 1 || elform == 2) return;
   if (elform != 5)
     return refuse(b, row[&SolidCard::elform],
-                  elform == 1 || elform == 2 || elform == 6
-                      ? fmt::format("thick shells of ELFORM {}, which have laws of shells (no stress across), are not "
-                                    "built; built is 5, with laws of solids",
-                                    elform)
-                      : fmt::format("thick shells of ELFORM {} are not built; built is 5 (assumed strains, one point "
-                                    "in the plane)",
-                                    elform),
-                  "write 5: it bends without locking and needs no hourglass control");
+                  fmt::format("thick shells of ELFORM {} are not built; built are 1 and 2 (laws of shells; one and 2 x "
+                              "2 points in the plane) and 5 (laws of solids, assumed strains, one point)",
+                              elform),
+                  elform == 6 ? "write 2, which has laws of shells as well"
+                              : "write 5: it has the stress across, bends without locking and needs no hourglass "
+                                "control");
   const bool five_sixths = std::abs(row->shrf - 5.0 / 6.0) < 1e-2;
   if (row->tshear == 0.0 && row->shrf != 1.0 && !five_sixths)
     refuse(b, row[&SolidCard::shrf],
@@ -55,10 +54,12 @@ void check_formulation(Builder& b, const deck::RowOf<SolidCard>& row) {
            "leave SHRF blank, or write TSHEAR 1");
 }
 
-/// Laws of one modulus and one ratio, plastic or not: the strain across goes by these (thick_shell.hpp).
-bool is_of_thick_shells(const Law& law) {
+/// Laws of one modulus and one ratio, plastic or not: the strain across goes by these (thick_shell.hpp), and the
+/// stiffness across (extruded_shell.hpp).
+bool is_of_thick_shells(const Law& law, bool in_layers_of_shells) {
   if (const auto* compound = std::get_if<kernel::ComposedLaw>(&law)) {
     const kernel::LawComponents& made = *compound->components;
+    if (in_layers_of_shells && !kernel::for_shells(made)) return false;
     const bool metal = kernel::has_plastic_strain(made.flow) || std::holds_alternative<kernel::Elastic>(made.flow);
     return metal && kernel::for_bricks(made) && kernel::axes_of(made.flow) == nullptr && !made.bond && !made.state;
   }
@@ -69,6 +70,19 @@ bool is_of_thick_shells(const Law& law) {
 void check_control(Builder& b, const Part& part) {
   const Model& m = b.model;
   const Hourglass& h = part.hourglass == none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
+  const int elform = m.solid_sections[part.section].elform;
+  if (elform == 2) return;  // it has no hourglass patterns
+  if (elform == 1) {
+    if (h.type <= 5) return;
+    const bool of_part = part.hourglass != none;
+    b.findings.add({of_part ? Severity::error : Severity::warning, h.place,
+                    of_part ? "*HOURGLASS" : "*CONTROL_HOURGLASS", "ihq", std::to_string(h.type),
+                    fmt::format("part {} has thick shells of ELFORM 1, which have hourglass control as shells have it, "
+                                "types 1 to 5{}",
+                                part.id, of_part ? "" : ": they get type 1, viscosity, as with IHQ 0"),
+                    "write 4, or give the part ELFORM 2, which needs none"});
+    return;
+  }
   if (h.type == 0 || h.type == 6) return;
   if (part.hourglass == none) {
     b.findings.note(h.place, "*CONTROL_HOURGLASS",
@@ -97,7 +111,8 @@ void check_thick_shells(Builder& b) {
     const bool rigid = part.material != none && std::holds_alternative<kernel::Rigid>(m.materials[part.material].law);
     if (rigid) continue;
     if (!std::exchange(reported[s], char{1})) check_formulation(b, b.solid_section_rows[s]);
-    if (part.material != none && !is_of_thick_shells(m.materials[part.material].law))
+    if (part.material != none &&
+        !is_of_thick_shells(m.materials[part.material].law, m.solid_sections[part.section].has_laws_of_shells()))
       refuse(b, row[&PartCard::mid],
              fmt::format("*{} is not built for thick shells", m.materials[part.material].keyword),
              "give the part the law of a metal (*MAT_001, 003, 015, 018, 024, 081, 098, ...), or model it with bricks "

@@ -52,10 +52,9 @@ TEST(ThickShellCards, AreRead) {
 }
 
 TEST(ThickShellCards, WhatIsNotBuiltIsRefusedByField) {
-  EXPECT_TRUE(Built(deck("         7         1                   5\n")).error("laws of shells", "elform"));
-  EXPECT_TRUE(Built(deck("         7         2                   5\n")).error("laws of shells", "elform"));
   EXPECT_TRUE(Built(deck("         7         3                   5\n")).error("ELFORM 3 are not built", "elform"));
-  EXPECT_TRUE(Built(deck("         7                             5\n")).error("ELFORM 1", "elform"));
+  EXPECT_TRUE(Built(deck("         7         6                   5\n")).error("ELFORM 6 are not built", "elform"));
+  EXPECT_TRUE(Built(deck("         7         7                   5\n")).error("ELFORM 7 are not built", "elform"));
   EXPECT_TRUE(Built(deck("         7         5                   1\n")).error("", "nip"));
   EXPECT_TRUE(Built(deck("         7         5                   5                  -3\n")).error("", "qr"));
   EXPECT_TRUE(
@@ -63,6 +62,25 @@ TEST(ThickShellCards, WhatIsNotBuiltIsRefusedByField) {
   EXPECT_TRUE(Built(deck("         7         5       0.5         5\n")).error("5/6 of its own", "shrf"));
   EXPECT_FALSE(Built(deck("         7         5    0.8333         5\n")).error("", "shrf"));
   EXPECT_TRUE(Built(deck(usual, "*ELEMENT_TSHELL_BETA\n")).error("angles or layers of their own"));
+}
+
+TEST(ThickShellCards, LawsOfShells) {
+  const Built of_default(deck("         7                             5\n"));
+  ASSERT_EQ(of_default.findings.errors(), 0) << of_default.all_findings();
+  const Model& m = of_default.model;
+  const SectionSolid& one = m.solid_sections[m.parts[m.part_index(10)].section];
+  EXPECT_EQ(one.elform, 1);
+  EXPECT_TRUE(one.has_laws_of_shells());
+  EXPECT_EQ(one.thickness->shear_factor, 1.0);  // a blank SHRF
+  // LS-DYNA gives ELFORM 1 odd numbers of layers.
+  for (const auto& [written, layers] : {std::pair{"2", 3}, {"3", 3}, {"4", 5}, {"6", 6}}) {
+    const Built built(deck(std::string("         7         1     .8333         ") + written + "\n"));
+    EXPECT_EQ(built.findings.errors(), 0) << built.all_findings();
+    EXPECT_EQ(built.model.solid_sections[0].thickness->layers, layers);
+    EXPECT_NEAR(built.model.solid_sections[0].thickness->shear_factor, 5.0 / 6.0, 1e-3);
+  }
+  EXPECT_EQ(Built(deck("         7         2                   2\n")).model.solid_sections[0].thickness->layers, 2);
+  EXPECT_FALSE(Built(deck("         7         5                   2\n")).model.solid_sections[0].has_laws_of_shells());
 }
 
 TEST(ThickShellCards, ElementsAndSectionsGoTogether) {
@@ -90,13 +108,19 @@ TEST(ThickShellCards, LawsAndHourglassControl) {
       " 0.0       0.0       1.0\n");
   EXPECT_TRUE(Built(foam).error("not built for thick shells", "mid")) << Built(foam).all_findings();
 
-  const auto with_control = [](int type) {
-    std::string text = deck(usual, "*HOURGLASS\n         3         " + std::to_string(type) + "      0.05\n");
+  const auto with_control = [](int type, const std::string& section = usual) {
+    std::string text = deck(section, "*HOURGLASS\n         3         " + std::to_string(type) + "      0.05\n");
     const std::string part = "        10         7         8\n";
     return text.replace(text.find(part), part.size(), "        10         7         8         0         3\n");
   };
   EXPECT_TRUE(Built(with_control(4)).error("whose stabilisation is that of their assumed strains", "ihq"));
   EXPECT_EQ(Built(with_control(6)).findings.errors(), 0);
+  const std::string one = "         7         1                   5\n",
+                    full = "         7         2                   5\n";
+  for (const int type : {1, 2, 3, 4, 5}) EXPECT_EQ(Built(with_control(type, one)).findings.errors(), 0) << type;
+  EXPECT_TRUE(Built(with_control(6, one)).error("hourglass control as shells have it", "ihq"));
+  EXPECT_EQ(Built(with_control(4, full)).findings.errors(), 0);
+  EXPECT_TRUE(Built(deck(one, "*CONTROL_HOURGLASS\n         6      0.05\n")).warning("they get type 1"));
   EXPECT_TRUE(Built(deck(usual, "*CONTROL_HOURGLASS\n         5      0.05\n")).find(Severity::note, "not type 5"));
 }
 
