@@ -35,9 +35,9 @@ struct State {
   /// Whether what this control turns on and off acts; -1: nothing does so.
   bool acts(int control) const { return control < 0 || controls[control].on; }
   double turned_on(int control) const { return control < 0 ? 0.0 : controls[control].since; }
-  Rows x;                 ///< positions at t(n) [length]
-  Rows v, w;              ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
-  Rows f, m;              ///< forces and moments on the nodes at t(n): external minus internal
+  Rows x;     ///< positions at t(n) [length]
+  Rows v, w;  ///< velocities and spins at t(n-1/2), after `accelerate` at t(n+1/2)
+  Rows f, m;  ///< forces and moments on the nodes at t(n): external minus internal
 
   void archive(Archive& a);
 };

@@ -144,6 +144,13 @@ class Membranes(CommandTest):
             self.assertIn("the normals of neighbours " + words, told)
             self.assertIn(f"{len(turned)} faces are taken the other way round, the first shell {turned[0]}", told)
 
+    def test_a_part_that_gives_energy_ends_the_run(self):
+        """A step that is too long for fabric under pressure: what the vibrations have, the elements gave, and no sum of the balance shows it.
+        Sabotage: only what the change of the step makes is looked at; the run then ends normally."""
+        self.write(pillow(8, cse=0, more="*CONTROL_TIMESTEP\n" + card("", 2.2)))
+        told = self.nugget("run", "model.k", "--quiet", expect=3).stderr
+        self.assertRegex(told, r"the run is unstable: part 1 has given \S+ more energy than it ever got, by time \S+, cycle 101: its internal energy is below 0")
+
     def test_fields_that_change_nothing(self):
         """A ratio of Poisson's that would make the stiffness unsymmetric, and leakage of which FLC or FAC is 0. Sabotage: PRAB for PRBA."""
         straight, _ = self.abstat(pillow(4))

@@ -57,7 +57,7 @@ class FromMemory final : public Archive {
   std::string_view kept_;
 };
 
-bool same_bits(const std::vector<Row>& a, const std::vector<Row>& b) {
+bool same_bits(std::span<const Row> a, std::span<const Row> b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Row)) == 0;
 }
 

@@ -302,7 +302,7 @@ void Belts::wind(Reel& reel, const system::State& state) {
 
 double Belts::sensed(const model::BeltSensor& sensor, Sensing& sensing, const system::State& state) const {
   using enum model::BeltSensor::Kind;
-  const auto row = [&](const std::vector<Row>& of, std::size_t i) { return vec(of[system_.node_of[sensor.node[i]]]); };
+  const auto row = [&](const system::Rows& of, std::size_t i) { return vec(of[system_.node_of[sensor.node[i]]]); };
   switch (sensor.kind) {
     case time: return state.time;
     case distance: return norm(row(state.x, 1) - row(state.x, 0));

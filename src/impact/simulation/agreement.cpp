@@ -36,7 +36,7 @@ bool controls(const Controlling& a, const Controlling& b) {
 /// What a balance of energies changes in a run.
 struct Balance {
   Energy energy;
-  bool diverged = false, unstable = false;
+  bool diverged = false, unstable = false, gives_energy = false;
   double largest_input = 0.0, physical_mass = 0.0, added_mass = 0.0;
   Recorder::Marks next_marks;
 };
@@ -293,12 +293,13 @@ bool Simulation::runs_away() const {
 
 void Simulation::pass_on_balance(const Recorder& recorder) {
   if (ranks_ == nullptr) return;
-  Balance balance{
-      energy_, diverged_, unstable_, largest_input_, masses_.physical, masses_.added, recorder.next_marks()};
+  Balance balance{energy_,        diverged_,        unstable_,     gives_energy_,
+                  largest_input_, masses_.physical, masses_.added, recorder.next_marks()};
   broadcast(*ranks_, balance);
   energy_ = balance.energy;
   diverged_ = balance.diverged;
   unstable_ = balance.unstable;
+  gives_energy_ = balance.gives_energy;
   largest_input_ = balance.largest_input;
   masses_.physical = balance.physical_mass;
   masses_.added = balance.added_mass;

@@ -109,7 +109,7 @@ double Sensors::along(const Sensor& sensor, const Vec3d& vector, const system::S
 }
 
 Vec3d Sensors::velocity_of(const Sensor& sensor, const system::State& state, bool turning) const {
-  const std::vector<Row>& rows = turning ? state.w : state.v;
+  const system::Rows& rows = turning ? state.w : state.v;
   if (sensor.body != model::none) return vec(rows[at(system_.bodies[system_.body_of[sensor.body]].node)]);
   const auto of = [&](model::Index node) { return vec(rows[at(system_.node_of[node])]); };
   return sensor.node[1] == model::none ? of(sensor.node[0]) : of(sensor.node[0]) - of(sensor.node[1]);

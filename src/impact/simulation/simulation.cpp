@@ -583,15 +583,35 @@ void Simulation::transfer_dependent_forces() {
   update_mass_bounds();
 }
 
+double Simulation::input() const {
+  return std::max(largest_input_, std::abs(energy_.initial + energy_.external));
+}
+
+/// The part, if any, whose elements have given more energy than they ever got: without stress at the start their
+/// internal energy is not below 0.
+std::vector<PartEnergy>::const_iterator Simulation::giving_part() const {
+  const model::InitialState& initial = system_.model.initial_state;
+  const bool stressed = !initial.shells.empty() || !initial.solids.empty() || !initial.axial_forces.empty() ||
+                        !initial.section_stresses.empty() || system_.model.control.relaxation.on();
+  const double bearable = std::max(10.0 * input(), 0.1 * energy_.size());
+  for (auto part = parts_.begin(); part != parts_.end() && !stressed; ++part) {
+    const model::ElementKind kind = system_.model.parts[static_cast<std::size_t>(part - parts_.begin())].kind;
+    if ((kind == model::ElementKind::shell || kind == model::ElementKind::solid) && -part->internal > bearable)
+      return part;
+  }
+  return parts_.end();
+}
+
 bool Simulation::energy_is_made() const {
-  const double input = std::max(largest_input_, std::abs(energy_.initial + energy_.external));
+  const double input = this->input();
   // What deleted elements took with them does no harm any more.
   const double gone = energy_.eroded + energy_.eroded_kinetic, made = energy_.created() - gone;
   // A product of the velocities half a step before and after is far below 0 where they alternate without bound; what
   // is made is then the small difference of two huge numbers. Just below its limit a step makes it -1 / sin^2 of the
   // phase in a step, with a bound; and where nothing was put in there is nothing to compare with.
   const bool alternates = input > 0.0 && -energy_.kinetic > 1e3 * input;
-  if (!alternates && (made < 0.5 * (energy_.size() - std::abs(gone)) || made <= 10.0 * input)) return false;
+  if (!alternates && !gives_energy_ && (made < 0.5 * (energy_.size() - std::abs(gone)) || made <= 10.0 * input))
+    return false;
   // What the round-off of places makes of a model at rest grows into nothing.
   double farthest = 0.0;
   for (const Row& x : state_.x) farthest = std::max({farthest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
@@ -600,6 +620,13 @@ bool Simulation::energy_is_made() const {
 }
 
 std::string Simulation::describe_instability() const {
+  if (const auto giving = giving_part(); giving != parts_.end())
+    return fmt::format(
+        "the run is unstable: part {} has given {:.3g} more energy than it ever got, by time {:.6g}, cycle {}: its "
+        "internal energy is below 0 [give a smaller TSSFAC in *CONTROL_TIMESTEP; look at the moduli of its material, "
+        "which may lie too far apart, and at folded elements]",
+        system_.model.parts[static_cast<std::size_t>(giving - parts_.begin())].id, -giving->internal, state_.time,
+        state_.cycle);
   const auto worst = std::max_element(parts_.begin(), parts_.end(), [](const PartEnergy& a, const PartEnergy& b) {
     return a.internal + a.hourglass < b.internal + b.hourglass;
   });
@@ -625,9 +652,10 @@ void Simulation::update_energy_balance() {
                           return system_.follows(k) ? step_change_before_now(k) : step_change_of_node_[k];
                         });
   if (state_.cycle == 0) energy_.initial = energy_.total();
+  gives_energy_ = giving_part() != parts_.end();
   // Other balances come with the output, which must not change how a run ends.
   if (state_.cycle % 100 == 0) {
-    largest_input_ = std::max(largest_input_, std::abs(energy_.initial + energy_.external));
+    largest_input_ = input();
     unstable_ = energy_is_made();
   }
   // Beyond what the result files' words hold a number is none either.
@@ -650,9 +678,9 @@ void Simulation::archive(Archive& a) {
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a(v_period_, w_period_);
   a.built(contact_forces_, run_end_);
-  a.built(assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_, momentum_before_,
-          not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_, rank_reports_,
-          traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
+  a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
+          momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
+          rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
 }
 
 }  // namespace nugget::impact

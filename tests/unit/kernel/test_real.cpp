@@ -88,7 +88,7 @@ TEST(Row, GatherAndScatter) {
 TEST(Row, OfFloats) {
   constexpr int W = lanes<SingleBatch>;
   std::vector<Row> rows(20);
-  SingleRows single(20), out(20);
+  std::vector<SingleRow, Aligned<SingleRow>> single(20), out(20);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto n = static_cast<double>(i);
     rows[i] = {1e6 + n / 3.0, n, -n, 9.0};

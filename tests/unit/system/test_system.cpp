@@ -110,7 +110,7 @@ TEST(System, NodesAreRenumberedBothWays) {
 
 // Sabotage to be caught: forces added up in the order in which threads finish.
 TEST(System, ForcesDoNotDependOnThreads) {
-  std::vector<Row> reference;
+  Rows reference;
   for (int count : {1, 2, 3}) {
     set_threads(count);
     Assembled a;
