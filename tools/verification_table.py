@@ -6,9 +6,9 @@
 
 A row is: case, what, reference, value, error, gate, separated by tabs. Each page of the folder that has the two
 marks of a table names the test sources whose cases it shows, `<!-- sources: shells layers -->`; a case belongs to
-the sources that name it. `<!-- sources: * -->` marks the page of all other cases. Between a page's two marks
-everything is replaced. Exits with 1, and changes nothing, where there are no rows, a row is broken, a mark is
-missing, a page names a source that is not there, or no page or two pages take the other cases.
+the sources that name it, or what stands before its colon. `<!-- sources: * -->` marks the page of all other cases.
+Between a page's two marks everything is replaced. Exits with 1, and changes nothing, where there are no rows, a row
+is broken, a mark is missing, a page names a source that is not there, or no page or two pages take the other cases.
 """
 import pathlib
 import re
@@ -94,10 +94,11 @@ def read_pages(folder, sources):
 
 
 def page_of(case, pages, sources):
-    """The first page one of whose sources names the case, else that of all others."""
-    for path, (_, names) in pages.items():
-        if any(f'"{case}"' in sources[name] for name in names if name != OTHERS):
-            return path
+    """The first page one of whose sources names the case, or else what stands before its colon; or that of all others."""
+    for known in (case, case.split(": ")[0]):
+        for path, (_, names) in pages.items():
+            if any(f'"{known}"' in sources[name] for name in names if name != OTHERS):
+                return path
     return next(path for path, (_, names) in pages.items() if OTHERS in names)
 
 

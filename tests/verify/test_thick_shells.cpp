@@ -38,7 +38,8 @@ void section(Specimen& s, int layers = 3, int elform = 5) {
 }
 /// How a case is called in the tables.
 std::string called(int elform) {
-  return elform == 5 ? "thick shells" : fmt::format("thick shells {}", elform);
+  if (elform == 5) return "thick shells";
+  return elform == 1 ? "thick shells 1" : "thick shells 2";
 }
 
 /// Elements on a surface of two parameters in 0 .. 1.
