@@ -132,6 +132,11 @@ class ThreadRanks final : public Ranks {
   std::vector<std::pair<int, std::span<std::byte>>> expected_;
 };
 
+void each_element(const System& system, const std::function<void(int, std::size_t)>& visit) {
+  for (std::size_t g = 0; g < system.groups.size(); ++g)
+    for (std::size_t e = 0; e < system.groups[g]->size(); ++e) visit(static_cast<int>(g), e);
+}
+
 /// Each rank with a sheet of its own, moved, in a thread where `together` is done at last; `look` sees them afterwards,
 /// one after the other.
 void over_ranks(
@@ -154,7 +159,11 @@ void over_ranks(
         const std::vector<char> followed(sheet.system.nodes, followed_by_all);
         sheet.system.share_out(*ranks[r], partitions[r], followed);
         sheet.move();
-        sheet.system.collect(Carried::results, {}, [](const System::Computed&, Parcel&) {});
+        sheet.system.collect(Carried::results, {}, [&](const System::Computed& of, Parcel& parcel) {
+          each_element(sheet.system, [&](int g, std::size_t e) {
+            if (of(g, e)) sheet.system.carry_forces({g, static_cast<int>(e)}, parcel);
+          });
+        });
         together(r, sheet);
       });
   }
@@ -211,6 +220,7 @@ TEST(Share, GhostsAreWhereTheirFollowersHaveThem) {
   }
 }
 
+// Nodal forces come where somebody asks for them. Sabotage: those of the next element.
 TEST(Share, TheFirstRankCollectsWhatOthersComputed) {
   Sheet alone;
   alone.move();
