@@ -36,6 +36,7 @@ struct Transform {
   bool mirrors() const;                   ///< it turns right hands into left ones: elements are numbered the other way
   bool keeps_axes() const;                ///< each global axis stays along its own line, whatever its sense
   bool scales() const;                    ///< it is more than a turn and a shift
+  bool changes_units() const { return mass != 1.0 || length != 1.0 || time != 1.0; }
   double factor(const Dimension& d) const;  ///< of a value with this dimension
 };
 

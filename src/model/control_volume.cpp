@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "model/segments.hpp"
+
 namespace nugget::model {
 namespace {
 
@@ -54,10 +56,6 @@ SurfaceBorder surface_border(const std::vector<Segment>& segments) {
   return border;
 }
 
-Segment turned(const Segment& face) {
-  return face[3] == face[2] ? Segment{face[2], face[1], face[0], face[0]} : Segment{face[3], face[2], face[1], face[0]};
-}
-
 std::vector<std::size_t> turn_faces_to_agree(std::vector<Segment>& segments) {
   struct Side {
     std::size_t face;
@@ -101,7 +99,7 @@ std::vector<std::size_t> turn_faces_to_agree(std::vector<Segment>& segments) {
   std::vector<std::size_t> all;
   for (std::size_t f = 0; f < segments.size(); ++f) {
     if (turn[f] == 0) continue;
-    segments[f] = turned(segments[f]);
+    segments[f] = turned_over(segments[f]);
     all.push_back(f);
   }
   return all;

@@ -75,9 +75,6 @@ struct SurfaceBorder {
 };
 SurfaceBorder surface_border(const std::vector<Segment>& segments);
 
-/// The face seen from its other side.
-Segment turned(const Segment& face);
-
 /// Turns faces until neighbours agree: of each surface that hangs together by its edges the fewer ones. Returns which,
 /// rising. Edges at which more than two faces meet join nothing. Where no such turn exists, as on a Moebius strip,
 /// `twisted` edges are left.

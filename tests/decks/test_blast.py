@@ -66,6 +66,14 @@ class Blast(RepeatedRuns):
                 run = self.nugget("check", "model.k", expect=1)
                 self.assertIn(words, run.stdout + run.stderr)
 
+    def test_other_units_of_an_included_file(self):
+        """Found by running every deck in other units: UNIT then says what the numbers no longer are. Sabotage: only lengths looked at."""
+        (self.folder / "plate.inc").write_text(plate(4).replace("*END\n", ""))
+        for factors in ((1000, 1, 1), (1, 1000, 1), (1, 1, 0.001)):
+            self.write("*KEYWORD\n*INCLUDE_TRANSFORM\nplate.inc\n" + card(0) + card(0) + card(*factors) + card(0) + "*END\n")
+            told = self.nugget("check", "model.k", expect=1).stderr
+            self.assertIn("*LOAD_BLAST_ENHANCED unit = 7: the unit factors of *INCLUDE_TRANSFORM make other units of it", told)
+
     def test_what_is_doubtful_is_a_warning(self):
         for words, changes in (("look away from the charge", {"height": -300.0}), ("further from the charge than 40", {"height": 50000.0})):
             with self.subTest(words):

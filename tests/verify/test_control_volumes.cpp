@@ -11,6 +11,7 @@
 
 #include "base/index.hpp"
 #include "model/control_volume.hpp"
+#include "model/segments.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -411,7 +412,7 @@ TEST(ControlVolumes, FacesAreTurnedUntilNeighboursAgree) {
   using Faces = std::vector<model::Segment>;
   const Faces cube{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   Faces some = cube;
-  for (const std::size_t f : {1u, 4u}) some[f] = model::turned(some[f]);
+  for (const std::size_t f : {1u, 4u}) some[f] = model::turned_over(some[f]);
   EXPECT_EQ(model::turn_faces_to_agree(some), (std::vector<std::size_t>{1, 4}));
   EXPECT_EQ(model::surface_border(some).twisted.size(), 0u);
   EXPECT_TRUE(model::turn_faces_to_agree(some).empty());

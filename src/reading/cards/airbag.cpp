@@ -266,7 +266,7 @@ void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) 
     row[&VolumeCard::sid].report(b.findings, Severity::warning,
                                  "all normals point into the volume: its faces are taken the other way round",
                                  "turn the elements so that the normals point outwards");
-    for (Segment& s : volume.segments) s = model::turned(s);
+    for (Segment& s : volume.segments) s = model::turned_over(s);
     border = surface_border(volume.segments);
     v = enclosed();
   }

@@ -110,6 +110,9 @@ void read_charge(Builder& builder, const Block& block, const Options&) {
       builder.blasts.try_emplace(cards.bid);
       continue;
     }
+    if (block.transform != nullptr && block.transform->changes_units())
+      refuse(builder, row[&BlastCards::unit], "the unit factors of *INCLUDE_TRANSFORM make other units of it",
+             "write the charge in the main deck, with the UNIT of that");
     BlastLoad load;
     load.keyword = "LOAD_BLAST_ENHANCED";
     load.place = row.place();

@@ -110,8 +110,7 @@ const CardOf<Value2dCard> value_2d_card{
 
 /// A unit factor would have to know what the numbers of a curve are; the curve itself does not say.
 void refuse_unit_factors(Builder& b, const Block& block) {
-  const auto* t = block.transform;
-  if (!t || (t->mass == 1.0 && t->length == 1.0 && t->time == 1.0)) return;
+  if (block.transform == nullptr || !block.transform->changes_units()) return;
   b.findings.error(block.place, block.starred(), "the unit factors of *INCLUDE_TRANSFORM cannot be applied to a curve",
                    "write the curve in the units of the main deck, outside this include");
 }
