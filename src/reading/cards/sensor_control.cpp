@@ -174,7 +174,7 @@ void take_retractors(Builder& b, const ControlCards& of) {
   retractor->control = of.index;
   const SensorControl& control = b.model.sensor_controls[of.index];
   if (control.starts_on || !changes_once(control))
-    refuse(b, of.switches[&SwitchesCard::initstt], "a retractor is told to lock once, by being turned on",
+    refuse(b, of.switches[&SwitchesCard::initstt], "a retractor locks once, when it is turned on",
            "write OFF and one switch");
 }
 

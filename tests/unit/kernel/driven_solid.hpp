@@ -119,4 +119,26 @@ void expect_that_a_turn_strains_nothing(DrivenSolid<Element, Law>& d, double dt)
   for (std::size_t i = 0; i < Element::corners; ++i) EXPECT_LT(norm(d.force.f[i] - start.f[i]), 1e-7 * largest(start));
 }
 
+/// Stretches an element of eight nodes and four layers along x, more on top, until it is deleted: when its last layer
+/// has reached the plastic strain at which its law fails.
+template <class Element, class Law>
+void expect_that_it_goes_with_its_last_layer(DrivenSolid<Element, Law>& d, double failure_strain) {
+  constexpr int layers = 4;
+  int cycle = 0, most_failed = 0;
+  for (; cycle < 5000 && d.at(Element::Layout::alive) > 0.5; ++cycle) {
+    for (std::size_t i = 0; i < 8; ++i) {
+      const bool far = i == 1 || i == 2 || i == 5 || i == 6;
+      d.nodes.v[i] = {far ? (i > 3 ? 2000.0 : 1000.0) : 0.0, 0.0, 0.0};
+    }
+    d.step(1e-7);
+    int failed = 0;
+    for (int k = 0; k < layers; ++k) failed += d.at(d.layout.history_of(k)) >= failure_strain;
+    if (d.at(Element::Layout::alive) > 0.5) most_failed = std::max(most_failed, failed);
+  }
+  EXPECT_EQ(most_failed, layers - 1);
+  EXPECT_LT(cycle, 5000);
+  EXPECT_EQ(largest(d.force), 0.0);
+  EXPECT_TRUE(std::isinf(d.force.stable_step));
+}
+
 }  // namespace nugget::kernel
