@@ -151,6 +151,16 @@ class Membranes(CommandTest):
         told = self.nugget("run", "model.k", "--quiet", expect=3).stderr
         self.assertRegex(told, r"the run is unstable: part 1 has given \S+ more energy than it ever got, by time \S+, cycle 101: its internal energy is below 0")
 
+    def test_a_gas_that_expands_gives_what_it_had(self):
+        """E0 of an equation of state is energy at the start that the balance counts from 0. Sabotage: bricks of any law looked at."""
+        corners = [(x, y, z) for z in (0, 10) for x, y in ((0, 0), (10, 0), (10, 10), (0, 10))]
+        text = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(3e-5) + "*PART\ngas\n" + card(1, 1, 1, 1) + "*SECTION_SOLID\n" + card(1, 1)
+        text += "*MAT_NULL\n" + card(1, 1.2e-9, 0.0, 0.0) + "*EOS_LINEAR_POLYNOMIAL\n" + card(1, 0, 0, 0, 0, 0.4, 0.4, 0) + card(2.5, 1.0) + "*NODE\n"
+        text += "".join(f"{k:8}" + "".join(f"{x:16.3f}" for x in place) + "\n" for k, place in enumerate(corners, 1))
+        self.write(text + "*ELEMENT_SOLID\n" + "".join(f"{v:8}" for v in (1, 1, *range(1, 9))) + "\n*END\n")
+        self.nugget("run", "model.k", "--quiet")
+        self.assertLess(self.json("summary.json")["energy"]["internal"], -10.0)
+
     def test_fields_that_change_nothing(self):
         """A ratio of Poisson's that would make the stiffness unsymmetric, and leakage of which FLC or FAC is 0. Sabotage: PRAB for PRBA."""
         straight, _ = self.abstat(pillow(4))

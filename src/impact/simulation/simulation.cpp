@@ -17,6 +17,7 @@
 #include "base/parallel.hpp"
 #include "impact/contact/contact_setup.hpp"
 #include "impact/simulation/ends.hpp"
+#include "kernel/law/law_components.hpp"
 #include "model/bond.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -587,18 +588,24 @@ double Simulation::input() const {
   return std::max(largest_input_, std::abs(energy_.initial + energy_.external));
 }
 
-/// The part, if any, whose elements have given more energy than they ever got: without stress at the start their
-/// internal energy is not below 0.
+/// The part, if any, whose elements have given more energy than they ever got: without stress at the start, and without
+/// an equation of state, which may hold some (E0), their internal energy is not below 0.
 std::vector<PartEnergy>::const_iterator Simulation::giving_part() const {
   const model::InitialState& initial = system_.model.initial_state;
   const bool stressed = !initial.shells.empty() || !initial.solids.empty() || !initial.axial_forces.empty() ||
                         !initial.section_stresses.empty() || system_.model.control.relaxation.on();
   const double bearable = std::max(10.0 * input(), 0.1 * energy_.size());
-  for (auto part = parts_.begin(); part != parts_.end() && !stressed; ++part) {
-    const model::ElementKind kind = system_.model.parts[static_cast<std::size_t>(part - parts_.begin())].kind;
-    if ((kind == model::ElementKind::shell || kind == model::ElementKind::solid) && -part->internal > bearable)
+  const auto starts_empty = [this](const model::Part& part) {
+    const kernel::ComposedLaw* law = nullptr;
+    if (part.material != model::none)
+      law = std::get_if<kernel::ComposedLaw>(&system_.model.materials[part.material].law);
+    return (part.kind == model::ElementKind::shell || part.kind == model::ElementKind::solid) &&
+           !(law != nullptr && law->components->state);
+  };
+  for (auto part = parts_.begin(); part != parts_.end() && !stressed; ++part)
+    if (-part->internal > bearable &&
+        starts_empty(system_.model.parts[static_cast<std::size_t>(part - parts_.begin())]))
       return part;
-  }
   return parts_.end();
 }
 
