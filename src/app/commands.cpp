@@ -28,6 +28,7 @@
 #include "app/subcycling.hpp"
 #include "app/weld_drop_runs.hpp"
 #include "base/parallel.hpp"
+#include "base/peak_memory.hpp"
 #include "impact/recording/result_files.hpp"
 #include "impact/recording/weld_results.hpp"
 #include "impact/simulation/simulation.hpp"
@@ -104,11 +105,13 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   for (const auto& group : system.groups) elements += group->size();
   const double work = static_cast<double>(elements) * static_cast<double>(s.cycles);
   if (work > 0.0) s.ns_per_element_cycle = 1e9 * (run.solve_seconds() - s.seconds.output) / work;
+  s.peak_memory = peak_memory();
   s.threads = threads();
   s.ranks = nvh::ranks();
   for (const impact::Simulation::RankReport& r : run.rank_reports())
     s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.nodes), static_cast<long>(r.shared_nodes),
-                      static_cast<long>(r.neighbours), r.cost, r.contact, r.messages, r.bytes, r.busy, r.waiting});
+                      static_cast<long>(r.neighbours), r.cost, r.contact, r.messages, r.bytes, r.busy, r.waiting,
+                      r.peak_memory});
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);

@@ -7,6 +7,7 @@
 #include "app/run_log.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "base/peak_memory.hpp"
 #include "nvh/matrices/linear_model.hpp"
 #include "nvh/matrices/ranks.hpp"
 #include "output/column_units.hpp"
@@ -88,6 +89,7 @@ output::Summary LinearJob::summary() const {
   s.count = counts(deck_.model, deck_.ties);
   s.seconds.read = deck_.read_seconds;
   s.seconds.setup = setup_seconds_;
+  s.peak_memory = peak_memory();
   s.threads = threads();
   s.ranks = nvh::ranks();
   s.welds = deck_.welds;

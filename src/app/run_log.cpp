@@ -250,15 +250,15 @@ std::string log_ranks(const impact::Simulation& run, const output::Summary& summ
   std::string s = "Ranks\n\n" + log_computed_by_all(run, run.system().share()->partition()) +
                   " rank  elements     nodes    shared  neighbours  expected load  of contact  messages a cycle  bytes "
                   "a cycle  busy s  "
-                  "waiting\n";
+                  "waiting  memory MB\n";
   double most = 0.0, mean = 0.0;
   for (std::size_t r = 0; r < summary.rank.size(); ++r) {
     const output::Summary::Rank& rank = summary.rank[r];
     const double seconds = rank.busy + rank.waiting;
-    s += fmt::format(" {:>4} {:>9} {:>9} {:>9} {:>11} {:>14.3f} {:>11.3f} {:>17.1f} {:>14.0f} {:>7.2f} {:>7.1f} %\n", r,
-                     rank.elements, rank.nodes, rank.shared_nodes, rank.neighbours, rank.expected_load,
-                     rank.expected_contact_load, rank.messages, rank.bytes, rank.busy,
-                     seconds > 0.0 ? 100.0 * rank.waiting / seconds : 0.0);
+    s += fmt::format(
+        " {:>4} {:>9} {:>9} {:>9} {:>11} {:>14.3f} {:>11.3f} {:>17.1f} {:>14.0f} {:>7.2f} {:>7.1f} % {:>9.0f}\n", r,
+        rank.elements, rank.nodes, rank.shared_nodes, rank.neighbours, rank.expected_load, rank.expected_contact_load,
+        rank.messages, rank.bytes, rank.busy, seconds > 0.0 ? 100.0 * rank.waiting / seconds : 0.0, rank.peak_memory);
     most = std::max(most, rank.busy);
     mean += rank.busy / static_cast<double>(summary.rank.size());
   }
@@ -321,7 +321,10 @@ std::string log_run(const impact::Simulation& run, const output::Summary& summar
   s += fmt::format(" {:.1f} ns per element and cycle on {} threads, {} elements at a time",
                    summary.ns_per_element_cycle, summary.threads, summary.lanes);
   if (summary.elements_by_precision.single > 0) s += fmt::format(", of single precision {}", 2 * summary.lanes);
-  return s + "\n\n" + log_ranks(run, summary);
+  return s +
+         fmt::format("\n {:.0f} MB of memory at most{}\n\n", summary.peak_memory,
+                     summary.rank.empty() ? "" : " in the first rank") +
+         log_ranks(run, summary);
 }
 
 std::string in_short(const output::Summary& summary) {

@@ -125,6 +125,7 @@ Json to_json(const Summary& s) {
                          {"remedy", s.hourglass->remedy}};
   json["seconds"] = to_json(s.seconds);
   json["ns_per_element_cycle"] = s.ns_per_element_cycle;
+  json["peak_memory_mb"] = s.peak_memory;
   json["threads"] = s.threads;
   json["lanes"] = s.lanes;
   json["precision"] = s.precision;
@@ -144,7 +145,8 @@ Json to_json(const Summary& s) {
                             {"messages_per_cycle", r.messages},
                             {"bytes_per_cycle", r.bytes},
                             {"busy", r.busy},
-                            {"waiting", r.waiting}});
+                            {"waiting", r.waiting},
+                            {"peak_memory_mb", r.peak_memory}});
   json["weld"] = Json::array();
   for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));
   json["modes"] = Json::array();

@@ -147,6 +147,7 @@ struct Summary {
   };
   std::optional<Hourglass> hourglass;  ///< nothing where there is none of that energy
   double ns_per_element_cycle = 0.0;
+  double peak_memory = 0.0;  ///< of this process [MB]
   int threads = 0, ranks = 1;
   /// A rank of an explicit run over several.
   struct Rank {
@@ -155,6 +156,7 @@ struct Summary {
     double expected_contact_load = 0.0;  ///< of contact, likewise; 0 where there is none
     double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
     double busy = 0.0, waiting = 0.0;    ///< seconds
+    double peak_memory = 0.0;            ///< MB
   };
   std::vector<Rank> rank;
   int lanes = 1;                     ///< elements of double precision that the kernels took at a time

@@ -67,6 +67,7 @@ std::string values(const Json& object, std::string_view prefix) {
   for (const auto& [key, value] : object.items()) {
     std::string name = key;
     std::replace(name.begin(), name.end(), '_', ' ');
+    if (key == "peak_memory_mb") name = "memory at most, MB";
     if (key == "ns_per_element_cycle") name = "nanoseconds of computing per element and cycle";
     s += fmt::format("<div><dt>{}</dt><dd id=\"{}-{}\">{}</dd></div>\n", escaped(name), prefix, escaped(key),
                      text_of(value));
@@ -98,7 +99,8 @@ std::string head(const Json& s) {
 std::string facts(const Json& s) {
   std::string out = "<h2>The run</h2>\n";
   Json facts;
-  for (const char* key : {"time", "cycles", "nodes", "parts", "welds", "threads", "precision", "ns_per_element_cycle"})
+  for (const char* key :
+       {"time", "cycles", "nodes", "parts", "welds", "threads", "precision", "ns_per_element_cycle", "peak_memory_mb"})
     if (has_value(s, key)) facts[key] = s[key];
   out += values(facts, "run");
   const std::tuple<const char*, const char*, Dimension> groups[] = {

@@ -69,6 +69,8 @@ class ExplicitRanks(RepeatedRuns):
         self.assertEqual(sum(rank["elements"] for rank in summary["rank"]), 720)
         self.assertTrue(all(rank["shared_nodes"] < rank["nodes"] < 700 for rank in summary["rank"]))
         self.assertTrue(all(0.8 < rank["expected_load"] < 1.2 and rank["bytes_per_cycle"] > 1000.0 for rank in summary["rank"]))
+        self.assertTrue(all(5.0 < rank["peak_memory_mb"] < 2000.0 for rank in summary["rank"]))
+        self.assertEqual(self.log("r7_1").count(" MB of memory at most in the first rank"), 1)
 
     def test_shells_that_fail_under_mass_scaling(self):
         self.compare_ranks(tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4))

@@ -3,11 +3,13 @@
 import csv
 import io
 import math
+import os
 import re
+import subprocess
 import unittest
 
 from lap_joint import deck, edited
-from nugget_command import CommandTest
+from nugget_command import NUGGET, CommandTest
 
 RESULTS = ["d3plot", "d3plot01", "findings.json", "glstat", "matsum", "nodout", "report.html", "run.log", "summary.json", "swforc", "units.csv",
            "welds.csv"]
@@ -26,7 +28,7 @@ SUMMARY = {
                "external": NUMBER, "eroded": NUMBER, "initial": NUMBER, "ratio": NUMBER},
     "seconds": {"read": NUMBER, "setup": NUMBER, "solve": NUMBER, "output": NUMBER,
                 "phases": {"elements": NUMBER, "contact": NUMBER}},
-    "ns_per_element_cycle": NUMBER, "threads": COUNT, "lanes": COUNT, "ranks": COUNT, "weld": [WELD], "modes": []}
+    "ns_per_element_cycle": NUMBER, "peak_memory_mb": NUMBER, "threads": COUNT, "lanes": COUNT, "ranks": COUNT, "weld": [WELD], "modes": []}
 
 
 def misfits(value, shape, where="summary"):
@@ -48,6 +50,18 @@ class RunFiles(CommandTest):
         self.write(deck())
         self.nugget("run", "model.k", "--quiet")
         self.assertEqual(self.files(), sorted([*RESULTS, "model.k"]))
+
+    def test_memory_of_a_run(self):
+        """As the system says of the process when it has ended: little is taken after the summary is written."""
+        self.write(deck())
+        run = subprocess.Popen([NUGGET, "run", "model.k", "--quiet"], cwd=self.folder)
+        _, status, usage = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(run.returncode, 0)
+        peak = self.json("summary.json")["peak_memory_mb"]
+        self.assertLessEqual(peak, 1024e-6 * usage.ru_maxrss)
+        self.assertGreater(peak, 0.9 * 1024e-6 * usage.ru_maxrss)
+        self.assertIn(f" {peak:.0f} MB of memory at most\n", self.read("run.log"))
 
     def test_energy_when_the_weld_that_holds_the_step_fails(self):
         """The step grows fivefold; without the account of it the ratio is off by 4 %."""

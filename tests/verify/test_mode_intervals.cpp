@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "linear.hpp"
@@ -122,6 +123,80 @@ TEST(ModeIntervals, LimitsWithinPairs) {
   nvh::ModeRequest r = request(1);
   r.centre = full[1] * 1.01;
   EXPECT_NEAR(found(experiment, r).at(0) / full[1], 1.0, 1e-9);
+}
+
+/// The largest entry of |X^t M X - 1|.
+double deviation_from_orthonormal(const LinearExperiment& experiment, const nvh::Columns& x) {
+  nvh::Columns mass(x.rows, x.count);
+  nvh::multiply(experiment.matrices().mass, x, mass);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < x.count; ++i)
+    for (std::size_t j = 0; j < x.count; ++j) {
+      double product = 0.0;
+      for (std::size_t k = 0; k < x.rows; ++k) product += x[i][k] * mass[j][k];
+      largest = std::max(largest, std::abs(product - (i == j ? 1.0 : 0.0)));
+    }
+  return largest;
+}
+
+/// The modes of a request sought from several places, `slice` at each, are those from one place, all of them.
+void expect_slices(const LinearExperiment& experiment, nvh::ModeRequest r, std::size_t slice) {
+  SCOPED_TRACE(fmt::format("{} modes from {} to {}, {} a slice", r.count, r.low, r.high, slice));
+  r.slice = 1000;
+  const nvh::Modes whole = nvh::find_modes(experiment.matrices(), r);
+  r.slice = slice;
+  const nvh::Modes modes = nvh::find_modes(experiment.matrices(), r);
+  EXPECT_TRUE(modes.proof.complete()) << modes.proof.counted << " modes counted, " << modes.proof.found << " found";
+  EXPECT_GE(modes.proof.found, static_cast<int>(modes.eigenvalue.size()));
+  EXPECT_GT(modes.cost.factorizations, 3);
+  ASSERT_EQ(modes.eigenvalue.size(), whole.eigenvalue.size());
+  for (std::size_t i = 0; i < modes.eigenvalue.size(); ++i)
+    EXPECT_NEAR(modes.eigenvalue[i], whole.eigenvalue[i], 1e-10 * whole.eigenvalue.back()) << "mode " << i + 1;
+  EXPECT_LT(deviation_from_orthonormal(experiment, modes.shape), 1e-9);
+}
+
+// Kirchhoff's frequencies hold for many modes; those of one place and of several are the same. Sabotage: the count of
+// pairs between two shifts not asked for; a cut within a pair.
+TEST(ModeSlices, SupportedPlate) {
+  const LinearExperiment experiment = plate(500.0, 400.0, 60, 48);
+  const std::vector<double> exact = closed_form(500.0, 400.0, 2600.0);
+  ASSERT_GT(exact.size(), 40u);
+  nvh::ModeRequest r = request(static_cast<int>(exact.size()));
+  r.slice = 8;
+  const std::vector<double> f = found(experiment, r);
+  ASSERT_EQ(f.size(), exact.size());
+  for (const std::size_t i : {0u, 7u, 15u, 23u, 31u, 39u})
+    expect_reference("response of a supported plate", fmt::format("supported plate in slices, mode {} [Hz]", i + 1),
+                     f[i], exact[i], 2e-2);
+  for (const std::size_t slice : {4u, 6u, 9u, 16u}) expect_slices(experiment, request(40), slice);
+}
+
+TEST(ModeSlices, IntervalsAndLimits) {
+  const LinearExperiment experiment = plate(500.0, 400.0, 30, 24);
+  nvh::ModeRequest r = request(0);
+  r.low = 150.0, r.high = 2000.0;
+  expect_slices(experiment, r, 6);
+  r.count = 20;
+  expect_slices(experiment, r, 6);
+  r.low = -std::numeric_limits<double>::infinity();
+  expect_slices(experiment, r, 6);
+  r.count = 0;
+  expect_slices(experiment, r, 6);
+}
+
+// Pairs and whole groups of equal frequencies: a square plate, free; and equal plates side by side, more of them than a
+// slice has modes.
+TEST(ModeSlices, EqualFrequencies) {
+  const LinearExperiment supported = plate(400.0, 400.0, 20, 20);
+  for (const int count : {21, 22, 23, 24, 25}) expect_slices(supported, request(count), 5);
+
+  Specimen s;
+  s.card("CONTROL_IMPLICIT_GENERAL", {1, 1}).card("CONTROL_IMPLICIT_EIGENVALUE", {20});
+  s.card("MAT_ELASTIC", {1, density, young, nu});
+  s.card("SECTION_SHELL", {1, 16, 0.833333, 2}).text("       2.0       2.0       2.0       2.0\n").part(1, 1, 1);
+  for (int i = 0; i < 3; ++i) s.shells(1, {300.0 * i, 0.0, 0.0}, {200.0, 200.0, 0.0}, 10, 10);
+  const LinearExperiment free(s.deck());
+  for (const int count : {30, 33, 41}) expect_slices(free, request(count), 6);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/index.hpp"
+#include "base/peak_memory.hpp"
 #include "impact/simulation/simulation.hpp"
 #include "system/share.hpp"
 
@@ -168,6 +169,7 @@ void Simulation::report_ranks() {
   own.bytes = static_cast<double>(now.bytes - traffic_before_.bytes) / cycles;
   own.waiting = waiting;
   own.busy = seconds - waiting;
+  own.peak_memory = peak_memory();
   rank_reports_ = gather(*ranks_, own);
   if (!on_first_rank()) return;
   const auto shares = system_.share()->partition().shares(system_, followed_by_all());

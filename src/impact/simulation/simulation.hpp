@@ -56,6 +56,7 @@ class Simulation {
     double contact = 0.0;  ///< of what its nodes cost in contact, likewise; 0: there is none
     double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
     double busy = 0.0, waiting = 0.0;    ///< seconds
+    double peak_memory = 0.0;            ///< MB
   };
   const std::vector<RankReport>& rank_reports() const { return rank_reports_; }
   /// What several ranks do not share out: every one of them computes it whole, and follows its nodes besides those of

@@ -153,13 +153,24 @@ Columns chosen(const Columns& y, const std::vector<std::size_t>& order, std::siz
   return c;
 }
 
+/// Whether so many pairs can have converged in a basis of this size, so that they are worth being computed: that costs
+/// the third power of it.
+bool worth_a_look(std::size_t size, std::size_t want) {
+  return size >= want + want / 2 && (want < 64 || size / 8 % 3 == 0);
+}
+
 }  // namespace
 
-Eigenpairs nearest(const Matrices& m, const Factorization& a, int wanted, const std::function<void(int)>& progress) {
-  const std::size_t n = m.size(), want = std::min(at(wanted), n);
+Eigenpairs nearest(const Matrices& m, const Factorization& a, const NearestPairs& wanted,
+                   const std::function<void(int)>& progress) {
+  const std::size_t n = m.size();
+  std::size_t want = std::min(wanted.count, n);
   const std::size_t width = std::min<std::size_t>({n, 8, std::max<std::size_t>(want, 2)});
-  const std::size_t most = std::min(n, 2 * want + 8 * width);
-  Basis basis(m, most + width);
+  // Pairs that are wanted on one side of the shift may lie behind others that are nearer.
+  const std::size_t sides = wanted.below + wanted.above;
+  const std::size_t most_wanted = sides > 0 ? std::min(n, 2 * std::max(want, sides)) : want;
+  const auto room = [&] { return std::min(n, (sides > 0 ? 3 : 2) * want + 8 * width); };  // restarts cost solutions
+  Basis basis(m, std::min(n, 3 * most_wanted + 8 * width) + width);
   Eigenpairs found;
 
   Columns w(n, width);
@@ -176,19 +187,33 @@ Eigenpairs nearest(const Matrices& m, const Factorization& a, int wanted, const 
   }
   Basis::Orthonormal o = basis.orthonormalize(w);
   Ritz p;
+  const auto lambda = [&](std::size_t i) { return 1.0 / p.theta[i] - a.shift(); };
   for (int restarts = 0;;) {
     const std::size_t first = basis.size();
     basis.append(w);
     w = applied(std::move(o.mass));
     o = basis.orthonormalize(w);
     basis.project(first, o.h);
+    const bool exhausted = w.count == 0 || basis.size() >= n, full = basis.size() + w.count > room();
+    if (!exhausted && !full && !worth_a_look(basis.size(), want)) continue;
     p = ritz_pairs(basis, o.r);
     std::size_t converged = 0;
     while (converged < std::min(want, p.order.size()) && p.residual[p.order[converged]] < tolerance) ++converged;
     if (progress) progress(static_cast<int>(converged));
-    const bool exhausted = w.count == 0 || basis.size() >= n;
-    if (converged == want || exhausted) break;
-    if (basis.size() + w.count > most) {
+    if (exhausted) break;
+    if (converged == want) {
+      std::size_t below = 0, above = 0;
+      for (std::size_t k = 0; k < want; ++k) {
+        const double value = lambda(p.order[k]);
+        if (value > -a.shift())
+          ++above;
+        else if (value > wanted.low)
+          ++below;
+      }
+      if ((below >= wanted.below && above >= wanted.above) || want == most_wanted) break;
+      want = std::min(want + width, most_wanted);
+    }
+    if (full) {
       if (++restarts > 60) {
         found.converged = false;
         break;
@@ -200,7 +225,6 @@ Eigenpairs nearest(const Matrices& m, const Factorization& a, int wanted, const 
     }
   }
   p.order.resize(std::min(want, p.order.size()));
-  const auto lambda = [&](std::size_t i) { return 1.0 / p.theta[i] - a.shift(); };
   std::sort(p.order.begin(), p.order.end(), [&](std::size_t i, std::size_t j) { return lambda(i) < lambda(j); });
   found.vector = basis.vectors(chosen(p.y, p.order, p.order.size()));
   for (const std::size_t i : p.order) found.value.push_back(lambda(i));

@@ -4,13 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
-#include <numeric>
-#include <optional>
 
 #include "base/index.hpp"
+#include "nvh/eigen/mode_slices.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -20,53 +18,6 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 double squared(double frequency) {
   return two_pi * frequency * two_pi * frequency;
 }
-
-/// One factorization after the other; the next takes the place of the last.
-class Shifts {
- public:
-  Shifts(const Matrices& m, const ProgressCallback& progress, Modes& modes)
-      : m_(m), progress_(progress), modes_(modes) {}
-
-  /// Factors K - lambda M; the number of eigenvalues below. Moves lambda a little where it hits an eigenvalue.
-  int below(double& lambda) {
-    progress(fmt::format("factorization {} of {} equations", modes_.cost.factorizations + 1, m_.size()));
-    for (double nudge = 1e-7;; nudge *= 10.0) {
-      try {
-        if (factor_)
-          factor_->shift_to(-lambda);
-        else
-          factor_.emplace(m_, -lambda);
-        ++modes_.cost.factorizations;
-        modes_.cost.factor_seconds += factor_->cost().seconds;
-        modes_.cost.factor_entries = factor_->cost().entries;
-        modes_.cost.most_memory = factor_->cost().most_memory;
-        modes_.cost.memory = factor_->cost().memory;
-        return factor_->negative();
-      } catch (const Factorization::SolverError&) {
-        if (lambda <= 0.0 || nudge > 1e-4) throw;
-        lambda *= 1.0 + nudge;
-      }
-    }
-  }
-  /// The pairs nearest to the last place.
-  Eigenpairs nearest(std::size_t count) {
-    const auto begin = std::chrono::steady_clock::now();
-    Eigenpairs p = nvh::nearest(m_, *factor_, static_cast<int>(count),
-                                [&](int done) { progress(fmt::format("{} of {} modes", done, count)); });
-    modes_.cost.lanczos_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    modes_.cost.solves += p.solves;
-    return p;
-  }
-
- private:
-  void progress(const std::string& text) const {
-    if (progress_) progress_(text);
-  }
-  const Matrices& m_;
-  const ProgressCallback& progress_;
-  Modes& modes_;
-  std::optional<Factorization> factor_;
-};
 
 /// Pairs inside an interval, the nearest to a place first.
 struct Nearest {
@@ -88,7 +39,7 @@ struct Nearest {
     apart = end < order.size();
   }
   /// Where to count: in the gap.
-  double dof_map() const { return apart ? 0.5 * (distance[end - 1] + distance[end]) : 1.001 * distance[end - 1]; }
+  double radius() const { return apart ? 0.5 * (distance[end - 1] + distance[end]) : 1.001 * distance[end - 1]; }
 };
 
 /// The first `count` of a list of pairs, in ascending order.
@@ -110,6 +61,37 @@ void refuse_negative(std::ptrdiff_t count) {
         "{} eigenvalues are negative: the structure is not stable, it buckles or has negative stiffness", count)};
 }
 
+/// Of pairs found from a place below zero: those of rigid motions are round-off.
+void refuse_negative(const Eigenpairs& found, double place) {
+  refuse_negative(std::ranges::count_if(found.value, [&](double v) { return v < 1e-3 * place; }));
+}
+
+/// The pairs nearest to `start`, where `shifts` stand; `take` of them at first, more where no gap shows behind them.
+Eigenpairs find_around(Shifts& shifts, const Spectrum& s, const Counted& start, std::size_t take, Modes::Proof& proof) {
+  const double place = start.place;
+  const int left = start.below - s.before;
+  const std::size_t all = shifts.matrices().size();
+  for (;;) {
+    take = std::min(take, all);
+    const Nearest found(shifts.nearest({.count = take}, 0, take), place, s.low, s.high, s.wanted);
+    const bool known = found.apart || found.end == at(s.inside), more = found.pairs.value.size() == take && take < all;
+    if (!known && more && found.pairs.converged) {
+      take += found.order.size() < s.wanted ? take : 4;
+      continue;
+    }
+    if (place < 0.0) refuse_negative(found.pairs, place);
+    proof.found = static_cast<int>(found.end);
+    if (found.end > 0 && found.end < at(s.inside)) {
+      double from = place - found.radius(), to = place + found.radius();
+      const int first = from <= s.low || left <= 0 ? s.before : shifts.below(from);
+      const int last = to >= s.high ? s.before + s.inside : shifts.below(to);
+      proof = {frequency_of(std::max(from, std::max(s.low, 0.0))), frequency_of(std::min(to, s.high)), last - first,
+               static_cast<int>(found.end)};
+    }
+    return ascending(found, std::min(s.wanted, found.end));
+  }
+}
+
 }  // namespace
 
 double frequency_of(double eigenvalue) {
@@ -118,47 +100,35 @@ double frequency_of(double eigenvalue) {
 
 Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressCallback& progress, Modes& modes) {
   Shifts shifts(m, progress, modes);
-  const std::size_t all = m.size();
-  double low = r.low > 0.0 ? squared(r.low) : -std::numeric_limits<double>::infinity();
-  double high = std::isfinite(r.high) ? squared(r.high) : std::numeric_limits<double>::infinity();
-  const int up_to = std::isfinite(high) ? shifts.below(high) : static_cast<int>(all);
-  const int before = r.low > 0.0 ? shifts.below(low) : 0;
-  const int inside = up_to - before;
-  modes.proof = {std::max(r.low, 0.0), r.high, inside, 0};
-  if (inside <= 0) return {};
-  const std::size_t wanted = r.count > 0 ? std::min(at(r.count), at(inside)) : at(inside);
-  const bool whole = wanted == at(inside);  // interval
+  const double infinity = std::numeric_limits<double>::infinity();
+  Spectrum s{r.low > 0.0 ? squared(r.low) : -infinity, std::isfinite(r.high) ? squared(r.high) : infinity};
+  const int up_to = std::isfinite(s.high) ? shifts.below(s.high) : static_cast<int>(m.size());
+  s.before = r.low > 0.0 ? shifts.below(s.low) : 0;
+  s.inside = up_to - s.before;
+  modes.proof = {std::max(r.low, 0.0), r.high, s.inside, 0};
+  if (s.inside <= 0) return {};
+  s.wanted = r.count > 0 ? std::min(at(r.count), at(s.inside)) : at(s.inside);
+  const bool in_slices = r.centre <= 0.0 && s.wanted > r.slice + r.slice / 2 && m.size() > 4 * s.wanted;
+  const bool interval = r.centre <= 0.0 && s.whole();
 
-  double place = r.centre > 0.0                                ? squared(r.centre)
-                 : whole && r.low > 0.0 && std::isfinite(high) ? 0.5 * (low + high)
-                 : r.low > 0.0                                 ? low
-                                                               : -small_shift(m);
-  const int left = place == low ? 0 : shifts.below(place) - before;  // between the lower end and the place
-  if (place < 0.0) refuse_negative(left);
-  // One more than wanted shows the gap; where there are pairs on both sides, as many again.
-  std::size_t take = wanted;
-  if (place < 0.0 && !whole) ++take;
-  if (place > 0.0 && !(whole && r.centre <= 0.0)) take += 1 + (left <= 0 || left >= inside ? 0 : wanted);
-  for (;;) {
-    take = std::min(take, all);
-    const Nearest found(shifts.nearest(take), place, low, high, wanted);
-    const bool known = found.apart || found.end == at(inside), more = found.pairs.value.size() == take && take < all;
-    if (!known && more && found.pairs.converged) {
-      take += found.order.size() < wanted ? take : 4;
-      continue;
-    }
-    if (place < 0.0)  // those of rigid motions are round-off
-      refuse_negative(std::ranges::count_if(found.pairs.value, [&](double v) { return v < 1e-3 * place; }));
-    modes.proof.found = static_cast<int>(found.end);
-    if (found.end > 0 && found.end < at(inside)) {
-      double from = place - found.dof_map(), to = place + found.dof_map();
-      const int first = from <= low || left <= 0 ? before : shifts.below(from);
-      const int last = to >= high ? before + inside : shifts.below(to);
-      modes.proof = {frequency_of(std::max(from, std::max(low, 0.0))), frequency_of(std::min(to, high)), last - first,
-                     static_cast<int>(found.end)};
-    }
-    return ascending(found, std::min(wanted, found.end));
+  Counted start{r.centre > 0.0                                                   ? squared(r.centre)
+                : !in_slices && interval && r.low > 0.0 && std::isfinite(s.high) ? 0.5 * (s.low + s.high)
+                : r.low > 0.0                                                    ? s.low
+                                                                                 : -small_shift(m),
+                s.before};
+  if (start.place != s.low) start.below = shifts.below(start.place);
+  if (start.place < 0.0) refuse_negative(start.below);
+  if (in_slices) {
+    Eigenpairs found = find_in_slices(shifts, s, start, r.slice, modes.proof);
+    if (start.place < 0.0) refuse_negative(found, start.place);
+    return found;
   }
+  // One more than wanted shows the gap; where there are pairs on both sides, as many again.
+  std::size_t take = s.wanted;
+  if (start.place < 0.0 && !s.whole()) ++take;
+  const int left = start.below - s.before;
+  if (start.place > 0.0 && !interval) take += 1 + (left <= 0 || left >= s.inside ? 0 : s.wanted);
+  return find_around(shifts, s, start, take, modes.proof);
 }
 
 }  // namespace nugget::nvh

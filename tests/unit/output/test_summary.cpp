@@ -72,6 +72,7 @@ TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
                                "energy",
                                "seconds",
                                "ns_per_element_cycle",
+                               "peak_memory_mb",
                                "threads",
                                "lanes",
                                "precision",
