@@ -54,6 +54,11 @@ struct Tie {
   bool couples = false;   ///< all moments as forces: the face of a brick, whose nodes have no rotations
   bool spring = false;    ///< by penalty: the node is held by springs instead of a constraint
   bool lever = true;      ///< the gap counts as a lever; false: _OFFSET
+  /// Of parts that touch (*CONTACT_AUTOMATIC_SINGLE_SURFACE_TIED): the node's own part, the distance from surface to
+  /// surface, negative where they overlap, and whether the node's SPCs hold nothing that those of the segment do not.
+  Index own_part = none;
+  double between = 0.0;  ///< [length]
+  bool held_alike = false;
   Index rigid_body =
       none;  ///< in Model::rigid_bodies, if it carries all nodes of the segment: the node then belongs to it
   /// If not empty the node follows the rigid motion that fits the disc's nodes best, in place of the segment, unless
@@ -154,6 +159,11 @@ struct Ties {
 Ties tie(const model::Model& model, std::vector<Vec3d> x, Findings& findings);
 /// The same with the nodes in the deck's places: right where no sliding contact moves any.
 Ties tie(const model::Model& model, Findings& findings);
+
+/// Weights below this are round-off of a node on an edge or a corner.
+inline constexpr double no_weight = 1e-10;
+/// The nodes of the sheet that the tied node follows.
+std::vector<Index> carriers(const Tie& tie);
 
 /// A line of the list that OUTSEG = 1 asks for: node, segment, shell, position on it and distance moved, in user ids.
 std::string describe(const model::Model& model, const Tie& tie);
