@@ -126,7 +126,7 @@ std::string log_touching_parts(const model::Model& model, const weld::Ties& ties
   model::Index contact = model::none;
   for (const weld::TouchingParts& pair : weld::touching_parts(model, ties.ties, ties.x)) {
     if (pair.contact != std::exchange(contact, pair.contact))
-      s += fmt::format("\n{} ties parts that touch, distances{}:\n", weld::name_contact(model.contacts[contact]),
+      s += fmt::format("{} ties parts that touch, distances{}:\n", weld::name_contact(model.contacts[contact]),
                        model::in_units(model::units_of(model), dimension::length));
     s += ' ' + weld::describe(model, pair) + '\n';
   }

@@ -17,6 +17,7 @@
 #include "model/units.hpp"
 #include "reading/build.hpp"
 #include "weld/placement/adapt.hpp"
+#include "weld/placement/divided_text.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::app {
@@ -61,9 +62,10 @@ std::string table_of(const model::Model& model, const weld::Ties& ties, const we
     text += end.left.empty()
                 ? done + fmt::format(
                              "Jacobian {:.2f} -> {:.2f}, aspect {:.2f} -> {:.2f}, warp {:.1f} -> {:.1f}, "
-                             "time step x {:.2f}\n",
+                             "time step x {:.2f}",
                              a.jacobian, b.jacobian, a.aspect, b.aspect, a.warp, b.warp, b.length / a.length)
-                : "left: " + end.left + '\n';
+                : "left: " + end.left;
+    text += end.whole.empty() ? "\n" : "; not divided: " + end.whole + '\n';
   }
   return text;
 }
@@ -107,19 +109,6 @@ std::array<model::Index, 4> corners_of_piece(const model::Model& model, const Pi
   return corners;
 }
 
-/// Numbers of new nodes and shells: behind those of all nodes and of elements of every kind.
-struct NewIds {
-  int node = 0, shell = 0;
-};
-NewIds first_new_ids(const model::Model& model) {
-  NewIds first;
-  first.node = model.nodes.id.empty() ? 0 : model.nodes.id.back();
-  for (const auto* ids : {&model.shells.id, &model.solids.id, &model.beams.id})
-    for (const int id : *ids) first.shell = std::max(first.shell, id);
-  for (const model::Discrete& d : model.discretes) first.shell = std::max(first.shell, d.id);
-  return {first.node + 1, first.shell + 1};
-}
-
 /// The mesh that the new deck is to have.
 struct Mesh {
   std::vector<int> nodes, shells;
@@ -128,7 +117,7 @@ struct Mesh {
 };
 Mesh expected_mesh(const model::Model& model, const Pieces& pieces) {
   Mesh mesh{model.nodes.id, model.shells.id, model.shells.node, model.shells.part};
-  const NewIds first = first_new_ids(model);
+  const weld::NewIds first = weld::first_new_ids(model);
   std::vector<model::Index> divided(pieces.of.size());
   for (const auto& [shell, d] : pieces.of) divided[d] = shell;
   for (std::size_t d = 0; d < divided.size(); ++d)
@@ -189,7 +178,8 @@ class Comparison {
     if (one.size() != other.size()) found_.text = fmt::format("it has another number of {} sets", what);
     for (std::size_t i = 0; i < one.size() && found_.text.empty(); ++i) {
       if (one[i].id == other[i].id &&
-          (one[i].members == other[i].members || sorted(expected(one[i].members)) == sorted(other[i].members)))
+          (pieces_.of.empty() ? one[i].members == other[i].members
+                              : sorted(expected(one[i].members)) == sorted(other[i].members)))
         continue;
       found_.text = fmt::format("{} set {} has other members, as it is chosen by place or by numbers", what, one[i].id);
       if constexpr (std::is_same_v<std::decay_t<decltype(one[i].members[0])>, model::Index>) {
@@ -328,7 +318,7 @@ class Meshing {
         nodes.move(model_.nodes.id[n], adapted_.x[n]);
         ++moved_;
       }
-    divide(shells);
+    weld::write_divided(shells, model_, adapted_);
     table_ = table_of(model_, ties_, adapted_);
     const char* what = adapted_.divided.empty() ? "Nodes moved by nugget weld --adapt:\n"
                                                 : "Nodes moved and elements divided by nugget weld --adapt --divide:\n";
@@ -356,8 +346,10 @@ class Meshing {
   void print() const {
     const auto ends =
         std::ranges::count_if(adapted_.ends, [](const weld::AdaptedEnd& end) { return end.left.empty(); });
-    const std::string divided =
-        adapted_.divided.empty() ? "" : fmt::format("; {} elements divided into five", adapted_.divided.size());
+    const std::string divided = adapted_.divided.empty()
+                                    ? ""
+                                    : fmt::format("; {} element{} divided into five", adapted_.divided.size(),
+                                                  adapted_.divided.size() == 1 ? "" : "s");
     fmt::print(
         "{}{} of {} ends of welds stand over a new element; {} nodes moved{}; shortest shell for the time step {:.4g}, "
         "was {:.4g}\n",
@@ -370,34 +362,12 @@ class Meshing {
   std::string why_whole(const deck::DividedShells& shells, model::Index shell) const {
     if (!whole_[shell].empty()) return whole_[shell];
     const int id = model_.shells.id[shell], node = model_.nodes.id[model_.shells.node[shell][0]];
-    const NewIds first = first_new_ids(model_);
+    const weld::NewIds first = weld::first_new_ids(model_);
     const int most = 4 * static_cast<int>(ties_.welds.size()) * 2;
     if (!shells.can_divide(id) || !shells.can_follow(node))
       return "its line or that of its first node is none that can become several";
     if (!shells.fits(id, first.shell + most, node, first.node + most)) return "the columns have no room for new ids";
     return {};
-  }
-
-  void divide(deck::DividedShells& shells) const {
-    const NewIds first = first_new_ids(model_);
-    std::map<model::Index, std::vector<deck::DividedShells::Node>> behind;  // of a node of the old deck
-    for (std::size_t d = 0; d < adapted_.divided.size(); ++d) {
-      const weld::DividedShell& divided = adapted_.divided[d];
-      const std::array<model::Index, 4>& outer = model_.shells.node[divided.shell];
-      const int new_node = first.node + 4 * static_cast<int>(d), new_shell = first.shell + 4 * static_cast<int>(d);
-      std::vector<deck::DividedShells::Shell> five;
-      for (int k = 0; k < 5; ++k) {
-        deck::DividedShells::Shell& s = five.emplace_back();
-        s.id = k == 0 ? model_.shells.id[divided.shell] : new_shell + k - 1;
-        for (std::size_t i = 0; i < 4; ++i) {
-          const int c = weld::pieces[at(k)][i];
-          s.nodes[i] = c < 4 ? model_.nodes.id[outer[at(c)]] : new_node + c - 4;
-        }
-      }
-      shells.divide(model_.shells.id[divided.shell], five);
-      for (int k = 0; k < 4; ++k) behind[outer[0]].push_back({new_node + k, divided.square[at(k)]});
-    }
-    for (const auto& [node, added] : behind) shells.follow(model_.nodes.id[node], added);
   }
 
   double shortest_piece() const {

@@ -22,11 +22,12 @@ struct Units {
 
 /// Strips of 200 x 20 on top of each other, free in space, without Poisson's effect: beams.
 struct Stack {
+  Stack() { plates[1].z = 2.0; }
   struct Plate {
     double thickness = 2.0, z = 0.0;
     int along = 40, across = 2;
   };
-  std::vector<Plate> plates{{2.0, 0.0}, {2.0, 2.0}};
+  std::vector<Plate> plates = std::vector<Plate>(2);
   double close = 0.05;
   Units units;
   bool mirrored = false;                      ///< x becomes -x
@@ -194,7 +195,7 @@ TEST(TouchingParts, SupportsOfBothSheetsHold) {
   s.node_set(1, held).card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1});
   const LinearExperiment cantilever(s.deck());
   EXPECT_EQ(cantilever.system().ties.ties.size(), 123u);
-  EXPECT_THAT(testing::PrintToString(cantilever.findings().all().size()), testing::Not(""));
+  for (const Finding& f : cantilever.findings().all()) EXPECT_NE(f.severity, Severity::warning) << to_string(f);
   const double expected = root * root / (2.0 * std::numbers::pi * 4e4) * 4.0 * std::sqrt(210000.0 / (12.0 * 7.85e-9));
   expect_reference(test_case, "cantilever of two plates of 2 mm: bending, mode 1 [Hz]",
                    cantilever.modes(2).frequency(0), expected, 5e-3);

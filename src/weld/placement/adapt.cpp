@@ -213,19 +213,30 @@ class Adapting {
   // ---- one end
 
   void adapt_end(std::size_t i) {
+    const auto is_whole = [](const Way& way) { return way.reach == 1.0 && way.side == 0.0; };
     std::string why;
-    if (limits_.divides && out_.ends[i].edge_before > too_large * out_.ends[i].diameter && divide_at(i, why)) return;
-    const std::string whole = std::exchange(why, {});
+    if (move_at(i, why, is_whole)) return;
+    if (limits_.divides && out_.ends[i].edge_before > too_large * out_.ends[i].diameter &&
+        divide_at(i, out_.ends[i].whole))
+      return;
+    if (move_at(i, why, [&](const Way& way) { return !is_whole(way); })) return;
+    out_.ends[i].left = why.empty() ? "there are only triangles around it" : why;
+  }
+
+  /// Lays an element under the weld by one of the ways that `is_tried`.
+  template <class IsTried>
+  bool move_at(std::size_t i, std::string& why, const IsTried& is_tried) {
     const std::vector<Index> shells = candidates(seats_[i]);
-    for (const Way& way : ways_)
+    for (const Way& way : ways_) {
+      if (!is_tried(way)) continue;
       for (const Index shell : shells) {
         if (way.reach < 1.0 && shell != shells.front()) continue;
         Trial trial = attempt(i, shell, way);
-        if (trial.wrong.empty()) return accept(i, shell, trial);
+        if (trial.wrong.empty()) return accept(i, shell, trial), true;
         if (why.empty()) why = std::move(trial.wrong);
       }
-    out_.ends[i].left = why.empty() ? "there are only triangles around it" : why;
-    if (!whole.empty()) out_.ends[i].left += "; not divided: " + whole;
+    }
+    return false;
   }
 
   /// Divides an element around the foot, moved and made larger first where that helps.
@@ -243,7 +254,10 @@ class Adapting {
     for (const Way& way : ways_to_divide())
       for (const Index shell : open) {
         Trial trial = attempt_to_divide(i, shell, way);
-        if (trial.wrong.empty()) return accept(i, shell, trial), true;
+        if (trial.wrong.empty()) {
+          why.clear();
+          return accept(i, shell, trial), true;
+        }
         if (why.empty()) why = std::move(trial.wrong);
       }
     return false;
@@ -263,7 +277,7 @@ class Adapting {
     DividedShell divided{shell, {}};
     const std::array<Vec3d, 4> square = full_square(seats_[i].point, shell, diameter);
     for (std::size_t k = 0; k < 4; ++k) divided.square[k] = on_sheet(square[k], shells_.part[shell]);
-    trial.wrong = broken_limit(trial.shells, shell);
+    trial.wrong = broken_limit(trial.shells, &divided, diameter);
     if (trial.wrong.empty()) trial.wrong = broken_by_pieces(divided, diameter);
     exchange(trial);
     trial.divided = divided;
@@ -498,25 +512,28 @@ class Adapting {
     return foot.distance <= 1e-9 * mean_side(corners_of(shells_, shell, model_.nodes.x)) ? x : foot.point;
   }
 
-  /// `divided`: the shell that is no longer there, or none.
-  std::string broken_limit(const std::vector<Index>& patch, Index divided = none) const {
+  /// `divided`: the shell that is no longer there, if one is to be; the others may then be as its pieces are.
+  std::string broken_limit(const std::vector<Index>& patch, const DividedShell* divided = nullptr,
+                           double diameter = 0.0) const {
     const auto broken = [](std::string_view what, double value, double limit) {
       return fmt::format("its patch would have a shell with {} {:.3g}, past {:.3g}", what, value, limit);
     };
     double before_length = Box::infinity, length = Box::infinity;
     for (const Index e : patch) {
-      if (e == divided || of_divided_.contains(e)) continue;
+      if ((divided != nullptr && e == divided->shell) || of_divided_.contains(e)) continue;
       const ShellShape before = shape_of(shells_, e, model_.nodes.x), now = shape_of(shells_, e, out_.x);
       const double jacobian = std::min(limits_.jacobian, before.jacobian),
-                   aspect = std::max(limits_.aspect, before.aspect), warp = std::max(limits_.warp, 1.25 * before.warp);
+                   aspect = std::max(divided != nullptr ? limits_.divided_aspect : limits_.aspect, before.aspect),
+                   warp = std::max(limits_.warp, 1.25 * before.warp);
       if (now.jacobian < jacobian - 1e-9) return broken("a scaled Jacobian of", now.jacobian, jacobian);
       if (now.aspect > aspect + 1e-9) return broken("an aspect ratio of", now.aspect, aspect);
       if (now.warp > warp + 1e-9) return broken("a warp in degrees of", now.warp, warp);
       before_length = std::min(before_length, before.length);
       length = std::min(length, now.length);
     }
-    if (length < limits_.length * before_length)
-      return broken("a length of the time step of", length, limits_.length * before_length);
+    double least = limits_.length * before_length;
+    if (divided != nullptr) least = std::min(least, limits_.divided_length * diameter);
+    if (length < least) return broken("a length of the time step of", length, least);
     return {};
   }
 

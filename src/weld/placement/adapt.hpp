@@ -63,6 +63,7 @@ struct AdaptedEnd {
   double farthest = 0.0;                       ///< of these, as they were in the deck [length]
   ShellShape before, after;                    ///< worst of the patch, in the deck and then; where nodes were moved
   bool divided = false;                        ///< its element was
+  std::string whole;                           ///< why it was not, though it is far larger than the weld
   std::string left;                            ///< why nothing was moved; empty: nodes were
 };
 

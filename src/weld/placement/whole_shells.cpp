@@ -18,14 +18,16 @@ class Naming {
   Naming(const model::Model& model, const Ties& ties) : model_(model), ties_(ties), why_(model.shells.size()) {}
 
   std::vector<std::string> run() {
-    for (const Index e : model_.named_shells) say(e, "a card names it");
-    for (const Index e : model_.listed_shells) say(e, "a list of shells names it");
     for (const model::InitialStress& s : model_.initial_state.shells) say(s.element, "it has initial stress");
     for (const model::InitialStrain& s : model_.initial_state.shell_strains) say(s.shell, "it has initial strain");
     for (Index e = 0; at(e) < model_.shells.angle.size(); ++e)
       if (model_.shells.own_angle(e)) say(e, "it has axes of its own (BETA)");
+    for (const Index e : model_.named_shells) say(e, "a card names it");
+    for (const model::NamedEntity& e : model_.requests.history_shells) say(e.index, "a card names it");
+    for (const Index e : model_.listed_shells) say(e, "a list of shells names it");
     say_segments();
     say_listed_nodes();
+    say_loaded();
     say_tied();
     return std::move(why_);
   }
@@ -57,6 +59,16 @@ class Naming {
       if (std::count_if(corners.begin(), corners.end(), [&](Index n) { return listed[n] != 0; }) > most_listed)
         say(e, "lists name its nodes");
     }
+  }
+
+  /// A force on each node of a set would be another one in all.
+  void say_loaded() {
+    std::vector<char> loaded(model_.nodes.size(), 0);
+    for (const model::NodalLoad& load : model_.nodal_loads)
+      for (const Index n : load.nodes) loaded[n] = 1;
+    for (Index e = 0; at(e) < model_.shells.size(); ++e)
+      if (std::ranges::all_of(model_.shells.node[e], [&](Index n) { return loaded[n] != 0; }))
+        say(e, "a load acts on each of its nodes");
   }
 
   /// What other ties than those of welds are made to.

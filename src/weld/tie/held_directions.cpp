@@ -39,29 +39,31 @@ bool HeldDirections::holds(Index node, bool rotation, const Vec3d& direction) co
   return norm(outside_of(rotation ? found->second.rotation : found->second.translation, direction)) <= nothing * size;
 }
 
-bool HeldDirections::hold_alike(const Tie& tie, const Vec3d& x) const {
+bool HeldDirections::hold_alike(const Tie& tie, const std::vector<Vec3d>& x) const {
   const auto own = of_.find(tie.node);
   if (own == of_.end()) return true;
-  const Vec3d arm = x - tie.point;
-  const double lever = norm(arm);
+  const Vec3d gap = x[tie.node] - tie.point;
   std::vector<Index> nodes = carriers(tie);
   if (tie.couples) nodes.assign(tie.segment.begin(), tie.segment.end());  // all of them turn it
   const auto all = [&](auto&& held) { return std::all_of(nodes.begin(), nodes.end(), held); };
   const auto holds_all_translations = [&](Index n) {
     return holds(n, false, {1, 0, 0}) && holds(n, false, {0, 1, 0}) && holds(n, false, {0, 0, 1});
   };
-  const auto turns_nowhere = [&](const Vec3d& about) {
-    if (tie.couples) return all(holds_all_translations);
-    return all([&](Index n) { return holds(n, true, about); });
-  };
-  for (const Vec3d& d : own->second.translation) {
-    if (!all([&](Index n) { return holds(n, false, d); })) return false;
-    const Vec3d about = cross(arm, d);
-    if (norm(about) > nothing * lever && !turns_nowhere(about)) return false;
+  if (tie.couples && !all(holds_all_translations)) {
+    if (!own->second.rotation.empty() && tie.rotations) return false;
+    if (norm(gap) > 0.0) return false;
   }
+  const auto turns_nowhere = [&](Index n, const Vec3d& about) { return tie.couples || holds(n, true, about); };
+  for (const Vec3d& d : own->second.translation)
+    if (!all([&](Index n) {
+          const Vec3d arm = arm_from(tie, x[n], gap), about = cross(arm, d);
+          const bool turned = norm(about) > nothing * (norm(gap) + norm(x[n] - tie.point));
+          return holds(n, false, d) && (!turned || turns_nowhere(n, about));
+        }))
+      return false;
   if (!tie.rotations) return true;
   for (const Vec3d& d : own->second.rotation)
-    if (!turns_nowhere(d)) return false;
+    if (!all([&](Index n) { return turns_nowhere(n, d); })) return false;
   return true;
 }
 

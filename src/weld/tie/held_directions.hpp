@@ -15,8 +15,8 @@ class HeldDirections {
 
   bool any(Index node) const { return of_.contains(node); }
   /// Whether all that the SPCs of the tied node hold is held by those of the nodes that it follows, so that it stays
-  /// held when it does. `x`: its place, whose distance from Tie::point is a lever [length].
-  bool hold_alike(const Tie& tie, const Vec3d& x) const;
+  /// held when it does. `x`: places of all nodes [length].
+  bool hold_alike(const Tie& tie, const std::vector<Vec3d>& x) const;
 
  private:
   struct Node {

@@ -59,6 +59,7 @@ struct Tie {
   Index own_part = none;
   double between = 0.0;  ///< [length]
   bool held_alike = false;
+  bool arched = false;  ///< between its corners the segment is as bent as their rotations say; see arm_from
   Index rigid_body =
       none;  ///< in Model::rigid_bodies, if it carries all nodes of the segment: the node then belongs to it
   /// If not empty the node follows the rigid motion that fits the disc's nodes best, in place of the segment, unless
@@ -162,6 +163,12 @@ Ties tie(const model::Model& model, Findings& findings);
 
 /// Weights below this are round-off of a node on an edge or a corner.
 inline constexpr double no_weight = 1e-10;
+/// The arm by which the rotation of a corner of its segment moves a tied node: `gap`, its distance from Tie::point; of
+/// an arched segment half the way from the corner to that point besides, so that the surface is a parabola between
+/// corners whose rotations differ (docs/theory/ties.md#parts-that-touch). `corner`: its place [length]
+inline Vec3d arm_from(const Tie& tie, const Vec3d& corner, const Vec3d& gap) {
+  return tie.arched ? gap + 0.5 * (tie.point - corner) : gap;
+}
 /// The nodes of the sheet that the tied node follows.
 std::vector<Index> carriers(const Tie& tie);
 

@@ -222,7 +222,8 @@ std::vector<Touch> Touching::touches(Index node) const {
     if (!(foot.gap <= reach * (1.0 + equal))) return;
     if (!foot.over && !(std::abs(dot(normal(corners(s)), x - foot.point)) >= over_ridge * foot.gap && foot.gap > 0.0))
       return;
-    found.push_back({i, foot, foot.gap - touching});
+    const double between = foot.gap - touching;
+    found.push_back({i, foot, std::abs(between) > equal * reach ? between : 0.0});
     farthest_reach = std::max(farthest_reach, reach);
   });
   if (found.empty()) return found;
@@ -353,6 +354,7 @@ Tie Touching::made(Index node, const Touch& touch) const {
   tie.between = touch.between;
   const bool on_shell = s.shell != none && !model_.has_membranes(s.part);
   tie.couples = !on_shell;
+  tie.arched = on_shell;
   tie.rotations = around_.rotates[node] != 0;
   const Index body = around_.rigid_body[s.node[0]];
   if (std::all_of(s.node.begin(), s.node.end(), [&](Index n) { return around_.rigid_body[n] == body; }))
@@ -363,7 +365,7 @@ Tie Touching::made(Index node, const Touch& touch) const {
 bool Touching::try_tie(Index node, const Touch& touch) {
   Tie tie = made(node, touch);
   if (supports_.any(node)) {
-    tie.held_alike = tie.rigid_body == none && supports_.hold_alike(tie, x_[node]);
+    tie.held_alike = tie.rigid_body == none && supports_.hold_alike(tie, x_);
     if (!tie.held_alike) return false;
   }
   const std::vector<Index> nodes = carriers(tie);
@@ -503,7 +505,8 @@ std::vector<TouchingParts> touching_parts(const model::Model& model, const std::
 }
 
 std::string describe(const model::Model& model, const TouchingParts& pair) {
-  const auto in_words = [](double between) {
+  const auto in_words = [](double between) -> std::string {
+    if (between == 0.0) return "touching";
     return between < 0.0 ? fmt::format("{:.4g} in each other", -between) : fmt::format("{:.4g} apart", between);
   };
   const Vec3d &low = pair.box.low, &high = pair.box.high;
