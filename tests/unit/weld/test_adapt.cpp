@@ -352,9 +352,9 @@ double area(const std::array<Vec3d, 4>& c) {
   return 0.5 * cross(c[2] - c[0], c[3] - c[1]).z;
 }
 
-// Wherever the weld stands in elements of 10 to 25 mm: a square of 6 mm under it, five pieces that fill the element.
+// Wherever the weld stands in elements of 10 to 20 mm: a square of 6 mm under it, five pieces that fill the element.
 TEST(Divide, ASquareOfTheDiameterInALargeElement) {
-  for (const double size : {10.0, 14.0, 25.0})
+  for (const double size : {10.0, 14.0, 20.0})
     for (const auto& [u, v] : {std::pair{4.5, 4.5}, {4.7, 4.4}, {4.0, 4.5}, {4.0, 4.0}}) {
       const CoarsePair a(u * size, v * size, size);
       const Adapted now = divided(a);
@@ -398,12 +398,20 @@ TEST(Divide, OnlyWhereMovingDoesNotReach) {
 
 // Two welds on one element: the first one has it.
 TEST(Divide, OneWeldAnElement) {
-  CoarsePair a(112.5, 112.5, 25.0);
-  a.beam(a.welds, Vec3d{119.5, 112.5, 0}, Vec3d{119.5, 112.5, 1.5});
+  CoarsePair a(90.0, 90.0, 20.0);
+  a.beam(a.welds, Vec3d{96.0, 91.0, 0}, Vec3d{96.0, 91.0, 1.5});
   const Adapted now = divided(a);
   EXPECT_EQ(now.divided.size(), 2u);
   ASSERT_EQ(now.ends.size(), 4u);
   EXPECT_THAT(now.ends[2].whole, HasSubstr("another weld has divided its element"));
+}
+
+// 25 mm are more than 3.5 diameters: the pieces would be too long.
+TEST(Divide, ThereIsALargestElement) {
+  const CoarsePair a(112.5, 112.5, 25.0);
+  const Adapted now = divided(a);
+  EXPECT_TRUE(now.divided.empty());
+  EXPECT_THAT(now.ends[0].whole, HasSubstr("a piece of its element would have an aspect ratio of 4.17, past 3.5"));
 }
 
 TEST(Divide, WhatNamesAnElementKeepsItWhole) {

@@ -31,7 +31,7 @@ struct Touching : Assembly {
   Findings findings;
   std::vector<Tie> ties() {
     findings = {};
-    return tie(model, findings).ties;
+    return weld::tie(model, findings).ties;
   }
   std::set<Index> tied_parts() {
     std::set<Index> parts;
@@ -79,9 +79,12 @@ TEST(TouchingSheets, SurfacesCountNotNodes) {
     a.sheet(1.0, {0, 0, 0}, 3, 3);
     a.sheet(1.5, {0, 0, 1.25 + gap}, 3, 3);
     EXPECT_EQ(!a.ties().empty(), tied) << gap;
-    if (!tied)
+    if (!tied) {
       EXPECT_THAT(text(a.findings), HasSubstr("warning: *CONTACT_AUTOMATIC_SINGLE_SURFACE_TIED 7: no parts touch"));
-    if (gap == -0.3) EXPECT_THAT(text(a.findings), HasSubstr("surfaces 0.3 in each other"));
+    }
+    if (gap == -0.3) {
+      EXPECT_THAT(text(a.findings), HasSubstr("surfaces 0.3 in each other"));
+    }
   }
 }
 
@@ -114,7 +117,6 @@ TEST(TouchingSheets, StacksAreChains) {
     std::set<std::pair<Index, Index>> pairs;
     for (const Tie& t : ties) pairs.emplace(std::min(t.own_part, t.part), std::max(t.own_part, t.part));
     EXPECT_EQ(pairs, (std::set<std::pair<Index, Index>>{{0, 1}, {1, 2}}));
-    Findings none_found;
     EXPECT_EQ(a.findings.errors(), 0u) << text(a.findings);
   } while (std::next_permutation(order.begin(), order.end()));
 }
