@@ -19,7 +19,7 @@ def bending(height):
     return [r * r / (2 * math.pi * LENGTH ** 2) * height * math.sqrt(YOUNG / 12 / DENSITY) for r in ROOTS]
 
 
-def plates(gap=0.0, close=0.05, contact="", extra="", along=(40, 27), across=(2, 3), implicit=True):
+def plates(gap=0.0, close=0.05, contact="", extra="", along=(40, 27), across=(2, 2), implicit=True):
     """Two strips on each other, free in space."""
     text = "*KEYWORD\n*CONTROL_IMPLICIT_GENERAL\n" + card(int(implicit), 1.0) + "*CONTROL_IMPLICIT_EIGENVALUE\n" + card(20)
     text += "*CONTROL_TERMINATION\n" + card("1.0e-5") + "*MAT_ELASTIC\n" + card(1, DENSITY, YOUNG, 0.0)
@@ -53,7 +53,7 @@ class TouchingParts(CommandTest):
     def test_modes_are_those_of_one_plate(self):
         self.write(plates())
         run = self.nugget("check", "model.k", "-o", "audit")
-        pair = "part 2 on part 1: 112 nodes from (0, 0, 2) to (200, 20, 2), surfaces touching"
+        pair = "part 2 on part 1: 84 nodes from (0, 0, 2) to (200, 20, 2), surfaces touching"
         self.assertIn("ties parts that touch, distances [mm]:\n " + pair, run.stdout)
         self.nugget("modes", "model.k", "-o", "modes")
         self.assertEqual(self.read("modes/run.log").count("rigid motion"), 6)
@@ -119,10 +119,10 @@ class TouchingParts(CommandTest):
                  "*CONTROL_IMPLICIT_SOLUTION\n" + card(1) + "*DATABASE_NODOUT\n" + card(1.0) + "*DATABASE_HISTORY_NODE\n" + card(82))
         self.write(plates(along=(40, 40), across=(2, 2), extra=extra).replace("*CONTROL_IMPLICIT_EIGENVALUE\n" + card(20), ""))
         self.nugget("run", "model.k", "-o", "statics")
-        row = [line for line in self.read("statics/nodout").splitlines() if line.split()[:1] == ["82"]][-1]
+        row = [line for line in self.read("statics/nodout").splitlines() if line.split()[:1] == ["82"]][-2]  # the last has its rotations
         moved = float(row.split()[3])
         expected = LENGTH ** 3 / (3 * YOUNG * WIDTH * (2 * THICKNESS) ** 3 / 12)
-        self.assertLess(abs(moved - expected), 1e-2 * expected, (moved, expected))
+        self.assertLess(abs(moved - expected), 1e-3 * expected, (moved, expected))
 
 
 if __name__ == "__main__":
