@@ -460,8 +460,9 @@ TEST(AdaptedPatch, LapStiffnessAtTwentyFivePlacesIsThatOverACentre) {
                    0.02);
 }
 
-// The same in elements of 40/3 mm, which become five: as meshed 0.86 to 1.31. Sabotage: the square as large as the
-// element it is in, beside the weld, or with one of its sides not joined to the element's.
+// The same in elements of 40/3 mm, which become five; as meshed the place makes 8 % and the size up to 30 %. What is
+// left of the size, an eighth, is the coarse sheet around the element. Sabotage: the square as large as the element
+// that it is in, beside the weld, or with one of its sides not joined to the element's.
 TEST(AdaptedPatch, LapStiffnessInDividedElements) {
   constexpr double solids = 61850.0, size = 40.0 / 3.0;
   Range meshed, after;
@@ -471,9 +472,11 @@ TEST(AdaptedPatch, LapStiffnessInDividedElements) {
   }
   EXPECT_GT(meshed.most, 1.2);
   expect_reference("adapted patch", "lap, elements of 13 mm divided: least stiffness over that of solids", after.least,
-                   1.0, 0.08);
+                   1.0, 0.15);
   expect_reference("adapted patch", "lap, elements of 13 mm divided: largest stiffness over that of solids", after.most,
-                   1.0, 0.08);
+                   1.0, 0.15);
+  expect_reference("adapted patch", "lap, elements of 13 mm divided: least over largest stiffness",
+                   after.least / after.most, 1.0, 0.01);
 }
 
 }  // namespace
