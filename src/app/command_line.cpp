@@ -331,6 +331,8 @@ int nugget::app::command_line(int argc, char** argv) {
                  "no placement, but MODEL.k with the sheets around its welds meshed so that each weld stands "
                  "over the centre of an element of its size")
       ->excludes(scale_strength);
+  weld_command->add_flag("--divide", weld.divide,
+                         "of --adapt: elements of more than 1.4 diameters are divided into five around the weld");
   weld_command
       ->add_option("--least-step", weld.least_step,
                    "of --adapt: share of the time step of the shells around a weld that must be left (default: 0.7)")
@@ -519,6 +521,7 @@ int nugget::app::command_line(int argc, char** argv) {
     if (run_command->parsed() && run.deck.empty() && run.resume.empty()) throw CLI::RequiredError("model");
     if (weld.adapt && !weld.deck.empty()) throw CLI::ExcludesError("--adapt", "points");
     if (weld.adapt && !weld.stack.empty()) throw CLI::ExcludesError("--adapt", "--stack");
+    if (weld.divide && !weld.adapt) throw CLI::RequiresError("--divide", "--adapt");
     if (weld.adapt) std::swap(weld.points, weld.deck);  // its one file is the model
     if (weld_command->parsed() && weld.stack.empty() && weld.deck.empty())
       throw CLI::RequiredError(weld.points.empty() && !weld.adapt ? "points" : "model");

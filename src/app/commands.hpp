@@ -93,6 +93,7 @@ struct WeldArguments {
   std::string units = "mm, t, s";                ///< of that card
   double rule = 5.0;                             ///< diameter over sqrt(t)
   bool adapt = false;       ///< no placement: the sheets around the welds of `deck` are meshed anew
+  bool divide = false;      ///< of that: elements far larger than the weld are divided
   double least_step = 0.7;  ///< of that: what must be left of the time step of the shells there
   int threads = 0;
   bool skip_unsupported = false;

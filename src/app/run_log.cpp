@@ -8,6 +8,7 @@
 #include <ctime>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "app/finding_list.hpp"
 #include "base/parallel.hpp"
@@ -16,6 +17,8 @@
 #include "system/followers.hpp"
 #include "system/share.hpp"
 #include "weld/failure/function.hpp"
+#include "weld/tie/tie_findings.hpp"
+#include "weld/tie/touching.hpp"
 
 namespace nugget::app {
 namespace {
@@ -117,6 +120,19 @@ std::string log_shell_factors(const model::Model& model, const weld::Ties& ties)
   return s;
 }
 
+/// Where *CONTACT_AUTOMATIC_SINGLE_SURFACE_TIED ties parts.
+std::string log_touching_parts(const model::Model& model, const weld::Ties& ties) {
+  std::string s;
+  model::Index contact = model::none;
+  for (const weld::TouchingParts& pair : weld::touching_parts(model, ties.ties, ties.x)) {
+    if (pair.contact != std::exchange(contact, pair.contact))
+      s += fmt::format("{} ties parts that touch, distances{}:\n", weld::name_contact(model.contacts[contact]),
+                       model::in_units(model::units_of(model), dimension::length));
+    s += ' ' + weld::describe(model, pair) + '\n';
+  }
+  return s;
+}
+
 }  // namespace
 
 std::string log_head(const std::string& version, const std::string& deck, int threads, int ranks) {
@@ -208,7 +224,7 @@ std::string log_ties(const model::Model& model, const weld::Ties& ties, std::siz
     s += fmt::format(" case {}  {:>8} nodes  {}\n", projection_case, n, case_name(projection_case));
   if (open > 0) s += "\nNot tied:\n" + reasons;
   if (open > most) s += fmt::format(" and {} more nodes; welds.csv has all\n", open - most);
-  s += log_bricks(model, ties) + log_shell_factors(model, ties);
+  s += log_bricks(model, ties) + log_shell_factors(model, ties) + log_touching_parts(model, ties);
   return s + '\n';
 }
 

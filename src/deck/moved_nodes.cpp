@@ -12,15 +12,6 @@
 namespace nugget::deck {
 namespace {
 
-/// With as many digits as `width` columns hold; 0: without a limit.
-std::string written_coordinate(double value, std::size_t width) {
-  std::string text = fmt::format("{}", value);
-  for (int digits = 17; width > 0 && text.size() > width && digits > 1; --digits)
-    text = fmt::format("{:.{}g}", value, digits);
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
-}
-
 /// Where the n-th comma stands, from 1; at the end where there are fewer.
 std::size_t nth_comma(std::string_view line, int n) {
   std::size_t at = line.find(',');
@@ -54,6 +45,14 @@ std::string with_coordinates(std::string_view line, Format format, const Vec3d& 
 }
 
 }  // namespace
+
+std::string written_coordinate(double value, std::size_t width) {
+  std::string text = fmt::format("{}", value);
+  for (int digits = 17; width > 0 && text.size() > width && digits > 1; --digits)
+    text = fmt::format("{:.{}g}", value, digits);
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
 
 Vec3d Transform::written(const Vec3d& x) const {
   const Vec3d r{x.x - matrix[3], x.y - matrix[7], x.z - matrix[11]};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "deck/edited_text.hpp"
 
 namespace nugget::deck {
+
+/// With as many digits as `width` columns hold; 0: without a limit.
+std::string written_coordinate(double value, std::size_t width);
 
 /// Other coordinates in the *NODE lines of a deck.
 class MovedNodes {

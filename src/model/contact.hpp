@@ -54,7 +54,7 @@ struct PartFriction {
 
 struct Contact {
   /// A surface against itself; two surfaces, each node against the other side; nodes of `a` against segments of `b`; a
-  /// transducer, which sums up the forces of other contacts; ties.
+  /// transducer, which sums up the forces of other contacts; ties, the last one where parts of `a` touch each other.
   enum class Kind {
     single_surface,
     two_surfaces,
@@ -64,7 +64,8 @@ struct Contact {
     tied_nodes,
     tied_surface,
     tied_shell_edge,
-    tied_shell_edge_to_solid
+    tied_shell_edge_to_solid,
+    tied_single_surface
   };
   /// What a tie does about the gap between node and segment. `projected`: the node is moved onto the segment;
   /// `constrained`: the gap turns with the segment; `penalty`: springs, whose force acts at the segment without the
@@ -98,12 +99,15 @@ struct Contact {
   int depth = 2;            ///< DEPTH: what SOFT = 2 checks
   double deepest = 0.0;     ///< PENMAX: a node deeper than so many thicknesses is released; 0: none
   int search_interval = 0;  ///< BSORT; 0: chosen by the program
+  double close = 0.0;       ///< CLOSE: surfaces closer than this are tied; 0: by the mesh [length]
   int ignore = 0;           ///< IGNORE of optional card D, or the control card's
   Place place;
 
   /// By penalty forces; else it is a tie or a transducer.
   bool slides() const { return kind == Kind::single_surface || kind == Kind::two_surfaces || kind == Kind::one_way; }
   bool tie() const { return !slides() && kind != Kind::transducer; }
+  /// Ties what touches, once everything else is tied (weld::tie_touching).
+  bool ties_what_touches() const { return kind == Kind::tied_single_surface; }
   bool tie_by_springs() const { return offset == Offset::penalty || offset == Offset::beam; }
   /// Whether the tie hands over rotations and moments as well.
   bool ties_rotations() const { return tie() && kind != Kind::tied_nodes && kind != Kind::tied_surface; }

@@ -194,7 +194,9 @@ void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool
   const std::size_t corners = tie.segment[3] == tie.segment[2] ? 3 : 4;
   std::vector<ConstraintMap::Term> terms;
   for (std::size_t i = 0; i < corners; ++i)
-    if (tie.weight[i] != 0.0) terms.push_back({node_of[tie.segment[i]], tie.weight[i], tie.couples ? Vec3d{} : arm});
+    if (tie.weight[i] != 0.0)
+      terms.push_back({node_of[tie.segment[i]], tie.weight[i],
+                       tie.couples ? Vec3d{} : weld::arm_from(tie, ties.x[tie.segment[i]], arm)});
   if (!tie.couples && !tie.twist) {
     map.add(dependent, rotations, terms);
     return;

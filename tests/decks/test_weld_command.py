@@ -141,6 +141,82 @@ class Weld(CommandTest):
                 self.assertAlmostEqual(abs(float(weld["xi" + end])), place, 6)
                 self.assertAlmostEqual(abs(float(weld["eta" + end])), place, 6)
 
+    def coarse(self, extra="", keyword="*KEYWORD\n", x=35.0, y=35.0):
+        """joined.k: a weld of 6 mm on two sheets of 7 x 7 elements of 10 mm; the weld's nodes are 901 and 902."""
+        text = keyword + "*CONTROL_TERMINATION\n    1.0E-6\n*MAT_ELASTIC\n         1   7.85E-9  210000.0       0.3\n"
+        nodes = shells = ""
+        for part in (1, 2):
+            text += f"*SECTION_SHELL\n{part:10}         2\n" + f"{1.5:10}" * 4 + f"\n*PART\nsheet\n{part:10}{part:10}{1:10}\n"
+            number = lambda i, j: 100 * part + 8 * j + i  # noqa: B023, E731
+            nodes += "".join(f"{number(i, j):8}{10.0 * i:16}{10.0 * j:16}{1.5 * (part - 1):16}\n" for j in range(8) for i in range(8))
+            for j in range(7):
+                for i in range(7):
+                    corners = number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)
+                    shells += "".join(f"{v:8}" for v in (100 * part + 7 * j + i, part, *corners)) + "\n"
+        text += "*SECTION_BEAM\n         3         9       1.0         2       1.0\n       6.0       6.0\n*PART\nweld\n         3         3         3\n"
+        text += "*MAT_SPOTWELD\n         3   7.85E-9  210000.0       0.3     300.0\n\n*SET_PART_LIST\n         1\n         1         2\n"
+        text += "*CONTACT_SPOTWELD\n         3         1         3         2\n\n\n" + extra + "*NODE\n" + nodes
+        text += f"{901:8}{x:16}{y:16}{0.0:16}\n{902:8}{x:16}{y:16}{1.5:16}\n*ELEMENT_SHELL\n" + shells
+        self.write(text + f"*ELEMENT_BEAM\n{5001:8}{3:8}{901:8}{902:8}\n*END\n", "joined.k")
+
+    def divided(self, **deck):
+        self.coarse(**deck)
+        run = self.nugget("weld", "--adapt", "--divide", "joined.k", "-o", "adapted.k")
+        self.nugget("check", "adapted.k", "-o", "audit")
+        return run.stdout
+
+    def test_divide(self):
+        for x, y in ((35.0, 35.0), (38.0, 33.0), (40.0, 35.0), (40.0, 40.0)):
+            with self.subTest((x, y)):
+                out = self.divided(x=x, y=y)
+                self.assertRegex(out, r"(?m)^ +beam weld 5001 .* 0\.00 +10 +6 +6 .* divided, Jacobian 1\.00 -> 0\.[67]")
+                self.assertIn("; 2 elements divided into five; shortest shell for the time step ", out)
+                new = self.read("adapted.k").splitlines()
+                at = new.index("*ELEMENT_SHELL")
+                ids = [int(line[:8]) for line in new[at + 1:new.index("*ELEMENT_BEAM")]]
+                self.assertEqual(len(ids), len(set(ids)))
+                self.assertEqual(sorted(set(ids))[-8:], list(range(5002, 5010)))  # behind the beam's
+                with open(self.folder / "audit/welds.csv", encoding="utf-8") as file:
+                    (weld,) = csv.DictReader(file)
+                self.assertLess(max(abs(float(weld[k])) for k in ("xi1", "eta1", "xi2", "eta2")), 1e-6)
+                self.nugget("run", "adapted.k", "-o", "results", "--quiet")
+
+    def test_divide_keeps_sets_right(self):
+        by_part = "*SET_SHELL_GENERAL\n         5\nPART               1\n*SET_NODE_GENERAL\n         6\nPART               1         2\n"
+        self.assertIn("2 elements divided", self.divided(extra=by_part))
+        for extra, why in (
+                ("*SET_SHELL_LIST\n         5\n       124       125\n", "a list of shells names it"),
+                ("*DATABASE_HISTORY_SHELL\n       124\n", "a card names it"),
+                ("*SET_SEGMENT\n         5\n       127       128       136       135\n", "a segment names it"),
+                ("*SET_NODE_LIST\n         5\n       127       128       136       135\n", "lists name its nodes"),
+                ("*SET_NODE_LIST_GENERATE\n         5\n       100       163\n", "with pieces of it node set 5 has other members"),
+                ("*SET_SHELL_LIST_GENERATE\n         5\n       100       148\n", "with pieces of it shell set 5 has other members"),
+                ("*INITIAL_STRESS_SHELL\n       124         1         1\n       0.0       1.0       1.0       1.0       0.0       0.0       0.0       0.0\n",
+                 "it has initial stress")):
+            with self.subTest(why):
+                out = self.divided(extra=extra)
+                self.assertIn("not divided: " + why, out)
+                self.assertIn("; 1 element divided into five", out)
+
+    def test_divide_in_other_formats(self):
+        self.assertIn("2 elements divided", self.divided(keyword="*KEYWORD\n$ a remark\n"))
+        text = self.read("joined.k")
+        lines, inside = [], False
+        for line in text.splitlines():
+            inside = line in ("*NODE", "*ELEMENT_SHELL") if line.startswith("*") else inside
+            plain = inside and not line.startswith("*")
+            width = [8, 16, 16, 16] if plain and "." in line else [8] * 6
+            cells, at = [], 0
+            for w in width:
+                cells.append(line[at:at + w].strip())
+                at += w
+            lines.append(",".join(cells) if plain else line)
+        self.write("\n".join(lines) + "\n", "commas.k")
+        run = self.nugget("weld", "--adapt", "--divide", "commas.k", "-o", "divided.k")
+        self.assertIn("2 elements divided", run.stdout)
+        self.nugget("check", "divided.k", "-o", "audit")
+        self.nugget("weld", "--divide", "commas.k", "-o", "divided.k", expect=2)
+
     def test_adapt_leaves_what_must_stay(self):
         self.adaptable(before="*DATABASE_HISTORY_NODE\n" + "".join(f"{n:10d}" for n in range(1001, 1009)) + "\n")
         run = self.nugget("weld", "--adapt", "car/sheets.k", "-o", "adapted.k", expect=1)

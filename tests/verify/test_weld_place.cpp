@@ -18,6 +18,7 @@
 #include "nvh/statics/statics.hpp"
 #include "reading/build.hpp"
 #include "weld/placement/adapt.hpp"
+#include "weld/placement/divided_text.hpp"
 #include "weld_decks.hpp"
 
 namespace nugget::verify {
@@ -428,17 +429,20 @@ TEST(WeldByArea, LapStiffnessAtSevenPlaces) {
 
 /// The deck as `nugget weld --adapt` writes it; both ends of the weld must have been given a new element, or have had
 /// one.
-std::string adapted(const std::string& text) {
+std::string adapted(const std::string& text, bool divides = false) {
   Findings findings;
   const deck::Deck deck = deck::read_text(text, findings);
   const model::Model model = reading::build(deck, findings);
   const weld::Ties ties = weld::tie(model, findings);
   deck::EditedText edited(deck);
   deck::MovedNodes moved(deck, edited);
-  const weld::Adapted now = weld::adapt(model, ties, [&](int n) { return moved.can_move(model.nodes.id[n]); });
+  deck::DividedShells divided(deck, edited);
+  const weld::Adapted now =
+      weld::adapt(model, ties, [&](int n) { return moved.can_move(model.nodes.id[n]); }, {.divides = divides});
   for (const weld::AdaptedEnd& end : now.ends) EXPECT_LT(end.off_after, 0.1) << end.left;
   for (std::size_t n = 0; n < now.x.size(); ++n)
     if (norm(now.x[n] - model.nodes.x[n]) > 0.0) moved.move(model.nodes.id[n], now.x[n]);
+  weld::write_divided(divided, model, now);
   return edited.files("adapted.k", "$ adapted\n").at(0).text;
 }
 
@@ -454,6 +458,25 @@ TEST(AdaptedPatch, LapStiffnessAtTwentyFivePlacesIsThatOverACentre) {
   expect_reference("adapted patch", "lap, 25 places: largest stiffness over that of solids", after.most, 1.0, 0.05);
   expect_reference("adapted patch", "lap, 25 places: least over largest stiffness", after.least / after.most, 1.0,
                    0.02);
+}
+
+// The same in elements of 40/3 mm, which become five; as meshed the place makes 8 % and the size up to 30 %. What is
+// left of the size, an eighth, is the coarse sheet around the element. Sabotage: the square as large as the element
+// that it is in, beside the weld, or with one of its sides not joined to the element's.
+TEST(AdaptedPatch, LapStiffnessInDividedElements) {
+  constexpr double solids = 61850.0, size = 40.0 / 3.0;
+  Range meshed, after;
+  for (const Share& share : {Share{0.5, 0.5}, {0.3, 0.5}, {0.5, 0.4}}) {
+    meshed.add(lap_stiffness(size, share, "") / solids);
+    after.add(stiffness_of(adapted(lap_deck(size, share, ""), true)) / solids);
+  }
+  EXPECT_GT(meshed.most, 1.2);
+  expect_reference("adapted patch", "lap, elements of 13 mm divided: least stiffness over that of solids", after.least,
+                   1.0, 0.15);
+  expect_reference("adapted patch", "lap, elements of 13 mm divided: largest stiffness over that of solids", after.most,
+                   1.0, 0.15);
+  expect_reference("adapted patch", "lap, elements of 13 mm divided: least over largest stiffness",
+                   after.least / after.most, 1.0, 0.01);
 }
 
 }  // namespace

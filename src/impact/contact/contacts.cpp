@@ -31,6 +31,11 @@ void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Find
 
 Contacts::Contacts(const system::System& system, std::span<const Row> x, Findings& findings) {
   for (const model::Contact& card : system.model.contacts) {
+    if (card.ties_what_touches())
+      findings.error(card.place, '*' + card.keyword,
+                     "an explicit run does not have it: it ties parts that touch for modes, responses and statics",
+                     "write *CONTACT_AUTOMATIC_SINGLE_SURFACE, without the card of CLOSE, for the explicit run; "
+                     "`nugget modes` takes the deck as it is");
     if (!card.slides()) continue;
     contact::SurfaceContactSetup setup = contact_setup(system, card);
     auto edges = edge_setup(system, card, setup, x);

@@ -107,9 +107,12 @@ Supports supports_of(const system::System& system, Findings& findings) {
   const model::Model& model = system.model;
   Supports held{std::vector<Held>(system.all_nodes()), std::vector<Held>(system.all_nodes()), {}};
   report_passing_spcs(model, findings);
+  std::vector<char> held_alike(model.nodes.size(), 0);
+  for (const weld::Tie& tie : system.ties.ties) held_alike[tie.node] = tie.held_alike;
   for (std::size_t s = 0; s < model.spcs.size(); ++s) {
     const model::SinglePointConstraint& spc = model.spcs[s];
     if (!model.holds_at_start(spc)) continue;
+    if (held_alike[spc.node]) continue;  // what it follows is held in the same way
     const int node = system.node_of[spc.node];
     // A node that is tied by its translations alone has its own rotations.
     const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;

@@ -111,6 +111,13 @@ const CardOf<ScaleCard> contact_scale_card{
     {&ScaleCard::fsf, real("fsf", dimension::number, 1, at_least(0), "scale of friction")},
     {&ScaleCard::vsf, real("vsf", dimension::number, 1, at_least(0), "scale of viscous friction")},
 };
+struct CloseCard {
+  double close = 0;
+};
+const CardOf<CloseCard> close_card{
+    {&CloseCard::close, real("close", dimension::length, 0, at_least(0),
+                             "surfaces closer than this are tied; 0: one percent of the segment's size")},
+};
 const Card eroding_card{{
     integer("isym", 0, any_value, "planes of symmetry: nothing to do here"),
     integer("erosop", 0, any_value, "faces that come to light take part in any case"),
@@ -215,6 +222,13 @@ void take_single_surface(Builder& builder, const RowOf<SidesCard>& row, Contact&
     contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
 }
 
+/// A surface that is tied to itself is both sides of the tie.
+void face_itself(Contact& contact) {
+  contact.b = contact.a;
+  contact.thickness_b = contact.thickness_a;
+  contact.thickness_scale_b = contact.thickness_scale_a;
+}
+
 void refuse_missing_sides(Builder& builder, const RowOf<SidesCard>& row, const char* advice) {
   const auto check = [&](const deck::Entry& side, int type) {
     if (side.integer() == 0 && type != 5 && type != 2) refuse(builder, side, "must be given", advice);
@@ -307,7 +321,7 @@ double reach_of_tie(const Contact& contact) {
 }
 
 void take_contact_scales(Builder& builder, const RowOf<ScaleCard>& row, Contact& contact) {
-  if (contact.slides() && !is_failing_tie(contact))
+  if ((contact.slides() && !is_failing_tie(contact)) || contact.ties_what_touches())
     for (const deck::Entry& field : {row[&ScaleCard::sast], row[&ScaleCard::sbst]})
       if (field.value < 0.0)
         refuse(builder, field, "a negative thickness has a meaning for ties alone; expected 0 or more",
@@ -482,7 +496,7 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   contact.title = heading.text;
   read_mpp(builder, cursor, options, contact);
   const auto sides = cursor.read(card_of_sides(cursor));
-  if (!contact.slides())
+  if (!contact.slides() && !contact.ties_what_touches())
     expect(builder, Severity::error,
            {{sides[&SidesCard::saboxid], 0, "a box around a side of a tie or a transducer is not built"},
             {sides[&SidesCard::sbboxid], 0, "a box around a side of a tie or a transducer is not built"}});
@@ -494,13 +508,14 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   take_times(builder, friction, contact);
   take_contact_scales(builder, cursor.read(contact_scale_card), contact);
   if (erodes(contact) && cursor.more()) cursor.read(eroding_card);
+  if (kind == ContactKind::tied_single_surface) contact.close = cursor.read(close_card)->close;
   const auto glue = read_glue(builder, cursor, options, contact);
   read_optional_contact_cards(builder, cursor, contact);
   const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(IdSpace::define)] : 0;
   builder.defer(Phase::conditions, [sides, friction, offset, glue, contact = std::move(contact)](Builder& b) mutable {
     if (slides_by_table(contact, friction))
       contact.friction_table = friction_table(b, friction[&FrictionCard::fs], friction[&FrictionCard::fd], offset);
-    if (kind == ContactKind::single_surface)
+    if (kind == ContactKind::single_surface || kind == ContactKind::tied_single_surface)
       take_single_surface(b, sides, contact);
     else if (contact.slides())
       take_two_sides(b, sides, contact);
@@ -508,7 +523,8 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
       take_transducer(b, sides, contact);
     else
       take_tie(b, sides, contact);
-    if (contact.slides()) take_boxes(b, sides, contact);
+    if (contact.slides() || contact.ties_what_touches()) take_boxes(b, sides, contact);
+    if (contact.ties_what_touches()) face_itself(contact);
     if (contact.birth > 0.0 && contact.tie()) tie_from_birth(b, friction[&FrictionCard::bt], contact);
     refuse_adhesive(b, sides, contact);
     if (glue) finish_glue(b, *glue, contact);
@@ -534,6 +550,7 @@ Keyword contact_keyword(std::string_view name, std::vector<std::string_view> for
                                  {{}, name.ends_with("_FAILURE") ? &failure_card : &friction_card},
                                  {{}, &contact_scale_card}};
   if (name.starts_with("CONTACT_ERODING")) layout.push_back({{}, &eroding_card});
+  if (kind == ContactKind::tied_single_surface) layout.push_back({{}, &close_card});
   const std::vector<LayoutCard> glue = glue_layout(name, glued);
   layout.insert(layout.end(), glue.begin(), glue.end());
   const std::vector<LayoutCard> optional = optional_contact_layout();
@@ -555,6 +572,7 @@ constexpr const char* other_tie_of_translations =
 std::vector<Keyword> contact_keywords() {
   return {
       contact_keyword<ContactKind::single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE", {"MORTAR"}),
+      contact_keyword<ContactKind::tied_single_surface>("CONTACT_AUTOMATIC_SINGLE_SURFACE_TIED"),
       contact_keyword<ContactKind::two_surfaces>("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", {"TIEBREAK", "MORTAR"}),
       contact_keyword<ContactKind::one_way>("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", {"TIEBREAK"}),
       contact_keyword<ContactKind::one_way>("CONTACT_AUTOMATIC_NODES_TO_SURFACE"),
@@ -591,7 +609,7 @@ std::vector<Keyword> contact_keywords() {
                       "this tie is not built; *CONTACT_SPOTWELD, *CONTACT_TIED_NODES_TO_SURFACE, "
                       "*CONTACT_TIED_SURFACE_TO_SURFACE, *CONTACT_TIED_SHELL_EDGE_TO_SURFACE and ..._TO_SOLID are"),
       refused_contact("CONTACT_AUTOMATIC_SINGLE_SURFACE_*",
-                      "this form is not built; use *CONTACT_AUTOMATIC_SINGLE_SURFACE"),
+                      "this form is not built; *CONTACT_AUTOMATIC_SINGLE_SURFACE and ..._TIED (for modes) are"),
       refused_contact("CONTACT_AUTOMATIC_GENERAL_*",
                       "this form is not built; *CONTACT_AUTOMATIC_GENERAL and *CONTACT_AUTOMATIC_GENERAL_INTERIOR are"),
       refused_contact("CONTACT_AUTOMATIC_SINGLE_SURFACE_TIEBREAK*",

@@ -91,7 +91,8 @@ void check_bonds(Builder& b) {
   std::vector<char> turned(m.nodes.size(), 0);
   for (const auto& nodes : m.shells.node)
     for (const Index n : nodes) turned[n] = 1;
-  const bool tied = std::any_of(m.contacts.begin(), m.contacts.end(), [](const Contact& c) { return c.tie(); });
+  const bool tied = std::any_of(m.contacts.begin(), m.contacts.end(),
+                                [](const Contact& c) { return c.tie() && !c.ties_what_touches(); });
   for (std::size_t e = 0; e < m.solids.size(); ++e) {
     const Part& part = m.parts[m.solids.part[e]];
     const kernel::CohesiveBond* bond = bond_of(m, part);

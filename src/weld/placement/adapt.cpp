@@ -43,6 +43,17 @@ std::vector<Way> all_ways() {
       for (const auto& [rings, stiffens] : gives) ways.push_back({reach, side, scale, rings, stiffens});
   return ways;
 }
+/// How the element that is to be divided is moved and made larger first, best first: under the weld before beside it,
+/// with room for good pieces before its own size; last of all it stays as it is.
+std::vector<Way> ways_to_divide() {
+  std::vector<Way> ways;
+  for (const double reach : {1.0, 0.75, 0.5, 0.25, 0.0})
+    for (const double side : {0.0, 0.25, 0.5, 0.75, 1.0})
+      for (const int rings : {3, 4, 6}) ways.push_back({reach, side, 1.0, rings, 1.0});
+  return ways;
+}
+constexpr double too_large = 1.4;           // diameters: an element that moving nodes does not bring down to one
+constexpr double with_room = 2.4;           // diameters: the side of an element whose pieces are good ones
 constexpr std::size_t most_candidates = 4;  // elements that are tried for one weld
 
 Corners corners_of(const model::Shells& shells, Index shell, const std::vector<Vec3d>& x) {
@@ -90,21 +101,23 @@ struct Seat {
 struct Trial {
   std::vector<Index> shells;  ///< of the patch
   std::map<Index, Vec3d> new_place;
+  std::optional<DividedShell> divided;
   std::string wrong;  ///< which limit it breaks; empty: none
 };
 
 class Adapting {
  public:
   Adapting(const model::Model& model, const Ties& ties, const std::function<bool(Index)>& can_move,
-           const AdaptLimits& limits)
+           const AdaptLimits& limits, const WhyWhole& why_whole)
       : model_(model),
         shells_(model.shells),
         ties_(ties),
         limits_(limits),
+        why_whole_(why_whole),
         mesh_(model, model.nodes.x),
         hold_(held_nodes(model, ties, mesh_, can_move)),
         surface_(boxes()),
-        out_{model.nodes.x, {}} {}
+        out_{model.nodes.x, {}, {}} {}
 
   Adapted run() {
     collect_ends();
@@ -200,16 +213,100 @@ class Adapting {
   // ---- one end
 
   void adapt_end(std::size_t i) {
+    const auto is_whole = [](const Way& way) { return way.reach == 1.0 && way.side == 0.0; };
     std::string why;
+    if (move_at(i, why, is_whole)) return;
+    if (limits_.divides && out_.ends[i].edge_before > too_large * out_.ends[i].diameter &&
+        divide_at(i, out_.ends[i].whole))
+      return;
+    if (move_at(i, why, [&](const Way& way) { return !is_whole(way); })) return;
+    out_.ends[i].left = why.empty() ? "there are only triangles around it" : why;
+  }
+
+  /// Lays an element under the weld by one of the ways that `is_tried`.
+  template <class IsTried>
+  bool move_at(std::size_t i, std::string& why, const IsTried& is_tried) {
     const std::vector<Index> shells = candidates(seats_[i]);
-    for (const Way& way : ways_)
+    for (const Way& way : ways_) {
+      if (!is_tried(way)) continue;
       for (const Index shell : shells) {
         if (way.reach < 1.0 && shell != shells.front()) continue;
         Trial trial = attempt(i, shell, way);
-        if (trial.wrong.empty()) return accept(i, shell, trial);
+        if (trial.wrong.empty()) return accept(i, shell, trial), true;
         if (why.empty()) why = std::move(trial.wrong);
       }
-    out_.ends[i].left = why.empty() ? "there are only triangles around it" : why;
+    }
+    return false;
+  }
+
+  /// Divides an element around the foot, moved and made larger first where that helps.
+  bool divide_at(std::size_t i, std::string& why) {
+    const std::vector<Index> shells = candidates(seats_[i]);
+    std::vector<Index> open;
+    for (const Index shell : shells) {
+      const Foot foot = project(corners_of(shells_, shell, out_.x), false, seats_[i].point);
+      if (!foot.over) continue;  // a square under the weld would not lie within it
+      std::string against = why_whole_ ? why_whole_(shell) : std::string();
+      if (of_divided_.contains(shell)) against = "another weld has divided its element";
+      if (against.empty()) open.push_back(shell);
+      if (why.empty()) why = std::move(against);
+    }
+    for (const Way& way : ways_to_divide())
+      for (const Index shell : open) {
+        Trial trial = attempt_to_divide(i, shell, way);
+        if (trial.wrong.empty()) {
+          why.clear();
+          return accept(i, shell, trial), true;
+        }
+        if (why.empty()) why = std::move(trial.wrong);
+      }
+    return false;
+  }
+
+  Trial attempt_to_divide(std::size_t i, Index shell, const Way& way) {
+    Trial trial;
+    const Corners now = corners_of(shells_, shell, out_.x);
+    const Vec3d point = centre_of(now) + way.reach * (seats_[i].point - centre_of(now));
+    const double size = mean_side(now), diameter = out_.ends[i].diameter, room = std::max(size, with_room * diameter);
+    const bool stays = way.reach == 0.0 && way.side == 1.0;
+    trial.shells = patch(shell, way.rings);
+    const std::map<Index, Vec3d> outer =
+        stays ? std::map<Index, Vec3d>{} : square_around(point, shell, room + way.side * (size - room));
+    if (!outer.empty()) move_patch(point, shell, outer, way.stiffens, trial);
+    exchange(trial);
+    DividedShell divided{shell, {}};
+    const std::array<Vec3d, 4> square = full_square(seats_[i].point, shell, diameter);
+    for (std::size_t k = 0; k < 4; ++k) divided.square[k] = on_sheet(square[k], shells_.part[shell]);
+    trial.wrong = broken_limit(trial.shells, &divided, diameter);
+    if (trial.wrong.empty()) trial.wrong = broken_by_pieces(divided, diameter);
+    exchange(trial);
+    trial.divided = divided;
+    return trial;
+  }
+
+  Corners piece(const DividedShell& divided, std::size_t k) const {
+    const Corners outer = corners_of(shells_, divided.shell, out_.x);
+    Corners c;
+    for (std::size_t i = 0; i < 4; ++i)
+      c[i] = pieces[k][i] < 4 ? outer[at(pieces[k][i])] : divided.square[at(pieces[k][i]) - 4];
+    return c;
+  }
+
+  std::string broken_by_pieces(const DividedShell& divided, double diameter) const {
+    const auto broken = [](std::string_view what, double value, double limit) {
+      return fmt::format("a piece of its element would have {} {:.3g}, past {:.3g}", what, value, limit);
+    };
+    const double warp = std::max(limits_.warp, 1.25 * shape_of(shells_, divided.shell, model_.nodes.x).warp);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const ShellShape shape = shape_of(piece(divided, k), false);
+      if (shape.jacobian < limits_.jacobian) return broken("a scaled Jacobian of", shape.jacobian, limits_.jacobian);
+      if (shape.aspect > limits_.divided_aspect)
+        return broken("an aspect ratio of", shape.aspect, limits_.divided_aspect);
+      if (shape.warp > warp + 1e-9) return broken("a warp in degrees of", shape.warp, warp);
+      if (shape.length < limits_.divided_length * diameter)
+        return broken("a length of the time step of", shape.length, limits_.divided_length * diameter);
+    }
+    return {};
   }
 
   /// Quadrilaterals around the foot, the closest centre first.
@@ -266,9 +363,8 @@ class Adapting {
     return text;
   }
 
-  /// Where the free corners of a shell go so that its centre is at `point`: to a square of `side` turned as the shell
-  /// is; where corners are held the others make up for them.
-  std::map<Index, Vec3d> square_around(const Vec3d& point, Index shell, double side) const {
+  /// Corners of a square of `side` around `point`, in the plane of a shell and turned as the shell is.
+  std::array<Vec3d, 4> full_square(const Vec3d& point, Index shell, double side) const {
     const Corners c = corners_of(shells_, shell, out_.x);
     const Vec3d n = normal(c), centre = centre_of(c);
     const Vec3d across = c[1] - c[0];
@@ -283,16 +379,27 @@ class Adapting {
     }
     const double length = std::hypot(cosine, sine);
     const Vec3d u = (0.5 * side / length) * (cosine * e1 + sine * e2), v = cross(n, u);
+    std::array<Vec3d, 4> square;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::array<double, 2> q = unit_square(k);
+      square[k] = point + q[0] * u + q[1] * v;
+    }
+    return square;
+  }
+
+  /// Where the free corners of a shell go so that its centre is at `point`: to such a square; where corners are held
+  /// the others make up for them.
+  std::map<Index, Vec3d> square_around(const Vec3d& point, Index shell, double side) const {
+    const Corners c = corners_of(shells_, shell, out_.x);
+    const std::array<Vec3d, 4> places = full_square(point, shell, side);
     std::map<Index, Vec3d> square;
     Vec3d missing;
     for (std::size_t k = 0; k < 4; ++k) {
       const Index node = shells_.node[shell][k];
-      const std::array<double, 2> q = unit_square(k);
-      const Vec3d place = point + q[0] * u + q[1] * v;
       if (hold_[node] == Hold::nothing)
-        square[node] = place;
+        square[node] = places[k];
       else
-        missing += place - c[k];
+        missing += places[k] - c[k];
     }
     for (auto& [node, place] : square) place += (1.0 / static_cast<double>(square.size())) * missing;
     return square;
@@ -398,23 +505,35 @@ class Adapting {
     return {or_old(old.x, now.x), or_old(old.y, now.y), or_old(old.z, now.z)};
   }
 
-  std::string broken_limit(const std::vector<Index>& patch) const {
+  /// The closest point of the part's surface as the model has it.
+  Vec3d on_sheet(const Vec3d& x, Index part) const {
+    const Index shell = closest(x, part);
+    const Foot foot = project(corners_of(shells_, shell, model_.nodes.x), shells_.triangle(at(shell)), x);
+    return foot.distance <= 1e-9 * mean_side(corners_of(shells_, shell, model_.nodes.x)) ? x : foot.point;
+  }
+
+  /// `divided`: the shell that is no longer there, if one is to be; the others may then be as its pieces are.
+  std::string broken_limit(const std::vector<Index>& patch, const DividedShell* divided = nullptr,
+                           double diameter = 0.0) const {
     const auto broken = [](std::string_view what, double value, double limit) {
       return fmt::format("its patch would have a shell with {} {:.3g}, past {:.3g}", what, value, limit);
     };
     double before_length = Box::infinity, length = Box::infinity;
     for (const Index e : patch) {
+      if ((divided != nullptr && e == divided->shell) || of_divided_.contains(e)) continue;
       const ShellShape before = shape_of(shells_, e, model_.nodes.x), now = shape_of(shells_, e, out_.x);
       const double jacobian = std::min(limits_.jacobian, before.jacobian),
-                   aspect = std::max(limits_.aspect, before.aspect), warp = std::max(limits_.warp, 1.25 * before.warp);
+                   aspect = std::max(divided != nullptr ? limits_.divided_aspect : limits_.aspect, before.aspect),
+                   warp = std::max(limits_.warp, 1.25 * before.warp);
       if (now.jacobian < jacobian - 1e-9) return broken("a scaled Jacobian of", now.jacobian, jacobian);
       if (now.aspect > aspect + 1e-9) return broken("an aspect ratio of", now.aspect, aspect);
       if (now.warp > warp + 1e-9) return broken("a warp in degrees of", now.warp, warp);
       before_length = std::min(before_length, before.length);
       length = std::min(length, now.length);
     }
-    if (length < limits_.length * before_length)
-      return broken("a length of the time step of", length, limits_.length * before_length);
+    double least = limits_.length * before_length;
+    if (divided != nullptr) least = std::min(least, limits_.divided_length * diameter);
+    if (length < least) return broken("a length of the time step of", length, least);
     return {};
   }
 
@@ -427,6 +546,11 @@ class Adapting {
       end.moved.push_back(node);
       out_.x[node] = place;
     }
+    if (trial.divided) {
+      of_divided_[shell] = out_.divided.size();
+      out_.divided.push_back(*trial.divided);
+      end.divided = true;
+    }
     keep(i, {});
   }
 
@@ -434,7 +558,8 @@ class Adapting {
   void measure(std::size_t i) {
     AdaptedEnd& end = out_.ends[i];
     if (seats_[i].shell == none) return;
-    const Corners c = corners_of(shells_, end.shell, out_.x);
+    const Corners c =
+        end.divided ? out_.divided[of_divided_.at(end.shell)].square : corners_of(shells_, end.shell, out_.x);
     end.off_after = off_centre(c, shells_.triangle(at(end.shell)), seats_[i].point);
     end.edge_after = mean_side(c);
     for (const Index n : end.moved) end.farthest = std::max(end.farthest, norm(out_.x[n] - model_.nodes.x[n]));
@@ -443,7 +568,11 @@ class Adapting {
     end.before.length = end.after.length = Box::infinity;
     for (const Index e : shells->second) {
       end.before = worst(end.before, shape_of(shells_, e, model_.nodes.x));
-      end.after = worst(end.after, shape_of(shells_, e, out_.x));
+      if (const auto found = of_divided_.find(e); found == of_divided_.end())
+        end.after = worst(end.after, shape_of(shells_, e, out_.x));
+      else
+        for (std::size_t k = 0; k < pieces.size(); ++k)
+          end.after = worst(end.after, shape_of(piece(out_.divided[found->second], k), false));
     }
   }
 
@@ -451,9 +580,11 @@ class Adapting {
   const model::Shells& shells_;
   const Ties& ties_;
   AdaptLimits limits_;
+  WhyWhole why_whole_;
   SheetMesh mesh_;
   std::vector<Hold> hold_;
   BoxTree surface_;
+  std::map<Index, std::size_t> of_divided_;  ///< of a divided shell its place in Adapted::divided
   std::map<Index, bool> seen_;
   std::vector<Way> ways_ = all_ways();
   std::vector<Seat> seats_;                            ///< of each end
@@ -488,8 +619,8 @@ ShellShape shape_of(const Corners& c, bool is_triangle) {
 }
 
 Adapted adapt(const model::Model& model, const Ties& ties, const std::function<bool(Index node)>& can_move,
-              const AdaptLimits& limits) {
-  return Adapting(model, ties, can_move, limits).run();
+              const AdaptLimits& limits, const WhyWhole& why_whole) {
+  return Adapting(model, ties, can_move, limits, why_whole).run();
 }
 
 }  // namespace nugget::weld

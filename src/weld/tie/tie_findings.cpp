@@ -16,9 +16,6 @@
 namespace nugget::weld {
 namespace {
 
-/// Weights below this are round-off of a node on an edge or a corner.
-constexpr double no_weight = 1e-10;
-
 std::string move_or_widen(double distance, double tolerance, bool faces_sheet = true) {
   if (!std::isfinite(distance)) return "put the sheet's part on the reference side (SURFB) of the contact";
   // So far off, or beside it, it is hardly this sheet that is meant, and such a reach would tie other welds to wrong
@@ -32,15 +29,6 @@ std::string move_or_widen(double distance, double tolerance, bool faces_sheet = 
 
 std::string shares(const model::Model& model, const Tie& tie) {
   return fmt::format("{} tied to {}", name_node(model, tie.node), name_segment(model, tie.shell, tie.part));
-}
-
-/// The nodes of the sheet that the tied node follows.
-std::vector<Index> carriers(const Tie& tie) {
-  if (tie.by_area()) return tie.disc.nodes;
-  std::vector<Index> nodes;
-  for (int corner = 0; corner < 4; ++corner)
-    if (std::abs(tie.weight[corner]) > no_weight) nodes.push_back(tie.segment[corner]);
-  return nodes;
 }
 
 /// The body that carries all nodes of the segment, or none.
@@ -369,6 +357,7 @@ std::string count_of(int nodes) {
 
 void note_distances(const model::Model& model, const Ties& ties, Findings& findings) {
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    if (model.contacts[c].ties_what_touches()) continue;  // has a note of its own
     int count = 0, moved = 0, springs = 0;
     const Tie* farthest = nullptr;
     for (const Tie& tie : ties.ties) {
@@ -411,6 +400,14 @@ std::string name_segment(const model::Model& model, Index shell, Index part) {
   if (shell == none)
     return part == none ? "a segment of no element" : fmt::format("a face of part {}", model.parts[part].id);
   return fmt::format("shell {} of part {}", model.shells.id[shell], model.parts[model.shells.part[shell]].id);
+}
+
+std::vector<Index> carriers(const Tie& tie) {
+  if (tie.by_area()) return tie.disc.nodes;
+  std::vector<Index> nodes;
+  for (int corner = 0; corner < 4; ++corner)
+    if (std::abs(tie.weight[corner]) > no_weight) nodes.push_back(tie.segment[corner]);
+  return nodes;
 }
 
 std::string describe(const model::Model& model, const Tie& tie) {

@@ -14,6 +14,7 @@
 #include "weld/tie/reference.hpp"
 #include "weld/tie/surroundings.hpp"
 #include "weld/tie/tie_findings.hpp"
+#include "weld/tie/touching.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -110,7 +111,7 @@ class Tying {
   Ties run() {
     read_required_parts();
     for (Index c = 0; c < static_cast<Index>(model_.contacts.size()); ++c)
-      if (model_.contacts[c].tie()) work_through(c);
+      if (model_.contacts[c].tie() && !model_.contacts[c].ties_what_touches()) work_through(c);
     const auto sheet = [this](Index node) { return sheet_at(node); };
     result_.welds = join_clusters(model_, std::move(result_.welds), sheet, findings_);
     faces_ = faces_between_welds(model_, result_.welds);
@@ -119,6 +120,7 @@ class Tying {
     release_nodes_of_lost_welds();
     make_ties();
     for (std::size_t w = 0; w < result_.welds.size(); ++w) describe_weld(w);
+    tie_touching(model_, around_, x_, result_.ties, findings_);
     return std::move(result_);
   }
 

@@ -54,6 +54,12 @@ struct Tie {
   bool couples = false;   ///< all moments as forces: the face of a brick, whose nodes have no rotations
   bool spring = false;    ///< by penalty: the node is held by springs instead of a constraint
   bool lever = true;      ///< the gap counts as a lever; false: _OFFSET
+  /// Of parts that touch (*CONTACT_AUTOMATIC_SINGLE_SURFACE_TIED): the node's own part, the distance from surface to
+  /// surface, negative where they overlap, and whether the node's SPCs hold nothing that those of the segment do not.
+  Index own_part = none;
+  double between = 0.0;  ///< [length]
+  bool held_alike = false;
+  bool arched = false;  ///< between its corners the segment is as bent as their rotations say; see arm_from
   Index rigid_body =
       none;  ///< in Model::rigid_bodies, if it carries all nodes of the segment: the node then belongs to it
   /// If not empty the node follows the rigid motion that fits the disc's nodes best, in place of the segment, unless
@@ -154,6 +160,17 @@ struct Ties {
 Ties tie(const model::Model& model, std::vector<Vec3d> x, Findings& findings);
 /// The same with the nodes in the deck's places: right where no sliding contact moves any.
 Ties tie(const model::Model& model, Findings& findings);
+
+/// Weights below this are round-off of a node on an edge or a corner.
+inline constexpr double no_weight = 1e-10;
+/// The arm by which the rotation of a corner of its segment moves a tied node: `gap`, its distance from Tie::point; of
+/// an arched segment half the way from the corner to that point besides, so that the surface is a parabola between
+/// corners whose rotations differ (docs/theory/ties.md#parts-that-touch). `corner`: its place [length]
+inline Vec3d arm_from(const Tie& tie, const Vec3d& corner, const Vec3d& gap) {
+  return tie.arched ? gap + 0.5 * (tie.point - corner) : gap;
+}
+/// The nodes of the sheet that the tied node follows.
+std::vector<Index> carriers(const Tie& tie);
 
 /// A line of the list that OUTSEG = 1 asks for: node, segment, shell, position on it and distance moved, in user ids.
 std::string describe(const model::Model& model, const Tie& tie);

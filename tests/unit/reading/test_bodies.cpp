@@ -470,6 +470,25 @@ TEST(Contacts, FormsOfTies) {
           .error("says twice"));
 }
 
+TEST(Contacts, ASingleSurfaceIsTiedToItself) {
+  const auto tied = [](const char* rest) {
+    return Built(small_deck(std::string("*CONTACT_AUTOMATIC_SINGLE_SURFACE_TIED\n") + rest));
+  };
+  const Built all = tied("\n\n                       0.4                 2.0\n       0.3\n");
+  ASSERT_EQ(all.model.contacts.size(), 1u);
+  const Contact& contact = all.model.contacts[0];
+  EXPECT_TRUE(contact.ties_what_touches() && contact.tie() && !contact.slides() && contact.ties_rotations());
+  EXPECT_TRUE(contact.a.everything && contact.b.everything);
+  EXPECT_DOUBLE_EQ(contact.close, 0.3);
+  EXPECT_DOUBLE_EQ(contact.thickness_b, contact.thickness_a);
+  EXPECT_DOUBLE_EQ(contact.thickness_scale_b, contact.thickness_scale_a);
+  EXPECT_TRUE(tied("\n\n\n      -1.0\n").error("0 or more", "close"));
+  EXPECT_TRUE(tied("\n\n                      -0.4\n       0.1\n").error("for ties alone", "sast"));
+  EXPECT_TRUE(tied("         1         0         4\n\n\n       0.1\n").error("node set", "surfatyp"));
+  EXPECT_TRUE(tied("\n                                                                   1.0\n\n       0.1\n")
+                  .error("begins later", "bt"));
+}
+
 TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   const auto single = [](const char* rest) {
     return Built(small_deck(std::string("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n") + rest));
@@ -488,7 +507,7 @@ TEST(Contacts, WhatCannotBeObeyedIsRefused) {
   EXPECT_TRUE(
       Built(small_deck("*CONTACT_SPOTWELD\n         1         1         4         4\n")).error("segments", "surfbtyp"));
   for (const char* name : {"CONTACT_SPOTWELD_THERMAL", "CONTACT_TIED_NODES_TO_SURFACE_BEAM_OFFSET",
-                           "CONTACT_AUTOMATIC_SINGLE_SURFACE_TIED", "CONTACT_ENTITY"})
+                           "CONTACT_AUTOMATIC_SINGLE_SURFACE_SMOOTH", "CONTACT_ENTITY"})
     EXPECT_TRUE(Built(small_deck('*' + std::string(name) + "\n         1\n")).error("not built")) << name;
 }
 

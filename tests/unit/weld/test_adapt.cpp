@@ -320,5 +320,117 @@ TEST(ShellShape, KnownShapes) {
   EXPECT_NEAR(triangle.length, s, 1e-14);
 }
 
+// ---- large elements
+
+constexpr AdaptLimits dividing{.divides = true};
+
+Adapted divided(const Assembly& a, const WhyWhole& why = {}) {
+  Findings findings;
+  return adapt(
+      a.model, tie(a.model, findings), [](Index) { return true; }, dividing, why);
+}
+
+/// As Pair, shells of `size`.
+struct CoarsePair : Assembly {
+  Index low, high, welds;
+  CoarsePair(double x, double y, double size, int n = 9)
+      : low(sheet(1.5, {0, 0, 0}, n, n, size)), high(sheet(1.5, {0, 0, 1.5}, n, n, size)), welds(beam_part(6.0)) {
+    beam(welds, Vec3d{x, y, 0}, Vec3d{x, y, 1.5});
+    tie({welds}, {low, high});
+  }
+};
+
+std::array<Vec3d, 4> piece_of(const Assembly& a, const Adapted& now, const DividedShell& d, std::size_t k) {
+  std::array<Vec3d, 4> c;
+  for (std::size_t i = 0; i < 4; ++i)
+    c[i] = pieces[k][i] < 4 ? now.x[a.model.shells.node[d.shell][static_cast<std::size_t>(pieces[k][i])]]
+                            : d.square[static_cast<std::size_t>(pieces[k][i]) - 4];
+  return c;
+}
+
+double area(const std::array<Vec3d, 4>& c) {
+  return 0.5 * cross(c[2] - c[0], c[3] - c[1]).z;
+}
+
+// Wherever the weld stands in elements of 10 to 20 mm: a square of 6 mm under it, five pieces that fill the element.
+TEST(Divide, ASquareOfTheDiameterInALargeElement) {
+  for (const double size : {10.0, 14.0, 20.0})
+    for (const auto& [u, v] : {std::pair{4.5, 4.5}, {4.7, 4.4}, {4.0, 4.5}, {4.0, 4.0}}) {
+      const CoarsePair a(u * size, v * size, size);
+      const Adapted now = divided(a);
+      ASSERT_EQ(now.divided.size(), 2u) << size << ' ' << u << ' ' << v << now.ends[0].whole;
+      for (std::size_t e = 0; e < 2; ++e) {
+        EXPECT_TRUE(now.ends[e].divided);
+        EXPECT_NEAR(now.ends[e].off_after, 0.0, 1e-9);
+        EXPECT_NEAR(now.ends[e].edge_after, 6.0, 1e-9);
+        const DividedShell& d = now.divided[e];
+        Vec3d centre;
+        for (const Vec3d& x : d.square) centre += 0.25 * x;
+        EXPECT_NEAR(std::hypot(centre.x - u * size, centre.y - v * size), 0.0, 1e-9);
+        double sum = 0.0;
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+          const std::array<Vec3d, 4> c = piece_of(a, now, d, k);
+          const ShellShape shape = shape_of(c, false);
+          EXPECT_GT(area(c), 0.0);  // in the sense of the element
+          EXPECT_GE(shape.jacobian, 0.6);
+          EXPECT_LE(shape.aspect, 3.5);
+          EXPECT_GE(shape.length, 0.4 * 6.0);
+          sum += area(c);
+        }
+        EXPECT_NEAR(sum, area(corners(a, now.x, d.shell)), 1e-9 * sum);
+      }
+    }
+}
+
+// What can be moved to its size is; what is whole, too small or has no room is moved as without dividing.
+TEST(Divide, OnlyWhereMovingDoesNotReach) {
+  const Pair fine(30.0, 30.0);
+  const Adapted moved_only = adapted(fine), same = divided(fine);
+  EXPECT_TRUE(same.divided.empty());
+  for (std::size_t n = 0; n < same.x.size(); ++n) EXPECT_EQ(norm(same.x[n] - moved_only.x[n]), 0.0);
+
+  const CoarsePair coarse(45.0, 45.0, 10.0);
+  const Adapted whole = divided(coarse, [](Index) { return std::string("a card names it"); }), moved = adapted(coarse);
+  EXPECT_TRUE(whole.divided.empty());
+  EXPECT_EQ(whole.ends[0].whole, "a card names it");
+  for (std::size_t n = 0; n < whole.x.size(); ++n) EXPECT_EQ(norm(whole.x[n] - moved.x[n]), 0.0);
+}
+
+// Two welds on one element: the first one has it.
+TEST(Divide, OneWeldAnElement) {
+  CoarsePair a(90.0, 90.0, 20.0);
+  a.beam(a.welds, Vec3d{96.0, 91.0, 0}, Vec3d{96.0, 91.0, 1.5});
+  const Adapted now = divided(a);
+  EXPECT_EQ(now.divided.size(), 2u);
+  ASSERT_EQ(now.ends.size(), 4u);
+  EXPECT_THAT(now.ends[2].whole, HasSubstr("another weld has divided its element"));
+}
+
+// 25 mm are more than 3.5 diameters: the pieces would be too long.
+TEST(Divide, ThereIsALargestElement) {
+  const CoarsePair a(112.5, 112.5, 25.0);
+  const Adapted now = divided(a);
+  EXPECT_TRUE(now.divided.empty());
+  EXPECT_THAT(now.ends[0].whole, HasSubstr("a piece of its element would have an aspect ratio of 4.17, past 3.5"));
+}
+
+TEST(Divide, WhatNamesAnElementKeepsItWhole) {
+  CoarsePair a(45.0, 45.0, 10.0);
+  a.model.named_shells = {0};
+  a.model.listed_shells = {1};
+  a.model.initial_state.shells.emplace_back().element = 2;
+  for (const Index n : {0, 1, 10}) a.model.listed_nodes.push_back(n + 40);
+  a.model.sets.segments.emplace_back().members = {
+      {a.model.shells.node[5][2], a.model.shells.node[5][3], a.model.shells.node[5][0], a.model.shells.node[5][1]}};
+  Findings findings;
+  const std::vector<std::string> why = whole_shells(a.model, tie(a.model, findings));
+  EXPECT_EQ(why[0], "a card names it");
+  EXPECT_EQ(why[1], "a list of shells names it");
+  EXPECT_EQ(why[2], "it has initial stress");
+  EXPECT_EQ(why[3], "");
+  EXPECT_EQ(why[5], "a segment names it");
+  EXPECT_EQ(why[36], "lists name its nodes");
+}
+
 }  // namespace
 }  // namespace nugget::weld
