@@ -245,8 +245,9 @@ void RigidWall::stop(const Shape& shape, int index, bool slept, const Step& step
   Vec3d relative = free - step.wall_velocity;
   kernel::WallPush p = push(shape, from, from + step.dt * relative, tracked.attachment);
   Vec3d before = started_ ? tracked.last : free;
-  // Only a node that in one step goes half of its way to the wall meets it as the group wakes.
-  if (slept && step.mass[tracked.node] > 0.0)
+  // Of a wall that begins, what the forces have changed since then is no velocity that the wall has stopped; and only a
+  // node that in one step goes half of its way to the wall meets it as the group wakes.
+  if ((slept || !started_) && step.mass[tracked.node] > 0.0)
     before = free - (step.between_middles / step.mass[tracked.node]) * vec(step.f[tracked.node]);
   tracked.last = free;
   if (!p.touching) {
