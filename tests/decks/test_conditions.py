@@ -34,6 +34,25 @@ class Conditions(MassesTest):
         work, kinetic = self.energies()
         self.assertAlmostEqual(work / kinetic, 1.0, delta=1e-3)
 
+    def test_a_mass_pressed_on_a_wall_from_the_start(self):
+        """Nothing moves and no work is done; at a start with a velocity into the wall it takes just that. A wall that begins later stops what
+        it finds. Sabotage: the wall's work with the velocity that the force of the first half step gave the mass, which ended as unstable."""
+        for speed, birth in ((0.0, 0.0), (-3.0, 0.0), (0.0, 4e-3)):
+            with self.subTest((speed, birth)):
+                deck = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(0.01) + "*NODE\n" + f"{1:8}{0.0:16.6f}{0.0:16.6f}{0.0:16.6f}\n"
+                deck += "*ELEMENT_MASS\n" + f"{1:8}{1:8}{2.0:16.6f}\n" + "*RIGIDWALL_PLANAR\n" + card(0, 0, 0, 0.0, birth) + card(0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+                deck += "*LOAD_NODE_POINT\n" + card(1, 3, 1, -10.0) + curve(1, (0.0, 1.0), (1.0, 1.0))
+                deck += "*INITIAL_VELOCITY_NODE\n" + card(1, 0.0, 0.0, speed) if speed else ""
+                self.write(deck + "*DATABASE_GLSTAT\n" + card(5e-3, 2) + "*END\n")
+                self.nugget("run", "model.k", "--quiet")
+                energy = self.json("summary.json")["energy"]
+                first = 0.5 * 2.0 * speed**2
+                # Free until the wall begins: F^2 t^2 / 2 m, which the wall takes.
+                falls = 0.5 * (10.0 * birth)**2 / 2.0
+                self.assertAlmostEqual(energy["initial"], first, delta=1e-9)
+                self.assertAlmostEqual(energy["external"], falls, delta=0.02 * falls + 1e-12)
+                self.assertAlmostEqual(energy["ratio"], 1.0, delta=1e-9)
+
     def test_rigid_bodies_come_back_from_a_wall(self):
         """A rigid box of 8 and a nodal rigid body of four masses of 2 meet a wall with 10: RWPNAL decides whether they
         come back. The wall's impulse is twice their momentum."""
