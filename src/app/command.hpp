@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -50,7 +51,11 @@ ExitCode refuse_missing(const Findings& findings);
 /// 0: all cores.
 void use_threads(int asked);
 
-/// Runs `work` in a folder, made where it is missing, and turns a failed write into its exit code.
+constexpr const char* no_memory =
+    "not enough memory for this model [a machine with more of it; --precision single, fewer modes or results need less]";
+
+/// Runs `work` in a folder, made where it is missing, and turns a failed write, or memory that ran out, into its exit
+/// code.
 template <class Work>
 ExitCode guarded(const std::string& directory, Work work) {
   try {
@@ -64,6 +69,9 @@ ExitCode guarded(const std::string& directory, Work work) {
   } catch (const ArchiveError& e) {
     fmt::print(stderr, "nugget: cannot go on: {}\n", e.what());
     return ExitCode::refused;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "nugget: {}\n", no_memory);
+    return ExitCode::error_termination;
   }
 }
 

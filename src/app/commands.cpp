@@ -218,6 +218,11 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
     status.fail();
     log.try_to_add(log_termination({impact::Termination::error, error.what()}));
     throw;
+  } catch (const std::bad_alloc&) {
+    display.finish();
+    status.fail();
+    log.try_to_add(log_termination({impact::Termination::error, no_memory}));
+    throw;
   }
 }
 
