@@ -52,7 +52,8 @@ ExitCode refuse_missing(const Findings& findings);
 void use_threads(int asked);
 
 constexpr const char* no_memory =
-    "not enough memory for this model [a machine with more of it; --precision single, fewer modes or results need less]";
+    "not enough memory for this model [a machine with more of it; --precision single, fewer modes or results need "
+    "less]";
 
 /// Runs `work` in a folder, made where it is missing, and turns a failed write, or memory that ran out, into its exit
 /// code.

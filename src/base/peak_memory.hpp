@@ -5,7 +5,8 @@
 
 namespace nugget {
 
-/// The most memory [MB of 10^6 bytes] that this process has held at a time up to now, as the system counts it (getrusage).
+/// The most memory [MB of 10^6 bytes] that this process has held at a time up to now, as the system counts it
+/// (getrusage).
 inline double peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -94,6 +94,31 @@ class ExitCodes(CommandTest):
                 self.assertEqual(run.stdout, "")
         self.assertEqual(self.files(), ["model.k"])
 
+    def test_3_memory_runs_out(self):
+        """With room for more and more: at first the program cannot be loaded, in the end the run is normal; in between it says what is
+        missing, also in run.log where the run has begun. OpenBLAS with threads of its own would wait for memory."""
+        side = 100
+        nodes = "".join(f"{j * (side + 1) + i + 1:8}{5.0 * i:16.6f}{5.0 * j:16.6f}{0.0:16.6f}\n" for j in range(side + 1) for i in range(side + 1))
+        first = [j * (side + 1) + i + 1 for j in range(side) for i in range(side)]
+        shells = "".join(f"{e:8}{1:8}{a:8}{a + 1:8}{a + side + 2:8}{a + side + 1:8}\n" for e, a in enumerate(first, 1))
+        self.write("*KEYWORD\n*CONTROL_TERMINATION\n  1.00e-05\n*PART\nplate\n         1         1         1\n"
+                   "*SECTION_SHELL\n         1         2\n       1.0\n*MAT_ELASTIC\n         1  7.85e-09  210000.0       0.3\n"
+                   f"*DATABASE_GLSTAT\n  1.00e-06\n*NODE\n{nodes}*ELEMENT_SHELL\n{shells}*END\n")
+        codes = []
+        for room in range(120, 1000, 10):
+            run = subprocess.run([NUGGET, "run", "model.k", "-j", "1", "--quiet", "--max-cycles", "3"], cwd=self.folder, capture_output=True,
+                                 text=True, timeout=120, env=dict(os.environ, OPENBLAS_NUM_THREADS="1"),
+                                 preexec_fn=lambda room=room: resource.setrlimit(resource.RLIMIT_AS, (room * 10**6,) * 2))
+            codes.append(run.returncode)
+            if run.returncode == 3:
+                self.assertIn("nugget: not enough memory for this model [", run.stderr)
+                self.assertNotIn("N o r m a l", self.read("run.log") if "run.log" in self.files() else "")
+            if run.returncode == 0:
+                break
+        self.assertEqual(codes[-1], 0)
+        self.assertIn(3, codes)
+        self.assertLessEqual(set(codes), {0, 3, 127})
+
     def error_termination(self, text, reason):
         """Runs into an error; the reason stands everywhere, the results up to there are numbers."""
         self.write(text)

@@ -19,6 +19,9 @@ namespace {
 
 /// Another program that stands beside this one takes its place. Returns, with the path of it, where that fails.
 std::string become(const char* name, char** argv) {
+  // OpenBLAS makes its threads as it is loaded. We use one (docs/decisions/0016); where memory is short the others
+  // would wait for theirs without end, and the program with them when it ends.
+  setenv("OPENBLAS_NUM_THREADS", "1", 1);
   std::error_code unknown;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown).replace_filename(name);
   execv(program.c_str(), argv);
