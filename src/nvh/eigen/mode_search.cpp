@@ -15,10 +15,6 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-double squared(double frequency) {
-  return two_pi * frequency * two_pi * frequency;
-}
-
 /// Pairs inside an interval, the nearest to a place first.
 struct Nearest {
   Eigenpairs pairs;
@@ -98,10 +94,14 @@ double frequency_of(double eigenvalue) {
   return std::sqrt(std::max(0.0, eigenvalue)) / two_pi;
 }
 
+double eigenvalue_of(double frequency) {
+  return two_pi * frequency * two_pi * frequency;
+}
+
 Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressCallback& progress, Modes& modes) {
   Shifts shifts(m, progress, modes);
   const double infinity = std::numeric_limits<double>::infinity();
-  Spectrum s{r.low > 0.0 ? squared(r.low) : -infinity, std::isfinite(r.high) ? squared(r.high) : infinity};
+  Spectrum s{r.low > 0.0 ? eigenvalue_of(r.low) : -infinity, std::isfinite(r.high) ? eigenvalue_of(r.high) : infinity};
   const int up_to = std::isfinite(s.high) ? shifts.below(s.high) : static_cast<int>(m.size());
   s.before = r.low > 0.0 ? shifts.below(s.low) : 0;
   s.inside = up_to - s.before;
@@ -111,7 +111,7 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressC
   const bool in_slices = r.centre <= 0.0 && s.wanted > r.slice + r.slice / 2 && m.size() > 4 * s.wanted;
   const bool interval = r.centre <= 0.0 && s.whole();
 
-  Counted start{r.centre > 0.0                                                   ? squared(r.centre)
+  Counted start{r.centre > 0.0                                                   ? eigenvalue_of(r.centre)
                 : !in_slices && interval && r.low > 0.0 && std::isfinite(s.high) ? 0.5 * (s.low + s.high)
                 : r.low > 0.0                                                    ? s.low
                                                                                  : -small_shift(m),

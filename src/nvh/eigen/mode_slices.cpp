@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/index.hpp"
 #include "nvh/eigen/mode_search.hpp"
@@ -11,11 +10,6 @@
 
 namespace nugget::nvh {
 namespace {
-
-double eigenvalue_of(double frequency) {
-  const double omega = 2.0 * std::numbers::pi * frequency;
-  return omega * omega;
-}
 
 /// Pairs that are known: all between the lower end of the spectrum and `cut`, which lies in a gap.
 class Known {
