@@ -7,6 +7,7 @@ The lap and peel coupons of study.py, seven places of the weld in its element, t
 statics over that of solids, in percent, least to largest, as meshed, by `nugget weld --adapt`, by `--adapt --divide`; then the share
 of the time step of the shells that is left, at least. A few minutes on two cores.
 """
+import argparse
 import pathlib
 import re
 import subprocess
@@ -20,10 +21,15 @@ MESHES = {"as meshed": None, "moved": ["--adapt"], "divided": ["--adapt", "--div
 
 
 def main():
-    nugget, folder = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("nugget", type=pathlib.Path)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("sizes", type=float, nargs="*", default=SIZES, metavar="SIZE")
+    arguments = parser.parse_args()
+    nugget, folder = arguments.nugget.resolve(), arguments.folder
     folder.mkdir(parents=True, exist_ok=True)
     for kind in ("lap", "peel"):
-        for size in [float(s) for s in sys.argv[3:]] or SIZES:
+        for size in arguments.sizes:
             cells, steps = [], []
             for name, options in MESHES.items():
                 found = []
