@@ -50,6 +50,28 @@ class Ranks(CommandTest):
         self.assertIn("no mode was missed", self.read("two/run.log"))
         self.assertIn("memory of the solver", self.read("two/run.log"))
 
+    def test_memory_of_the_first_rank_falls(self):
+        """Lanczos vectors and factor are shared out; 60 modes of a plate of 90 x 60 shells."""
+        self.write(strip(lambda tip: MODES, 90, 60))
+        self.both("modes", "model.k", "-n", 60, "-j", 1)
+        one, two = (self.json(f"{folder}/summary.json") for folder in ("one", "two"))
+        self.same(*([mode["frequency_hz"] for mode in summary["modes"]][6:] for summary in (one, two)))
+        self.assertLess(two["peak_memory_mb"], one["peak_memory_mb"] - 20.0)
+
+    def test_memory_that_runs_out_on_one_rank_ends_all(self):
+        self.write(strip(lambda tip: MODES, 90, 60))
+        codes = set()
+        for rank in (0, 1):
+            for megabytes in (420, 480, 540, 600):
+                limit = ["bash", "-c", f'[ $OMPI_COMM_WORLD_RANK = {rank} ] && ulimit -v {1024 * megabytes}; exec "$@"', "_", NUGGET]
+                command = [word for each in self.command("modes", "model.k", "-n", 60, "-j", 1, "-o", "out", "--quiet")
+                           for word in (limit if each == NUGGET else [each])]
+                run = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=self.folder, env=ENVIRONMENT)
+                codes.add(run.returncode)
+                self.assertIn(run.returncode, (0, 3), run.stderr)
+                self.assertEqual(run.returncode == 3, "not enough memory" in run.stderr, run.stderr)
+        self.assertIn(3, codes)
+
     def test_direct_response(self):
         self.write(strip(lambda tip: MODES + frf((tip, 0, 3, 3), (0, 0, 0, 20.0, 2e-5), (tip, 0, 3, 1), (1.0, 401.0, 9)), 20, 2))
         self.both("frf", "model.k", "--direct")

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -18,6 +21,7 @@
 #include "app/programs/started_ranks.hpp"
 #include "app/rank_team.hpp"
 #include "app/terminal.hpp"
+#include "nvh/eigen/lanczos.hpp"
 #include "nvh/matrices/ranks.hpp"
 #include "output/restart_file.hpp"
 
@@ -27,7 +31,7 @@ namespace {
 
 using nugget::nvh::SolverCall;
 
-/// Messages of an explicit run by MPI.
+/// Messages between the ranks, by MPI.
 class MpiRanks final : public nugget::Ranks {
  public:
   explicit MpiRanks(MPI_Comm all) : all_(all) {
@@ -145,11 +149,15 @@ int lead(int argc, char** argv, nugget::app::RankTeam& team, MPI_Comm ranks) {
     Call words{{Call::to_a_run, load_case, 0}};
     pass_on(words, ranks);
   };
-  nugget::nvh::lead_ranks(team.ranks->count(), send);
+  nugget::nvh::lead_ranks(*team.ranks, send);
   const int code = nugget::app::command_line(argc, argv);
-  if (team.broken) abandon(code, ranks);
+  if (team.broken || nugget::nvh::left_ranks_waiting()) abandon(code, ranks);
   send({SolverCall::Kind::end});
   return code;
+}
+
+void report_failure(int rank, const std::string& why) {
+  fmt::print(stderr, "nugget: rank {}: {}\n", rank, why);
 }
 
 /// Takes part in a run; what there is to say the first rank says.
@@ -176,11 +184,19 @@ void join_run(int argc, char** argv, nugget::app::RankTeam& team, MPI_Comm ranks
   restore();
   for (const int file : {nowhere, kept[0], kept[1]}) close(file);
   if (failure.empty()) return;
-  fmt::print(stderr, "nugget: rank {}: {}\n", team.ranks->rank(), failure);
+  report_failure(team.ranks->rank(), failure);
   abandon(static_cast<int>(nugget::app::ExitCode::error_termination), ranks);
 }
 
+/// Exits that are not the program's own.
+void end_within_solver() {
+  if (!nugget::nvh::within_mumps()) return;
+  fmt::print(stderr, "nugget: the solver ended the program: most likely there was not enough memory\n");
+  std::_Exit(static_cast<int>(nugget::app::ExitCode::error_termination));
+}
+
 int run(int argc, char** argv) {
+  std::atexit(end_within_solver);
   MPI_Comm ranks = MPI_COMM_NULL, of_runs = MPI_COMM_NULL;
   MPI_Comm_dup(MPI_COMM_WORLD, &ranks);  // calls do not meet the solver's own messages
   MPI_Comm_dup(MPI_COMM_WORLD, &of_runs);
@@ -202,7 +218,7 @@ int run(int argc, char** argv) {
     nugget::app::guard_terminal();
     return nugget::app::code_after_terminal(lead(argc, argv, team, ranks));
   }
-  nugget::nvh::follow_calls([&] {
+  const auto next = [&] {
     for (;;) {
       Call call;
       pass_on(call, ranks);
@@ -210,7 +226,13 @@ int run(int argc, char** argv) {
       team.load_case = call.words[1];
       join_run(argc, argv, team, ranks);
     }
-  });
+  };
+  try {
+    nugget::nvh::follow_calls(all, next);
+  } catch (const std::bad_alloc&) {
+    report_failure(all.rank(), "not enough memory for its share [more ranks on more machines; fewer modes]");
+    abandon(static_cast<int>(nugget::app::ExitCode::error_termination), ranks);
+  }
   return 0;
 }
 

@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <thread>
 #include <utility>
 
 #include "base/index.hpp"
+#include "base/parallel.hpp"
+#include "nvh/eigen/shift_invert.hpp"
 #include "nvh/matrices/dense.hpp"
+#include "nvh/matrices/mumps.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -17,8 +21,8 @@ constexpr double tolerance = 1e-7;
 /// The growing basis V, orthonormal in M, and the projection T = V^t M A^-1 M V.
 class Basis {
  public:
-  Basis(const Matrices& m, std::size_t most) : m_(m), v_(m.size(), 0), t_(most, most) {
-    v_.value.reserve(m.size() * most);  // memory is not touched before it is used
+  Basis(const ShiftInvert& a, std::size_t most) : a_(a), v_(a.rows(), 0), t_(most, most) {
+    v_.value.reserve(a.rows() * most);  // memory is not touched before it is used
   }
 
   std::size_t size() const { return size_; }
@@ -32,15 +36,16 @@ class Basis {
     for (std::size_t i = 0; i < w.count; ++i) o.r[i][i] = 1.0;
     // First what the recurrence knows of, then the whole basis against round-off.
     for (const std::size_t first : {coupled_, std::size_t{0}}) {
-      multiply(m_.mass, w, o.mass);
-      const Columns h = inner(v_, size_ - first, o.mass, first);
+      a_.multiply_mass(w, o.mass);
+      Columns h = inner(v_, size_ - first, o.mass, first);
+      a_.add_up(h);
       add_product(-1.0, v_, size_ - first, h, 1.0, w, first);
       for (std::size_t j = 0; j < o.r.count; ++j)
         for (std::size_t k = 0; k < h.count; ++k)
           for (std::size_t i = 0; i < h.rows; ++i) o.h[j][first + i] += h[k][i] * o.r[j][k];
       scale(w, o);
     }
-    multiply(m_.mass, w, o.mass);
+    a_.multiply_mass(w, o.mass);
     return o;
   }
   void append(const Columns& w) {
@@ -59,7 +64,7 @@ class Basis {
     y = Columns(size_, size_);
     for (std::size_t j = 0; j < size_; ++j)
       for (std::size_t i = 0; i < size_; ++i) y[j][i] = 0.5 * (t_[j][i] + t_[i][j]);
-    return diagonalize(y);
+    return eigenvalues(y);
   }
   Columns vectors(const Columns& y) const {
     Columns x(v_.rows, y.count);
@@ -81,9 +86,10 @@ class Basis {
   /// first.
   void scale(Columns& w, Orthonormal& o) const {
     if (w.count == 0) return;
-    multiply(m_.mass, w, o.mass);
+    a_.multiply_mass(w, o.mass);
     Columns g = inner(w, w.count, o.mass);
-    const std::vector<double> d = diagonalize(g);
+    a_.add_up(g);
+    const std::vector<double> d = eigenvalues(g);
     const double least = 1e-28 * std::max(d.back(), 1e-300);
     std::vector<std::size_t> kept;
     for (std::size_t i = d.size(); i-- > 0;)
@@ -102,21 +108,30 @@ class Basis {
     if (o.mass.count != w.count) o.mass = Columns(w.rows, w.count);
   }
 
-  const Matrices& m_;
+  /// As `diagonalize`: what follows depends on it, so that all ranks take that of the first.
+  std::vector<double> eigenvalues(Columns& y) const {
+    std::vector<double> d = diagonalize(y);
+    a_.agree(d);
+    a_.agree(y.value);
+    return d;
+  }
+
+  const ShiftInvert& a_;
   Columns v_, t_;
   std::size_t size_ = 0;
   std::size_t last_ = 0, coupled_ = 0;  ///< where the last block begins, and that before: A^-1 M of the last needs both
 };
 
-/// The same numbers on every machine.
-void fill_at_random(Columns& x) {
+/// The same numbers on every machine, of columns of `size` rows of which x has those from `first` on.
+void fill_at_random(Columns& x, std::size_t size, std::size_t first) {
   std::uint64_t s = 0x9e3779b97f4a7c15u;
-  for (double& v : x.value) {
-    s ^= s << 13;
-    s ^= s >> 7;
-    s ^= s << 17;
-    v = static_cast<double>(s >> 11) * 0x1p-53 - 0.5;
-  }
+  for (std::size_t j = 0; j < x.count; ++j)
+    for (std::size_t i = 0; i < size; ++i) {
+      s ^= s << 13;
+      s ^= s >> 7;
+      s ^= s << 17;
+      if (i >= first && i < first + x.rows) x[j][i - first] = static_cast<double>(s >> 11) * 0x1p-53 - 0.5;
+    }
 }
 
 struct Ritz {
@@ -159,30 +174,28 @@ bool worth_a_look(std::size_t size, std::size_t want) {
   return size >= want + want / 2 && (want < 64 || size / 8 % 3 == 0);
 }
 
-}  // namespace
-
-Eigenpairs nearest(const Matrices& m, const Factorization& a, const NearestPairs& wanted,
-                   const std::function<void(int)>& progress) {
-  const std::size_t n = m.size();
+/// The pairs, of whose vectors this rank has its rows.
+Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const std::function<void(int)>& progress) {
+  const std::size_t n = a.size();
   std::size_t want = std::min(wanted.count, n);
   const std::size_t width = std::min<std::size_t>({n, 8, std::max<std::size_t>(want, 2)});
   // Pairs that are wanted on one side of the shift may lie behind others that are nearer.
   const std::size_t sides = wanted.below + wanted.above;
   const std::size_t most_wanted = sides > 0 ? std::min(n, 2 * std::max(want, sides)) : want;
   const auto room = [&] { return std::min(n, (sides > 0 ? 3 : 2) * want + 8 * width); };  // restarts cost solutions
-  Basis basis(m, std::min(n, 3 * most_wanted + 8 * width) + width);
+  Basis basis(a, std::min(n, 3 * most_wanted + 8 * width) + width);
   Eigenpairs found;
 
-  Columns w(n, width);
-  fill_at_random(w);
+  Columns w(a.rows(), width);
+  fill_at_random(w, n, a.first_row());
   const auto applied = [&](Columns x) {  // A^-1 (M w), where x holds M w
     a.solve(x);
     found.solves += static_cast<int>(x.count);
     return x;
   };
   {
-    Columns mass(n, width);
-    multiply(m.mass, w, mass);
+    Columns mass(a.rows(), width);
+    a.multiply_mass(w, mass);
     w = applied(std::move(mass));
   }
   Basis::Orthonormal o = basis.orthonormalize(w);
@@ -229,6 +242,48 @@ Eigenpairs nearest(const Matrices& m, const Factorization& a, const NearestPairs
   found.vector = basis.vectors(chosen(p.y, p.order, p.order.size()));
   for (const std::size_t i : p.order) found.value.push_back(lambda(i));
   return found;
+}
+
+/// What all ranks must know to search together.
+struct Search {
+  NearestPairs wanted;
+  int threads = 1;
+};
+
+/// The rank's part in a search: all pairs on the first, nothing on the others.
+Eigenpairs find_together(MumpsPart<double>& part, Search search, const std::function<void(int)>& progress) {
+  Ranks& ranks = part.with_ranks();
+  broadcast(ranks, search);
+  if (ranks.rank() > 0) set_threads(std::min(search.threads, static_cast<int>(std::thread::hardware_concurrency())));
+  Eigenpairs p = find_pairs(SharedShiftInvert(part), search.wanted, progress);
+  p.vector = gather_rows(ranks, part.shares(), std::move(p.vector));
+  return p;
+}
+
+}  // namespace
+
+Eigenpairs nearest(const Matrices& m, const Factorization& a, const NearestPairs& wanted,
+                   const std::function<void(int)>& progress) {
+  if (ranks() == 1) return find_pairs(WholeShiftInvert(m, a), wanted, progress);
+  Eigenpairs p;
+  a.mumps().together(SolverCall::Kind::eigenpairs, 0, [&](MumpsPart<double>& part) {
+    p = find_together(part, {wanted, threads()}, progress);
+  });
+  return p;
+}
+
+void follow_calls(Ranks& ranks, const std::function<SolverCall()>& next) {
+  MumpsParts parts(ranks);
+  for (SolverCall call = next(); call.kind != SolverCall::Kind::end; call = next()) {
+    if (call.kind != SolverCall::Kind::eigenpairs) {
+      parts.answer(call);
+      continue;
+    }
+    try {
+      find_together(parts.real(call.instance), {}, {});
+    } catch (const Factorization::SolverError&) {  // the first rank has it, too
+    }
+  }
 }
 
 }  // namespace nugget::nvh

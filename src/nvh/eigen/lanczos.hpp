@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "nvh/matrices/factorization.hpp"
+#include "nvh/matrices/ranks.hpp"
 
 namespace nugget::nvh {
 
@@ -27,8 +28,12 @@ struct NearestPairs {
 /// The eigenpairs nearest to -shift of the factorization, by block Lanczos on A^-1 M in the inner product of M
 /// (shift and invert; Grimes, Lewis, Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228), with full reorthogonalization
 /// and thick restarts. Each residual |A^-1 M x - theta x|_M is below 1e-7 theta, which makes the eigenvalue, of second
-/// order in it, good to round-off. `M` may be singular (unknowns without mass).
+/// order in it, good to round-off. `M` may be singular (unknowns without mass). With several ranks each has its rows of
+/// the basis, and computes with them.
 Eigenpairs nearest(const Matrices& matrices, const Factorization& factorization, const NearestPairs& wanted,
                    const std::function<void(int converged)>& progress = {});
+
+/// On the other ranks: answers what `next` waits for, calls of MUMPS and searches for pairs, to the end.
+void follow_calls(Ranks& ranks, const std::function<SolverCall()>& next);
 
 }  // namespace nugget::nvh

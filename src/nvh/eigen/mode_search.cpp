@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/index.hpp"
 #include "nvh/eigen/mode_slices.hpp"
@@ -38,16 +39,18 @@ struct Nearest {
   double radius() const { return apart ? 0.5 * (distance[end - 1] + distance[end]) : 1.001 * distance[end - 1]; }
 };
 
-/// The first `count` of a list of pairs, in ascending order.
-Eigenpairs ascending(const Nearest& n, std::size_t count) {
-  std::vector<std::size_t> chosen(n.order.begin(), n.order.begin() + static_cast<std::ptrdiff_t>(count));
-  std::sort(chosen.begin(), chosen.end());
-  Eigenpairs p;
-  p.vector = Columns(n.pairs.vector.rows, count);
+/// The first `count` of a list of pairs, in ascending order; in place, since vectors are large.
+Eigenpairs ascending(Nearest n, std::size_t count) {
+  n.order.resize(count);
+  std::ranges::sort(n.order);
+  Eigenpairs p = std::move(n.pairs);
   for (std::size_t j = 0; j < count; ++j) {
-    p.value.push_back(n.pairs.value[chosen[j]]);
-    std::ranges::copy(n.pairs.vector[chosen[j]], p.vector[j].begin());
+    p.value[j] = p.value[n.order[j]];
+    if (n.order[j] != j) std::ranges::copy(p.vector[n.order[j]], p.vector[j].begin());
   }
+  p.value.resize(count);
+  p.vector.value.resize(p.vector.rows * count);
+  p.vector.count = count;
   return p;
 }
 
@@ -69,7 +72,7 @@ Eigenpairs find_around(Shifts& shifts, const Spectrum& s, const Counted& start, 
   const std::size_t all = shifts.matrices().size();
   for (;;) {
     take = std::min(take, all);
-    const Nearest found(shifts.nearest({.count = take}, 0, take), place, s.low, s.high, s.wanted);
+    Nearest found(shifts.nearest({.count = take}, 0, take), place, s.low, s.high, s.wanted);
     const bool known = found.apart || found.end == at(s.inside), more = found.pairs.value.size() == take && take < all;
     if (!known && more && found.pairs.converged) {
       take += found.order.size() < s.wanted ? take : 4;
@@ -84,7 +87,8 @@ Eigenpairs find_around(Shifts& shifts, const Spectrum& s, const Counted& start, 
       proof = {frequency_of(std::max(from, std::max(s.low, 0.0))), frequency_of(std::min(to, s.high)), last - first,
                static_cast<int>(found.end)};
     }
-    return ascending(found, std::min(s.wanted, found.end));
+    const std::size_t count = std::min(s.wanted, found.end);
+    return ascending(std::move(found), count);
   }
 }
 

@@ -9,12 +9,29 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace nugget::nvh {
 
+void prepare_blas() {
+  static const bool prepared = [] {
+    openblas_set_num_threads(1);
+    constexpr std::size_t taken = std::size_t{160} << 20;  // OpenBLAS's BUFFER_SIZE, at most
+    {
+      const auto probe = std::make_unique_for_overwrite<char[]>(taken);
+      volatile char* used = probe.get();  // else compilers leave it out
+      *used = 0;
+    }
+    const Columns large_enough(128, 128);
+    inner(large_enough, 128, large_enough);
+    return true;
+  }();
+  (void)prepared;
+}
+
 Columns inner(const Columns& a, std::size_t a_count, const Columns& b, std::size_t a_first) {
   Columns c(a_count, b.count);
-  if (a_count > 0 && b.count > 0)
+  if (a_count > 0 && b.count > 0 && a.rows > 0)
     cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, static_cast<int>(a_count), static_cast<int>(b.count),
                 static_cast<int>(a.rows), 1.0, a[a_first].data(), static_cast<int>(a.rows), b.value.data(),
                 static_cast<int>(b.rows), 0.0, c.value.data(), static_cast<int>(a_count));
@@ -23,7 +40,7 @@ Columns inner(const Columns& a, std::size_t a_count, const Columns& b, std::size
 
 void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c,
                  std::size_t a_first) {
-  if (a_count > 0 && b.count > 0)
+  if (a_count > 0 && b.count > 0 && a.rows > 0)
     cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(a.rows), static_cast<int>(b.count),
                 static_cast<int>(a_count), alpha, a[a_first].data(), static_cast<int>(a.rows), b.value.data(),
                 static_cast<int>(b.rows), beta, c.value.data(), static_cast<int>(c.rows));

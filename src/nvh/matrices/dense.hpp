@@ -9,6 +9,10 @@
 // Small dense products and eigenvalues, by BLAS and LAPACK.
 namespace nugget::nvh {
 
+/// Lets BLAS compute on one thread, and take the memory that it keeps for itself: it would wait for ever where there is
+/// none. Throws std::bad_alloc instead. Once a process.
+void prepare_blas();
+
 /// A^t B with `a_count` columns of A from `a_first` on.
 Columns inner(const Columns& a, std::size_t a_count, const Columns& b, std::size_t a_first = 0);
 

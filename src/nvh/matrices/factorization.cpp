@@ -46,7 +46,12 @@ int Factorization::negative() const {
 
 void Factorization::solve(Columns& x) const {
   mumps_->solve(x.value.data(), x.count);
-  if (mumps_->error() < 0) throw SolverError{fmt::format("MUMPS could not solve: INFOG(1) = {}", mumps_->error())};
+  if (mumps_->error() < 0) throw SolverError::of_solution(mumps_->error());
+}
+
+Factorization::SolverError Factorization::SolverError::of_solution(int code) {
+  return {code == -13 ? "not enough memory to solve with the factors"
+                      : fmt::format("MUMPS could not solve: INFOG(1) = {}", code)};
 }
 
 }  // namespace nugget::nvh

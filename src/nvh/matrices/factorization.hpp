@@ -29,6 +29,8 @@ class Factorization {
   int negative() const;
   /// x := A^-1 x, all columns at once.
   void solve(Columns& x) const;
+  /// Of all ranks.
+  Mumps<double>& mumps() const { return *mumps_; }
 
   struct Cost {
     double seconds = 0.0;                    ///< of the last shift; ordering and analysis count with the first
@@ -46,6 +48,9 @@ class Factorization {
 
 struct Factorization::SolverError {
   std::string text;
+
+  /// Of a solution for which MUMPS gave INFOG(1) = code.
+  static SolverError of_solution(int code);
 };
 
 }  // namespace nugget::nvh

@@ -19,6 +19,13 @@ Symmetric::Symmetric(const std::vector<std::vector<int>>& rows) {
   value_.assign(row_.size(), 0.0);
 }
 
+Symmetric::Symmetric(const std::vector<int>& lengths, std::vector<int> row, std::vector<double> value)
+    : row_(std::move(row)), value_(std::move(value)) {
+  start_.reserve(lengths.size() + 1);
+  start_.push_back(0);
+  for (const int length : lengths) start_.push_back(start_.back() + at(length));
+}
+
 void Symmetric::add(int i, int j, double value) {
   if (i < j) std::swap(i, j);
   const auto first = row_.begin() + static_cast<std::ptrdiff_t>(start_[j]);

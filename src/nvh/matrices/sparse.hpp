@@ -26,6 +26,8 @@ class Symmetric {
   Symmetric() = default;
   /// Rows of each column, ascending, the diagonal first; all values zero.
   explicit Symmetric(const std::vector<std::vector<int>>& rows);
+  /// How many entries each column has, their rows and values.
+  Symmetric(const std::vector<int>& lengths, std::vector<int> row, std::vector<double> value);
 
   std::size_t size() const { return start_.empty() ? 0 : start_.size() - 1; }
   std::size_t entries() const { return row_.size(); }
@@ -34,6 +36,13 @@ class Symmetric {
   }
   std::span<const double> values(std::size_t column) const {
     return {value_.data() + start_[column], start_[column + 1] - start_[column]};
+  }
+  /// Of columns begin to end, one behind the other.
+  std::span<const int> rows(std::size_t begin, std::size_t end) const {
+    return {row_.data() + start_[begin], start_[end] - start_[begin]};
+  }
+  std::span<const double> values(std::size_t begin, std::size_t end) const {
+    return {value_.data() + start_[begin], start_[end] - start_[begin]};
   }
   /// Adds to entry (i, j) or (j, i), which must be in the pattern.
   void add(int i, int j, double value);

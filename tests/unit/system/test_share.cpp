@@ -3,12 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <condition_variable>
-#include <cstring>
-#include <deque>
 #include <functional>
-#include <map>
-#include <mutex>
 #include <random>
 #include <thread>
 
@@ -17,6 +12,7 @@
 #include "reading/build.hpp"
 #include "system/followers.hpp"
 #include "system/ghost_nodes.hpp"
+#include "thread_ranks.hpp"
 
 namespace nugget::system {
 namespace {
@@ -77,61 +73,6 @@ struct Sheet {
   }
 };
 
-/// Ranks that are threads of one process.
-struct Exchange {
-  std::mutex mutex;
-  std::condition_variable news;
-  std::map<std::pair<int, int>, std::deque<std::vector<std::byte>>> messages;
-};
-
-class ThreadRanks final : public Ranks {
- public:
-  ThreadRanks(Exchange& exchange, int count, int rank) : exchange_(exchange), count_(count), rank_(rank) {}
-  int count() const override { return count_; }
-  int rank() const override { return rank_; }
-  void send(int to, std::span<const std::byte> data) override {
-    const std::scoped_lock lock(exchange_.mutex);
-    exchange_.messages[{rank_, to}].emplace_back(data.begin(), data.end());
-    exchange_.news.notify_all();
-  }
-  void receive(int from, std::span<std::byte> data) override { expected_.emplace_back(from, data); }
-  void finish() override {
-    for (auto& [from, data] : expected_) {
-      std::unique_lock lock(exchange_.mutex);
-      auto& queue = exchange_.messages[{from, rank_}];
-      exchange_.news.wait(lock, [&] { return !queue.empty(); });
-      ASSERT_EQ(queue.front().size(), data.size());
-      std::memcpy(data.data(), queue.front().data(), data.size());
-      queue.pop_front();
-    }
-    expected_.clear();
-  }
-  void gather(std::span<const std::byte> own, std::span<std::byte> all) override {
-    for (int r = 0; r < count_; ++r) {
-      const auto place = all.subspan(at(r) * own.size(), own.size());
-      if (r == rank_) {
-        std::memcpy(place.data(), own.data(), own.size());
-        continue;
-      }
-      send(r, own);
-      receive(r, place);
-    }
-    finish();
-  }
-  void broadcast(std::span<std::byte> data) override {
-    for (int r = 1; rank_ == 0 && r < count_; ++r) send(r, data);
-    if (rank_ == 0) return;
-    receive(0, data);
-    finish();
-  }
-  Traffic traffic() const override { return {}; }
-
- private:
-  Exchange& exchange_;
-  int count_, rank_;
-  std::vector<std::pair<int, std::span<std::byte>>> expected_;
-};
-
 void each_element(const System& system, const std::function<void(int, std::size_t)>& visit) {
   for (std::size_t g = 0; g < system.groups.size(); ++g)
     for (std::size_t e = 0; e < system.groups[g]->size(); ++e) visit(static_cast<int>(g), e);
@@ -142,13 +83,13 @@ void each_element(const System& system, const std::function<void(int, std::size_
 void over_ranks(
     int count, bool followed_by_all, const std::function<void(int, Sheet&)>& look,
     const std::function<void(int, Sheet&)>& together = [](int, Sheet&) {}) {
-  Exchange exchange;
+  ThreadMessages messages;
   std::vector<std::unique_ptr<Sheet>> sheets(at(count));
   std::vector<std::unique_ptr<ThreadRanks>> ranks;
   std::vector<Partition> partitions;  // not in the threads: METIS draws its random numbers for the whole process
   for (int r = 0; r < count; ++r) {
     sheets[r] = std::make_unique<Sheet>();
-    ranks.push_back(std::make_unique<ThreadRanks>(exchange, count, r));
+    ranks.push_back(std::make_unique<ThreadRanks>(messages, count, r));
     partitions.emplace_back(sheets[r]->system, count, std::span<const System::ElementLocation>());
   }
   {
