@@ -152,8 +152,8 @@ void control(Words& out, const D3plotGeometry& g) {
   out.integer(static_cast<std::int64_t>(count_thick_shells(g)));
   out.integer(thick_parts);
   out.integer(thick_shell_words(g));
-  for (int flag = 0; flag < 4; ++flag)
-    out.integer(1000);  // IOSHL: stress, plastic strain, resultants, thickness are there
+  for (int flag = 0; flag < 4; ++flag)  // IOSHL: stress, plastic strain, resultants, thickness are there
+    out.integer(g.shell_stresses || flag == 3 ? 1000 : 999);
   for (int unused = 47; unused < 51; ++unused) out.integer(0);
   out.integer(static_cast<std::int64_t>(g.parts.size()));  // NMMAT
   for (int unused = 52; unused < 64; ++unused) out.integer(0);
@@ -270,7 +270,7 @@ void check(const D3plotGeometry& g, const D3plotState& s) {
   check_size(s.beams.size(), g.beams.size(), "beams");
   check_size(s.beam_points.size(), g.beams.size() * at(g.beam_points), "beam_points");
   check_size(s.shells.size(), g.shells.size(), "shells");
-  check_size(s.shell_layers.size(), g.shells.size() * at(g.layers), "shell_layers");
+  check_size(s.shell_layers.size(), g.shells.size() * at(g.layers_of_shells()), "shell_layers");
   if (!s.solid_alive.empty()) check_size(s.solid_alive.size(), g.solids.size(), "solid_alive");
   if (!s.beam_alive.empty()) check_size(s.beam_alive.size(), g.beams.size(), "beam_alive");
   if (!s.shell_alive.empty()) check_size(s.shell_alive.size(), g.shells.size(), "shell_alive");
@@ -372,9 +372,10 @@ void D3plotWords::put_beam(std::size_t e, const BeamRecord& r, std::span<const B
 void D3plotWords::put_shell(std::size_t e, const ShellRecord& r, std::span<const StressRecord> layers, bool alive) {
   Put out(word(shells_ + e * at(shell_words(geometry_))));
   for (const StressRecord& layer : layers) out.stress(layer, geometry_.shell_histories);
-  out.reals({r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy, r.thickness});
+  if (geometry_.shell_stresses) out.reals({r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy});
+  out.real(r.thickness);
   out.reals({0.0, 0.0});  // two words that depend on the element formulation
-  if (geometry_.strains) {
+  if (geometry_.shell_stresses && geometry_.strains) {
     out.reals(r.inner_strain);
     out.reals(r.outer_strain);
   }
@@ -413,7 +414,7 @@ void D3plot::write(const D3plotState& s) {
     else
       out.put_node(n, s.x[n], s.v[n], s.a[n]);
   const auto alive = [](const std::vector<char>& flags, std::size_t e) { return flags.empty() || flags[e] != 0; };
-  const auto points = at(g.beam_points), layers = at(g.layers);
+  const auto points = at(g.beam_points), layers = at(g.layers), of_shells = at(g.layers_of_shells());
   for (std::size_t e = 0, thick = 0; e < s.solids.size(); ++e)
     if (g.is_thick(e)) {
       out.put_thick_shell(e, s.thick_shells[thick], std::span(s.thick_layers).subspan(thick * layers, layers),
@@ -425,7 +426,7 @@ void D3plot::write(const D3plotState& s) {
   for (std::size_t e = 0; e < s.beams.size(); ++e)
     out.put_beam(e, s.beams[e], std::span(s.beam_points).subspan(e * points, points), alive(s.beam_alive, e));
   for (std::size_t e = 0; e < s.shells.size(); ++e)
-    out.put_shell(e, s.shells[e], std::span(s.shell_layers).subspan(e * layers, layers), alive(s.shell_alive, e));
+    out.put_shell(e, s.shells[e], std::span(s.shell_layers).subspan(e * of_shells, of_shells), alive(s.shell_alive, e));
   append(out);
 }
 

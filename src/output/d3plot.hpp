@@ -42,6 +42,7 @@ struct D3plotGeometry {
   int nodal_rigid_bodies = 0;
   int rigid_walls = 0;
   int layers = 3;                 ///< MAXINT: records through the thickness of a shell, see shell_layers()
+  bool shell_stresses = true;     ///< IOSHL(1) to (3); false: of shells there are thickness and energy only
   int beam_points = 0;            ///< BEAMIP: integration points of beams
   bool strains = false;           ///< STRFLG
   int solid_histories = 0;        ///< NEIPH: numbers of StressRecord::history, and zeros beyond them
@@ -52,6 +53,8 @@ struct D3plotGeometry {
   enum class Family { d3plot, d3eigv, d3ssd } family = Family::d3plot;
   std::string suffix;  ///< of their names, before the number
   std::string stem() const;
+  /// Records through the thickness of a shell in a state.
+  int layers_of_shells() const { return shell_stresses ? layers : 0; }
   bool is_thick(std::size_t solid) const { return !thick.empty() && thick[solid] != 0; }
 };
 

@@ -38,7 +38,7 @@ inline int beam_words(const D3plotGeometry& g) {
   return 6 + 5 * g.beam_points;
 }
 inline int shell_words(const D3plotGeometry& g) {
-  return words_of_layers(g) + 8 + 4 + (g.strains ? 12 : 0);
+  return g.shell_stresses ? words_of_layers(g) + 8 + 4 + (g.strains ? 12 : 0) : 4;
 }
 inline int global_words(const D3plotGeometry& g) {
   return 6 + 7 * (static_cast<int>(g.parts.size()) + g.nodal_rigid_bodies) + g.rigid_walls;

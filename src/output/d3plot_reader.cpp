@@ -133,9 +133,11 @@ Control read_control(WordReader& in, D3plotGeometry& g) {
   c.thick_shells = in.count();
   in.skip(1);
   c.of_thick_shell = in.integer();
-  for (int flag = 0; flag < 4; ++flag)
-    if (in.integer() != 1000)
-      refuse(in.file(), "shells without stresses, plastic strain, resultants or energy (IOSHL): not read");
+  const std::array<int, 4> there{in.integer(), in.integer(), in.integer(), in.integer()};  // IOSHL
+  g.shell_stresses = there[0] == 1000;
+  if (there[1] != there[0] || there[2] != there[0] || there[3] != 1000)
+    refuse(in.file(),
+           "shells with a part of stresses, plastic strain and resultants, or without energy (IOSHL): not read");
   in.skip(4);
   c.parts = in.count();
   in.skip(12);
@@ -232,13 +234,15 @@ void read_vectors(WordReader& in, std::size_t count, std::vector<Vec3d>& vectors
 
 void read_shells(WordReader& in, const D3plotGeometry& g, D3plotState& s) {
   s.shells.resize(g.shells.size());
-  s.shell_layers.resize(g.shells.size() * at(g.layers));
+  s.shell_layers.resize(g.shells.size() * at(g.layers_of_shells()));
   StressRecord* layer = s.shell_layers.data();
   for (ShellRecord& r : s.shells) {
-    for (int i = 0; i < g.layers; ++i) read_stress(in, *layer++, g.shell_histories);
-    for (double* value : {&r.mx, &r.my, &r.mxy, &r.qx, &r.qy, &r.nx, &r.ny, &r.nxy, &r.thickness}) *value = in.real();
+    for (int i = 0; i < g.layers_of_shells(); ++i) read_stress(in, *layer++, g.shell_histories);
+    if (g.shell_stresses)
+      for (double* value : {&r.mx, &r.my, &r.mxy, &r.qx, &r.qy, &r.nx, &r.ny, &r.nxy}) *value = in.real();
+    r.thickness = in.real();
     in.skip(2);
-    if (g.strains) {
+    if (g.shell_stresses && g.strains) {
       r.inner_strain = in.six();
       r.outer_strain = in.six();
     }
@@ -316,9 +320,9 @@ D3plotReader::D3plotReader(const fs::path& directory, D3plotGeometry::Family fam
   D3plotGeometry& g = geometry_;
   g.beam_points = c.beams == 0 ? 0 : (c.of_beam - 6) / 5;
   const int beyond_layers = c.of_shell - words_of_layers(g) - 12;
-  g.strains = c.shells > 0         ? beyond_layers == 12
-              : c.thick_shells > 0 ? c.of_thick_shell - words_of_layers(g) >= 12
-                                   : g.solid_histories >= 6;
+  g.strains = c.shells > 0 && g.shell_stresses ? beyond_layers == 12
+              : c.thick_shells > 0             ? c.of_thick_shell - words_of_layers(g) >= 12
+                                               : g.solid_histories >= 6;
   if (g.strains) g.solid_histories -= 6;  // NEIPH counts the strains
   g.rigid_walls = 0;
   g.rigid_walls = c.globals - global_words(g);

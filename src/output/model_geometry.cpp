@@ -48,7 +48,7 @@ D3plotState unstressed_state(const system::System& system, const D3plotGeometry&
   state.beams.resize(model.beams.size());
   state.beam_points.resize(model.beams.size() * at(geometry.beam_points));
   state.shells.resize(model.shells.size());
-  state.shell_layers.resize(model.shells.size() * at(geometry.layers));
+  state.shell_layers.resize(model.shells.size() * at(geometry.layers_of_shells()));
   for (std::size_t e = 0; e < model.shells.size(); ++e) state.shells[e].thickness = model.shells.thickness[e];
   return state;
 }

@@ -15,14 +15,18 @@ void write_shapes(const std::filesystem::path& directory, const Matrices& m, con
   output::D3plotGeometry geometry = output::d3plot_geometry(m.system);
   geometry.family = output::D3plotGeometry::Family::d3eigv;
   geometry.rigid_walls = 0;
+  // Readers take thick shells to have what shells have.
+  geometry.shell_stresses = m.system.model.implicit.modal_stresses || !geometry.thick.empty();
   output::D3plotState state = output::unstressed_state(m.system, geometry);
-  const Columns shapes = nodal_shapes(m, modes);
   output::D3plot file(directory, std::move(geometry));
-  for (std::size_t mode = 0; mode < shapes.count; ++mode) {
+  for (std::size_t mode = 0; mode < modes.eigenvalue.size(); ++mode) {
     state.time = modes.frequency(mode);
-    state.x = m.system.ties.x;
-    for (std::size_t n = 0; n < state.x.size(); ++n)
-      state.x[n] += Vec3d{shapes[mode][3 * n], shapes[mode][3 * n + 1], shapes[mode][3 * n + 2]};
+    parallel_for(state.x.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        const SixDof u = m.equations.motion(m.system.node_of[n], modes.shape[mode]);
+        state.x[n] = m.system.ties.x[n] + Vec3d{u[0], u[1], u[2]};
+      }
+    });
     if (m.system.model.implicit.modal_stresses) {
       std::vector<SixDof> motion(m.system.all_nodes());
       for (std::size_t k = 0; k < motion.size(); ++k)

@@ -278,6 +278,32 @@ std::vector<double> cell_values(const Json& state, int id, const char* array) {
   return block["cell_arrays"].at(array)[row].get<std::vector<double>>();
 }
 
+/// Of shells without stresses VTK reads thickness and energy, and what stands behind them in its place.
+TEST(D3plotInVtk, ShellsWithoutStressesAreRead) {
+  Scratch scratch;
+  D3plotGeometry g = small_geometry();
+  g.shell_stresses = false;
+  D3plotState s = small_state(g, 0.0);
+  s.shell_layers.clear();
+  D3plot(scratch.path(), g).write(s);
+  const Json seen = seen_by_vtk(scratch);
+  if (seen.is_null()) GTEST_SKIP() << "no python3-vtk9 on this machine";
+  EXPECT_TRUE(seen["complaints"].empty()) << seen["complaints"];
+  const Json& state = seen["states"].at(0);
+  std::size_t alive = 0;
+  for (std::size_t e = 0; e < g.shells.size(); ++e) {
+    if (!s.shell_alive.empty() && s.shell_alive[e] == 0) continue;
+    ++alive;
+    EXPECT_EQ(cell_values(state, g.shells[e].id, "Thickness"),
+              std::vector<double>{static_cast<float>(s.shells[e].thickness)});
+    EXPECT_EQ(cell_values(state, g.shells[e].id, "InternalEnergy"),
+              std::vector<double>{static_cast<float>(s.shells[e].internal_energy)});
+    const Json block = find_element(state, g.shells[e].id).first;
+    EXPECT_FALSE(block["cell_arrays"].contains("Stress"));
+  }
+  EXPECT_GT(alive, 0u);
+}
+
 /// Two thick shells among the solids, all of a state behind them in its place.
 TEST(D3plotInVtk, ThickShellsAreRead) {
   Scratch scratch;

@@ -62,12 +62,13 @@ D3plotState counted_state(const D3plotGeometry& g, double time) {
   s.beams = {{c.next(), c.next(), c.next(), c.next(), c.next(), c.next()}};
   for (std::size_t i = 0; i < g.beams.size() * at(g.beam_points); ++i)
     s.beam_points.push_back({c.next(), c.next(), c.next(), c.next(), c.next()});
-  s.shell_layers.resize(g.shells.size() * at(g.layers));
+  s.shell_layers.resize(g.shells.size() * at(g.layers_of_shells()));
   for (StressRecord& r : s.shell_layers) fill(c, r, g.shell_histories);
   for (std::size_t e = 0; e < g.shells.size(); ++e) {
     ShellRecord& r = s.shells.emplace_back(ShellRecord{c.next(), c.next(), c.next(), c.next(), c.next(), c.next(),
                                                        c.next(), c.next(), c.next(), c.next()});
     if (g.strains) r.inner_strain = c.six(), r.outer_strain = c.six();
+    if (!g.shell_stresses) r = {.thickness = r.thickness, .internal_energy = r.internal_energy};
   }
   s.solid_alive = {1}, s.beam_alive = {0}, s.shell_alive = {1, 0};
   return s;
@@ -173,16 +174,19 @@ TEST(D3plotReader, ReadsWhatIsWritten) {
     int layers, points, solid_histories, shell_histories, walls, bodies;
     bool strains, one_state_a_file;
     D3plotGeometry::Family family;
+    bool shell_stresses = true;
   };
   for (const Case& c : {Case{3, 0, 0, 0, 0, 0, false, false, D3plotGeometry::Family::d3plot},
                         Case{5, 4, 2, 3, 2, 1, true, true, D3plotGeometry::Family::d3plot},
                         Case{1, 1, 3, 0, 1, 0, false, false, D3plotGeometry::Family::d3eigv},
+                        Case{3, 0, 0, 2, 0, 0, false, false, D3plotGeometry::Family::d3eigv, false},
                         Case{3, 0, 0, 0, 0, 2, true, false, D3plotGeometry::Family::d3ssd}}) {
     Scratch scratch;
     D3plotGeometry g = brick_beam_and_shells();
     g.layers = c.layers, g.beam_points = c.points, g.solid_histories = c.solid_histories;
     g.shell_histories = c.shell_histories, g.rigid_walls = c.walls, g.nodal_rigid_bodies = c.bodies;
     g.strains = c.strains, g.one_state_a_file = c.one_state_a_file, g.family = c.family;
+    g.shell_stresses = c.shell_stresses;
     D3plot file(scratch.path(), g);
     for (const double time : {0.0, 1.0, 2.0}) file.write(counted_state(g, time));
     const D3plotReader reader(scratch.path(), c.family);
