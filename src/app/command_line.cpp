@@ -380,7 +380,8 @@ int nugget::app::command_line(int argc, char** argv) {
   coupon_command->add_option("-j,--threads", coupon.threads, "coupons at once (default: all cores)")->check(count);
 
   nugget::app::FitArguments fit;
-  CLI::App* fit_command = cli.add_subcommand("fit", "strengths of a weld's card from measured curves of coupons");
+  CLI::App* fit_command =
+      cli.add_subcommand("fit", "strengths and damage of a weld's card from measured curves of coupons");
   fit_command->add_option("curves", fit.curves, "table of test, sample, displacement, force")->required();
   fit_command->add_option("card", fit.card, "the card to begin with: strengths of 0 are left out")->required();
   fit_command->add_option("-o,--output", fit.output, "the card to be written")->required();
@@ -392,6 +393,9 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(length);
   fit_command->add_option("--diameter", fit.diameter, "of the weld (default: the card's *SECTION_BEAM, or 5 sqrt(t))")
       ->check(length);
+  std::string fit_form = "beam";
+  fit_command->add_option("--as", fit_form, "beam, solid, solid4 or solid8: the weld as one beam, or as 1, 4, 8 bricks")
+      ->check(CLI::IsMember({"beam", "solid", "solid4", "solid8"}));
   fit_command->add_option("-j,--threads", fit.threads, "coupons at once (default: all cores)")->check(count);
 
   nugget::app::StudyArguments study;
@@ -544,7 +548,10 @@ int nugget::app::command_line(int argc, char** argv) {
     coupon.form = forms.at(coupon_form);
     return static_cast<int>(nugget::app::coupon(coupon));
   }
-  if (fit_command->parsed()) return static_cast<int>(nugget::app::fit(fit));
+  if (fit_command->parsed()) {
+    fit.form = forms.at(fit_form);
+    return static_cast<int>(nugget::app::fit(fit));
+  }
   if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
   if (study_command->parsed()) return static_cast<int>(nugget::app::study(study));
   if (tidy_command->parsed()) return static_cast<int>(nugget::app::tidy(tidy));

@@ -120,6 +120,7 @@ struct FitArguments {
   std::string curves, card, output;
   std::vector<double> thickness;  ///< as of CouponArguments
   double diameter = 0.0;
+  weld::WeldForm form = weld::WeldForm::beam;
   int threads = 0;
 };
 

@@ -162,6 +162,15 @@ std::size_t second_card(const std::vector<std::string>& lines, std::size_t line,
   throw CardFault(fmt::format("{}:{}: the second card of *MAT_SPOTWELD is missing", file, line));
 }
 
+/// RS, the first field of the card behind the strengths.
+void replace_rupture(std::vector<std::string>& lines, std::size_t strengths, double rupture) {
+  std::size_t at = strengths + 1;
+  while (at < lines.size() && lines[at].starts_with('$')) ++at;
+  std::string& line = lines.at(at);
+  const std::size_t comma = line.find(',');
+  line.replace(0, comma == std::string::npos ? 10 : comma, weld::real_field(rupture));
+}
+
 }  // namespace
 
 TakenCard take_card(const CouponArguments& arguments, const fs::path& directory) {
@@ -202,7 +211,7 @@ TakenCard take_card(const CouponArguments& arguments, const fs::path& directory)
   return taken;
 }
 
-std::string with_strengths(const TakenCard& taken, const std::array<double, 6>& strength,
+std::string with_strengths(const TakenCard& taken, const std::array<double, 6>& strength, double rupture,
                            const std::vector<std::string>& remarks) {
   std::vector<std::string> lines = lines_of(taken.place.file);
   const std::size_t at = second_card(lines, static_cast<std::size_t>(taken.place.line), taken.place.file);
@@ -216,6 +225,7 @@ std::string with_strengths(const TakenCard& taken, const std::array<double, 6>& 
   std::string line = fmt::format("{:>10}", old[0]);
   for (const double value : strength) line += weld::real_field(value);
   lines[at] = line + fmt::format("{:>10}", old[7]);
+  if (rupture > 0.0) replace_rupture(lines, at, rupture);
   std::vector<std::string> comments;
   for (const std::string& remark : remarks) comments.push_back("$ " + remark);
   lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), comments.begin(), comments.end());

@@ -150,11 +150,11 @@ LoadPath read_load_path(const fs::path& folder, const weld::CouponTest& test) {
   LoadPath path;
   std::ifstream file = opened(folder / "swforc");
   for (std::string line; std::getline(file, line);) {
-    // number, axial, shear, time, failure, spotweld beam ID, id, length, moment, torsion
-    const std::size_t label = line.find("spotweld beam  ID");
+    // number, axial, shear, time, failure, spotweld (beam, solid, assmy) ID, id, length, moment, torsion
+    const std::size_t label = line.find("spotweld ");  // beam, solid, assmy
     if (label == std::string::npos) continue;
     if (line.find("failure time=") != std::string::npos) break;
-    std::istringstream front(line), back(line.substr(label + 17));
+    std::istringstream front(line), back(line.substr(line.find("ID", label) + 2));
     double number = 0.0, axial = 0.0, shear = 0.0, id = 0.0, length = 0.0, moment = 0.0, torsion = 0.0;
     if (front >> number >> axial >> shear && back >> id >> length >> moment >> torsion)
       path.load.push_back({std::max(axial, 0.0), shear, std::abs(torsion), moment});

@@ -81,8 +81,10 @@ std::vector<MeasuredCurve> read_curves(const std::string& file, Findings& findin
       return {};
     }
     const auto [found, is_new] = known.try_emplace({test->name(), cell(columns->sample)}, curves.size());
-    if (is_new) curves.push_back({*test, cell(columns->sample), 0.0, 0.0, place});
+    if (is_new) curves.push_back({*test, cell(columns->sample), {}, {}, 0.0, 0.0, place});
     MeasuredCurve& curve = curves[found->second];
+    curve.displacement.push_back(displacement);
+    curve.force.push_back(force);
     if (force > curve.peak) curve.peak = force, curve.at = displacement;
   }
   for (const MeasuredCurve& curve : curves)

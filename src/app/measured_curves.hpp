@@ -13,6 +13,7 @@ namespace nugget::app {
 struct MeasuredCurve {
   weld::CouponTest test;
   std::string sample;           ///< its name; empty: there is one
+  std::vector<double> displacement, force;
   double peak = 0.0, at = 0.0;  ///< largest force, and the displacement there
   Place place;                  ///< of its first line
 };

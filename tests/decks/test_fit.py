@@ -69,6 +69,42 @@ class Fit(CommandTest):
             scatter = 0.01 * float(re.search(r"about its strength: (\S+) %", run.stdout)[1])
             self.assertAlmostEqual(math.log(high / value) / (2.447 * scatter / 2.0), 1.0, delta=0.1)
 
+    def test_damage_of_a_known_card(self):
+        """RS of curves that the weld of a known card gave: found again from elsewhere; a curve that stops at its peak tells nothing of it.
+        Sabotage that this catches: work before the peak counted, RS written into another field."""
+        def damaged(nrr, nrs, rs):
+            fields = lambda *values: "".join(f"{v:10.4g}" for v in values)  # noqa: E731
+            return ("*KEYWORD\n*MAT_SPOTWELD_DAMAGE-FAILURE\n" + f"{7:10d}" + fields(7.85e-9, 210000.0, 0.3, 500.0, 1000.0) + "\n"
+                    + fields(0.0, nrr, nrs, nrs, 0.0, 0.0, 0.0) + f"{3:10d}\n" + f"{rs:10.4g}{0:10d}" + " " * 50 + f"{11:10d}\n*END\n")
+        self.write(damaged(NRR, NRS, 0.4), "truth.k")
+        self.nugget("coupon", "truth.k", "-o", "truth", "--only", "ks2_00,ks2_90")
+        rows = list(csv.DictReader(io.StringIO(self.read("truth/curves.csv"))))
+        table = ["test,displacement,force"] + [f"{r['test']},{r['displacement']},{r['force']}" for r in rows]
+        ends = {r["test"]: float(r["displacement"]) for r in rows}
+        table += [f"{test},{end + 0.002},0" for test, end in ends.items()]
+        run = self.fit("\n".join(table) + "\n", damaged(0.8 * NRR, 0.8 * NRS, 0.12))
+        value = lambda name: float(re.search(rf"^ {name} +(\S+)  ", run.stdout, re.M)[1])  # noqa: E731
+        self.assertAlmostEqual(value("NRR") / NRR, 1.0, delta=0.02)
+        self.assertAlmostEqual(value("NRS = NRT") / NRS, 1.0, delta=0.02)
+        self.assertAlmostEqual(value("RS") / 0.4, 1.0, delta=0.05)
+        last = self.read("card2.k").splitlines()[-2]
+        self.assertAlmostEqual(float(last[:10]) / value("RS"), 1.0, delta=1e-4)
+        self.assertEqual(last[70:80].strip(), "11")
+        for row in csv.DictReader(io.StringIO(self.read("card2_runs/fit.csv"))):
+            self.assertAlmostEqual(float(row["simulated_work_after_peak"]) / float(row["measured_work_after_peak"]), 1.0, delta=0.1)
+        self.assertIn("RS 0.12 of the card is kept", self.fit(
+            "test,displacement,force\nks2_00,0,0\nks2_00,0.1,8300\nks2_90,0,0\nks2_90,6,5200\n", damaged(4000.0, 6000.0, 0.12)).stdout)
+
+    def test_bricks(self):
+        """Four bricks carry what the beam does: strengths of a formula are found with them, too."""
+        self.write(curves({(f"ks2_{angle:02d}", ""): force(angle) for angle in (0, 90)}), "curves.csv")
+        self.write(card(), "card.k")
+        run = self.nugget("fit", "curves.csv", "card.k", "-o", "card2.k", "--as", "solid4")
+        self.assertIn("as four bricks", run.stdout)
+        for name, truth in (("NRR", NRR), ("NRS = NRT", NRS)):
+            self.assertAlmostEqual(float(re.search(rf"^ {name} +(\S+)  ", run.stdout, re.M)[1]) / truth, 1.0, delta=0.03)
+        self.assertNotIn("warning", run.stdout)
+
     def test_refusals(self):
         for table, text, word in (
                 ("a,b\n1,2\n", None, "curves.csv:1: error: the first line names the columns; expected test, displacement, force"),
