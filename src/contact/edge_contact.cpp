@@ -555,10 +555,11 @@ void EdgeContact::press(const Candidate& candidate, const Step& step) {
   const Pair before = predecessor(candidate);
   if (!of_bricks(pair)) pair.direction = direction(pair, before, r - step.dt * velocity, step.x);
   const double overlap = contact_distance(pair.a, pair.b) - dot(r, pair.direction);
-  // What the motion of this step cannot have made was there before, or comes from an edge newly exposed.
+  // What the motion of this step cannot have made was there before, or comes from an edge newly exposed or from a foot
+  // or a direction that is another one.
   const double approach = -dot(velocity, pair.direction);
   const double explained = before.depth + step.dt * (before.touching ? norm(velocity) : std::max(0.0, approach));
-  const double offset = candidate.before.touching ? before.offset : std::max(before.offset, overlap - explained);
+  const double offset = std::max(before.offset, overlap - explained);
   pair.share = before.touching ? std::max(before.share, share(pair, step)) : share(pair, step);
   if (pair.share == 0.0) {
     pair.touching = false;

@@ -479,18 +479,14 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   if (too_deep(overlap, candidate.segment)) return;
 
   // An offset goes with the node over the edges of the surface. What the motion of this step cannot have made was there
-  // before, or comes from a change of the surface, and is an offset too.
+  // before, or comes from a change of the surface or of the foot (of a segment that is folded up there are several),
+  // and is an offset too.
   const Touch* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
   const double approach = -dot(velocity, direction);
   const bool inside =
       candidate.gap < 0.0 || candidate.over_an_edge || (candidate.foot.boundary == 0 && dot(r, direction) < 0.0);
-  double offset = 0.0;
-  if (before == nullptr)
-    offset = std::max(0.0, overlap - step.dt * std::max(0.0, approach));
-  else if (before == &candidate.before && (inside == before->inside || segment.inner == 0.0))
-    offset = before->offset;
-  else  // the way out is another one
-    offset = std::max(before->offset, overlap - before->depth - step.dt * norm(velocity));
+  const double offset = before != nullptr ? std::max(before->offset, overlap - before->depth - step.dt * norm(velocity))
+                                          : std::max(0.0, overlap - step.dt * std::max(0.0, approach));
 
   const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
   Touch& pair = block.touch(*candidate.pair);

@@ -119,5 +119,28 @@ class Pendulum(CommandTest):
         self.assertRegex(told, r"warning: joint 77 opened by .* % of its bodies' size: the step is too long for its forces")
 
 
+class SphericalJoint(CommandTest):
+    def test_a_joint_that_becomes_stiffer_makes_no_energy(self):
+        """A body of 1 kg that spins about its centre starts joined off it to one that is held, or to a free one: the joint parts at once
+        and opens too far, so that the step is shortened and the springs become stiffer while they are drawn out. Nothing acts: energy
+        is kept. Sabotage: stiffness that rises at once (15, 8 and 3 times the energy, and 133,000 and 245,000 cycles where there are
+        10,000 and 20,000 now); the share of the forces by the energy before this step's work."""
+        cases = ((1.0, 2.0, 3e-3, "", True, (0.0, 0.0, 1000.0)), (5.0, 20.0, 1e-2, "", True, (0.0, 0.0, 1000.0)),
+                 (5.0, 2.0, 3e-3, "", True, (0.0, 0.0, 1000.0)), (13.6, 11.8, 6.92e-3, "1.0,0.01", True, (300.0, 500.0, -800.0)),
+                 (55.4, 47.4, 1.17e-3, "1.0,0.3", False, (900.0, -500.0, 300.0)), (22.7, 2.4, 1.79e-3, "1.0,0.01", True, (0.0, 600.0, 700.0)))
+        for off, gyration, end, damping, held, spin in cases:
+            first = DECK.split("*PART_INERTIA")[0].format(end=end, gravity=0.0, step="").replace("0.05\n", f"{end / 200:.3E}\n")
+            bodies = [f"*PART_INERTIA\nbody\n{1 + i},0,{1 + i}\n{x},0.0,0.0,1.0e-3\n{inertia},0.0,0.0,{inertia},0.0,{inertia}\n{motion}\n"
+                      for i, (x, inertia, motion) in enumerate(((0.0, 0.4, ""), (50.0 + off, 1e-3 * gyration**2, "0.0,0.0,0.0,{},{},{}".format(*spin))))]
+            self.write((first if held else first.replace("1.0,7,7", "")) + "".join(bodies) +
+                       "*CONSTRAINED_EXTRA_NODES_SET\n1,1\n2,2\n*SET_NODE_LIST\n1\n1\n*SET_NODE_LIST\n2\n2,5\n*NODE\n1,50.0,0.0,0.0\n"
+                       f"2,50.0,0.0,0.0\n5,{50.0 + off},10.0,0.0\n*CONSTRAINED_JOINT_SPHERICAL_ID\n        77ball\n1,2,0,0,0,0,{damping}\n*END\n")
+            self.nugget("run", "model.k", "--quiet")
+            states = self.glstat()
+            most = max(s["kinetic energy"] for s in states) / states[0]["kinetic energy"]
+            self.assertLess(most, 1.02, (off, gyration, end))
+            self.assertLess(self.json("summary.json")["cycles"], 45000)
+
+
 if __name__ == "__main__":
     unittest.main()

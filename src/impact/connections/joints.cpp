@@ -13,6 +13,7 @@ namespace nugget::impact {
 namespace {
 
 constexpr double stiffness_share = 0.25, largest_share = 0.5, damping_ratio = 0.1;
+constexpr double bearable_gain = 0.01;  // of the most that a joint ever took, made while it becomes stiffer
 
 using Kind = model::Joint::Kind;
 
@@ -115,7 +116,7 @@ void Joints::apply(system::State& state) {
   springs_.apply(state);
   if (!(longest_step_ > 0.0)) return;
   for (Joint& j : joints_)
-    if (!j.failed) apply(j, state, longest_step_);
+    if (!j.failed) apply(j, state);
 }
 
 bool Joints::fails(const Joint& j, const system::State& state) const {
@@ -135,7 +136,26 @@ bool Joints::fails(const Joint& j, const system::State& state) const {
   return failure.together ? of_force + of_moment >= 1.0 : of_force >= 1.0 || of_moment >= 1.0;
 }
 
-std::array<Joints::Load, 2> Joints::constraint_load(Joint& j, const Motion& m, double longest_step) {
+void Joints::take_step(Joint& j, double squared, double step, double giving) {
+  if (step < j.step) j.stiffening = true;
+  j.step = step;
+  j.most_energy = std::max(j.most_energy, j.energy);
+  j.share = 1.0;
+  if (!j.stiffening) return;
+  // What it has taken by half of this step; the other half takes - share giving / 2, and share^2 `all` / 2 is held.
+  const double taken = std::max(0.0, j.energy + bearable_gain * j.most_energy), all = squared / (step * step);
+  const double half = 0.5 * giving, root = std::sqrt(half * half + 2.0 * all * taken);
+  const double holds = half > 0.0 ? 2.0 * taken : root - half, of = half > 0.0 ? root + half : all;
+  if (holds >= of) {
+    j.stiffening = false;
+    return;
+  }
+  j.share = holds / of;
+  // The last step of the way out leads beyond its end somewhere.
+  if (j.share * giving > taken) j.share = taken / giving;
+}
+
+std::array<Joints::Load, 2> Joints::constraint_load(Joint& j, const Motion& m, double longest_step, double dt) {
   const double k = j.bound / (longest_step * longest_step), rotary = j.rotary_bound / (longest_step * longest_step);
   const double c = j.damping / longest_step, rotary_c = j.rotary_damping / longest_step;
   const auto constrained = [&](const Vec3d& v) {
@@ -144,19 +164,23 @@ std::array<Joints::Load, 2> Joints::constraint_load(Joint& j, const Motion& m, d
            : j.constrained == ConstrainedDirections::along ? along
                                                            : v - along;
   };
-  const Vec3d open = constrained(m.gap);
-  j.opening = norm(open);
-  j.force = -k * open - c * constrained(m.sliding);
-  j.moment = {};
+  const Vec3d open = constrained(m.gap), spring = -k * open;
+  Vec3d spring_moment, damping_moment;
+  double squared = j.bound * dot(open, open);
   for (const Directions& d : j.directions) {
     const Vec3d a = j.body[0]->axes.global(d.a), b = j.body[1]->axes.global(d.b), normal = cross(a, b);
     const double cosine = dot(a, b);
-    j.moment += (d.perpendicular ? rotary * cosine : -rotary * cosine) * normal;
+    squared += j.rotary_bound * (d.perpendicular ? cosine * cosine : dot(normal, normal));
+    spring_moment += (d.perpendicular ? rotary * cosine : -rotary * cosine) * normal;
     // What turns the directions against each other: about their normal where they are to be perpendicular, across
     // them where they are to be parallel.
     const Vec3d rate = d.perpendicular ? dot(m.turning, normal) * normal : m.turning - dot(m.turning, a) * a;
-    j.moment -= rotary_c * rate;
+    damping_moment -= rotary_c * rate;
   }
+  take_step(j, squared, longest_step, dt * (dot(spring, m.sliding) + dot(spring_moment, m.turning)));
+  j.opening = norm(open);
+  j.force = j.share * spring - c * constrained(m.sliding);
+  j.moment = j.share * spring_moment + damping_moment;
   return {Load{-j.force, -j.moment - cross(m.arm[0] + m.gap, j.force)},
           Load{j.force, j.moment + cross(m.arm[1], j.force)}};
 }
@@ -183,7 +207,9 @@ std::array<Joints::Load, 2> Joints::transmit(Joint& j, const Motion& m, double l
   const double rate = dot(way, moving) + dot(turn[0], m.spin[0]) + dot(turn[1], m.spin[1]);
   j.slip += dt * rate;
   j.opening = std::abs(j.slip);
-  const double load = j.bound / (longest_step * longest_step) * j.slip + j.damping / longest_step * rate;
+  const double spring = j.bound / (longest_step * longest_step) * j.slip;
+  take_step(j, j.bound * j.slip * j.slip, longest_step, -dt * spring * rate);
+  const double load = j.share * spring + j.damping / longest_step * rate;
   const Vec3d force = -load * way;
   j.moment = -load * turn[1];
   j.force = force;
@@ -195,7 +221,7 @@ std::array<Joints::Load, 2> Joints::transmit(Joint& j, const Motion& m, double l
   return {Load{-force, -load * turn[0] - cross(lever, force)}, Load{force, j.moment + cross(m.arm[1], force)}};
 }
 
-void Joints::apply(Joint& j, system::State& state, double longest_step) {
+void Joints::apply(Joint& j, system::State& state) {
   Motion m;
   for (std::size_t side = 0; side < 2; ++side) {
     const system::RigidBody& body = *j.body[side];
@@ -211,8 +237,16 @@ void Joints::apply(Joint& j, system::State& state, double longest_step) {
   m.sliding = m.velocity[1] - m.velocity[0] - cross(m.spin[0], m.gap);
   m.turning = m.spin[1] - m.spin[0];
 
-  const std::array<Load, 2> before = j.load;
-  j.load = j.source->transmits() ? transmit(j, m, longest_step, state.dt) : constraint_load(j, m, longest_step);
+  // Half of the work of the step: of the loads before it, and of those after it.
+  const auto book = [&] {
+    for (std::size_t side = 0; side < 2; ++side)
+      j.energy -=
+          0.5 * state.dt *
+          (dot(j.load[side].force, vec(state.v[at(j.body[side]->node)])) + dot(j.load[side].moment, m.spin[side]));
+  };
+  book();
+  j.load =
+      j.source->transmits() ? transmit(j, m, longest_step_, state.dt) : constraint_load(j, m, longest_step_, state.dt);
   if (fails(j, state)) {
     j.failed = true;
     j.failure_time = state.time;
@@ -224,10 +258,8 @@ void Joints::apply(Joint& j, system::State& state, double longest_step) {
     const std::size_t n = at(j.body[side]->node);
     add(state.f[n], j.load[side].force);
     add(state.m[n], j.load[side].moment);
-    j.energy -= 0.5 * state.dt *
-                (dot(before[side].force + j.load[side].force, vec(state.v[n])) +
-                 dot(before[side].moment + j.load[side].moment, m.spin[side]));
   }
+  book();
 }
 
 double Joints::step_for(double opening, const system::State& state) const {
@@ -251,7 +283,7 @@ double Joints::step_for(double opening, const system::State& state) const {
 double Joints::relative_opening() const {
   double most = 0.0;
   for (const Joint& j : joints_)
-    if (!j.failed && j.size > 0.0) most = std::max(most, j.opening / j.size);
+    if (!j.failed && j.size > 0.0) most = std::max(most, j.share * j.opening / j.size);
   return most;
 }
 
@@ -267,7 +299,8 @@ double Joints::energy() const {
 }
 
 void Joints::Joint::archive(Archive& a) {
-  a(force, moment, load, slip, energy, opening, largest_opening, failed, failure_time);
+  a(force, moment, load, slip, step, stiffening, share, most_energy, energy, opening, largest_opening, failed,
+    failure_time);
   a.built(source, body, arm, axis, other, constrained, directions, bound, rotary_bound, damping, rotary_damping, size);
 }
 

@@ -39,6 +39,10 @@ namespace nugget::impact {
 /// inside the 2 of central differences. dt is the longest step so far, so k never rises in a run. Damping ratio 0.1
 /// DAMP. Both are ours: LS-DYNA documents that its stiffness follows from masses and step, not how. In a model without
 /// deformable elements the step is shortened while joints open too far (`follow`), and their stiffness rises with it.
+///
+/// Becoming stiffer makes no energy: with E what the springs would hold at the new stiffness, a joint's springs have a
+/// share s of their forces, such that s^2 E is what the joint has taken so far, until s reaches 1. That is a spring
+/// from where it could hold what it took, and as that counts what damping took as well, the points come together by it.
 class Joints {
  public:
   explicit Joints(const system::System& system);
@@ -56,7 +60,8 @@ class Joints {
   /// now: loads, and their spins; infinite where nothing does [time].
   double step_for(double opening, const system::State& state) const;
   /// The largest opening now over the size of the joint's bodies: the smaller of their levers to the joint, or radii of
-  /// gyration where these are more [1]. Joints that transmit do not count.
+  /// gyration where these are more [1]; of a joint that is becoming stiffer the share of it that its springs see.
+  /// Joints that transmit do not count.
   double relative_opening() const;
   /// The same of one joint, its largest so far.
   double largest_relative_opening(std::size_t joint) const;
@@ -105,6 +110,10 @@ class Joints {
     std::array<Load, 2> load;                    ///< on the bodies' centres
     double size = 0.0;                           ///< of the smaller body; 0 of joints that transmit
     double slip = 0.0;                           ///< phi of a joint that transmits
+    double step = 0.0;                           ///< for which it is stiff [time]
+    bool stiffening = false;                     ///< its springs have a share of their forces only
+    double share = 1.0;                          ///< which
+    double most_energy = 0.0;                    ///< that it ever had taken
     double energy = 0.0, opening = 0.0, largest_opening = 0.0;
     bool failed = false;
     double failure_time = 0.0;
@@ -113,11 +122,14 @@ class Joints {
   void find_bounds();
   /// Lever of the place where the joint's force meets a body, in body axes, at time 0.
   static Vec3d met_at(const Joint& joint, std::size_t side);
-  void apply(Joint& joint, system::State& state, double longest_step);
+  void apply(Joint& joint, system::State& state);
+  /// Takes up the step and finds the share of the springs' forces. `squared`: twice E times the square of the step;
+  /// `giving`: what the springs would give in a step with all of their forces [energy].
+  static void take_step(Joint& joint, double squared, double step, double giving);
   /// Whether a joint fails now, under its force and moment.
   bool fails(const Joint& joint, const system::State& state) const;
   // Loads on the bodies' centres; they leave force, moment and opening in the joint.
-  static std::array<Load, 2> constraint_load(Joint& joint, const Motion& motion, double longest_step);
+  static std::array<Load, 2> constraint_load(Joint& joint, const Motion& motion, double longest_step, double dt);
   static std::array<Load, 2> transmit(Joint& joint, const Motion& motion, double longest_step, double dt);
 
   const system::System& system_;

@@ -13,6 +13,7 @@
 #include "impact/contact/edge_setup.hpp"
 #include "impact/contact/element_alive.hpp"
 #include "impact/contact/friction_kinds.hpp"
+#include "impact/contact/whole_sides.hpp"
 #include "kernel/element/tetrahedron.hpp"
 #include "model/bond.hpp"
 #include "model/contact_form.hpp"
@@ -131,7 +132,12 @@ std::vector<char> shells_near_welds(const ContactMesh& mesh) {
 class Surfaces {
  public:
   Surfaces(const ContactMesh& mesh, const model::Contact& card, const FrictionKinds& rough)
-      : mesh_(mesh), model_(mesh.model), card_(card), rough_(rough), thinned_(shells_near_welds(mesh)) {}
+      : mesh_(mesh),
+        model_(mesh.model),
+        card_(card),
+        rough_(rough),
+        sides_(mesh.model),
+        thinned_(shells_near_welds(mesh)) {}
 
   void add(const model::Surface& surface, unsigned side) {
     surface_ = &surface;
@@ -185,7 +191,6 @@ class Surfaces {
   void add_shell(std::size_t e, unsigned side) {
     const model::Part& part = model_.parts[model_.shells.part[e]];
     contact::Segment s;
-    for (std::size_t a = 0; a < 4; ++a) s.node[a] = mesh_.node_of[model_.shells.node[e][a]];
     s.thickness = contact_thickness(card_, part, model_.shells.thickness[e], side == tracked);
     if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
     s.scale = stiffness_scale(side) * part.stiffness_scale;
@@ -193,7 +198,28 @@ class Surfaces {
     s.mass = density(part) * area(model_.shells.node[e]) * model_.shells.thickness[e];
     s.kind = rough_.of_part[model_.shells.part[e]];
     s.element = static_cast<int>(e);
-    add_segment(key_of(model_.shells.node[e]), s, side);
+    const Key& whole = model_.shells.node[e];
+    const std::vector<Key> pieces = sides_.pieces(whole, mesh_.x);
+    for (const Key& piece : pieces) {
+      for (std::size_t a = 0; a < 4; ++a) s.node[a] = mesh_.node_of[piece[a]];
+      contact::Segment part_of_it = s;
+      if (pieces.size() > 1) {
+        // It presses as the shell does.
+        const double own = shape_stiffness(piece);
+        if (own > 0.0) part_of_it.bulk_modulus *= shape_stiffness(whole) / own;
+      }
+      add_segment(key_of(piece), part_of_it, side);
+    }
+  }
+
+  /// Penalty stiffness by the shape of a shell alone, its modulus 1 [length].
+  double shape_stiffness(const Key& nodes) const {
+    contact::Segment s;
+    s.node = nodes[3] == nodes[2] ? std::array{0, 1, 2, 2} : std::array{0, 1, 2, 3};
+    s.bulk_modulus = 1.0;
+    std::array<Row, 4> x{};
+    for (std::size_t a = 0; a < 4; ++a) set(x[a], mesh_.x[nodes[a]]);
+    return contact::penalty_stiffness(s, x);
   }
 
   /// Faces that one brick alone has, among those of the parts; those of a segment set that no shell is; and of an
@@ -258,7 +284,8 @@ class Surfaces {
   const model::Contact& card_;
   const FrictionKinds& rough_;
   const model::Surface* surface_ = nullptr;  // being added
-  std::vector<char> thinned_;                // shells near welds
+  WholeSides sides_;
+  std::vector<char> thinned_;  // shells near welds
   std::vector<contact::Segment> segments_;
   Keys keys_;
   std::vector<std::size_t> place_;  // of the segment, by key

@@ -109,6 +109,20 @@ std::vector<std::string> Contacts::drop_summary(const system::System& system) co
   return lines;
 }
 
+std::string Contacts::giving_most(const system::System& system) const {
+  const model::Contact* least = nullptr;
+  double energy = 0.0;
+  std::size_t next = 0;
+  for (const model::Contact& card : system.model.contacts) {
+    if (!card.slides()) continue;
+    const double own = contacts_[next++].energy();
+    if (least != nullptr && own >= energy) continue;
+    least = &card;
+    energy = own;
+  }
+  return least != nullptr ? fmt::format("in contact {} (*{})", least->id, least->keyword) : "in springs of ties";
+}
+
 void Contacts::add_energy(Energy& energy) const {
   for (const contact::PenaltyContact& c : contacts_) energy.contact += c.energy();
 }

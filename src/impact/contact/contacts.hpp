@@ -33,6 +33,9 @@ class Contacts {
   /// Of each contact that dropped springs under load: how many, what they held, and which held most, a line each.
   std::vector<std::string> drop_summary(const system::System& system) const;
 
+  /// The contact that took least, by name.
+  std::string giving_most(const system::System& system) const;
+
   void add_energy(Energy& energy) const;
   /// Adds what the contacts cost that act at the start, see contact::SurfaceContact::add_costs.
   void add_costs(std::span<const Row> x, system::ContactCosts& costs) {

@@ -90,7 +90,9 @@ void treat(const model::Model& model, const model::Contact& card, const contact:
     return findings.warning(card.place, keyword, what + "; they were moved out (IGNORE = 0)",
                             "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
   if (card.ignore == 1)
-    return findings.note(card.place, keyword, what + "; the overlap is kept and gives no force (IGNORE = 1)");
+    return findings.note(card.place, keyword,
+                         fmt::format("{}; the overlap is kept and gives no force ({})", what,
+                                     card.soft == 2 ? "SOFT = 2" : "IGNORE = 1"));
   std::string advice = "move";
   for (std::size_t i = 0; i < std::min(proposals, found.size()); ++i)
     advice += (i == 0 ? " " : "; ") + proposal(model, found[i], x);

@@ -153,10 +153,12 @@ class Simulation {
   void obey(const SenseSwitches& switches, Recorder& recorder);
   /// Energies at the present time; the previous ones stay where the solution is not a number.
   void update_energy_balance();
-  /// Ten times the energy that was ever put in has come from nowhere, and it is most of what there is, or a part gave
-  /// it.
+  /// Ten times the energy that was ever put in has come from nowhere, and it is most of what there is, or a part or the
+  /// contacts gave it.
   bool energy_is_made() const;
   std::vector<PartEnergy>::const_iterator giving_part() const;
+  bool contact_gives() const;
+  double most_given() const;
   double input() const;  ///< the most energy that was ever put in
   std::string describe_instability() const;
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
@@ -191,7 +193,7 @@ class Simulation {
   Recorder::Marks next_marks_;  ///< over several ranks: those of the first one's files
   CheckpointSchedule checkpoints_;
   bool diverged_ = false;
-  bool gives_energy_ = false;  ///< a part does so, by the last balance
+  bool gives_energy_ = false;  ///< a part or the contacts do so, by the last balance
   bool unstable_ = false;      ///< energy_is_made at the last cycle that is a multiple of 100
   Relaxation relaxation_;
   double step_change_ = 0.0;                 ///< Energy::step_change so far, but for what free nodes add

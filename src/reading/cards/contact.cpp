@@ -531,6 +531,9 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
     if (contact.ignore == 0) contact.ignore = b.model.control.ignore_penetration;
     // Where thicknesses are left out sheets may be meshed at any distance: their nodes stay where they are.
     if (contact.ignore == 0 && contact.glue && contact.glue->without_thickness) contact.ignore = 1;
+    // Segment-based contact moves no nodes: "the initially penetrated location becomes the baseline from which
+    // additional penetration is measured" (lsdyna.ansys.com, "SOFT option").
+    if (contact.ignore == 0 && contact.soft == 2) contact.ignore = 1;
     if (contact.id == 0) contact.id = static_cast<int>(b.model.contacts.size()) + 1;
     report_same_id(b, contact);
     report_late_birth(b, contact);

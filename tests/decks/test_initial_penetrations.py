@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contacts whose nodes stand in each other at the start: sheets with hanging nodes, segment-based contact, meshes much finer
+than they are thick."""
+import unittest
+
+from few_elements import card, nodes, part
+from nugget_command import CommandTest
+
+# A shell of 8 mm beside two by two of 4 mm: node 7 hangs on the side from 2 to 3.
+PLACES = ((0, 0, 0), (8, 0, 0), (8, 8, 0), (0, 8, 0), (12, 0, 0), (16, 0, 0), (8, 4, 0), (12, 4, 0), (16, 4, 0), (12, 8, 0),
+          (16, 8, 0))
+SHELLS = ((1, 2, 3, 4), (2, 5, 8, 7), (5, 6, 9, 8), (7, 8, 10, 3), (8, 9, 11, 10))
+
+
+def shells(corners, pid=1, first=1):
+    return "*ELEMENT_SHELL\n" + "".join(f"{first + i:8}{pid:8}" + "".join(f"{n:8}" for n in c) + "\n" for i, c in enumerate(corners))
+
+
+def contact(soft, thickness=0.0):
+    return "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n" + card(0) + card(0) + card(1.0, 1.0, thickness) + card(soft)
+
+
+def deck(*blocks, thickness=1.0, end=2e-4):
+    return "".join(["*KEYWORD\n*CONTROL_TERMINATION\n", card(end), "*CONTROL_ENERGY\n", card(2, 2, 2, 2), "*DATABASE_GLSTAT\n",
+                    card(end / 20), "*MAT_ELASTIC\n", card(1, 7.85e-9, 210000.0, 0.3), "*SECTION_SHELL\n", card(1, 2, 0.833, 2),
+                    card(*[thickness] * 4), part(1), *blocks, "*END\n"])
+
+
+class InitialPenetrations(CommandTest):
+    def run_deck(self, text):
+        self.write(text)
+        return self.nugget("run", "model.k", "--quiet", "-j", 1)
+
+    def test_a_hanging_node_does_not_stand_in_the_shell_on_whose_side_it_hangs(self):
+        """The sheet is thicker than its shells are long, and is pulled. Sabotage: segments that do not know what hangs on their
+        sides; nodes were moved out of the sheet by half its thickness, and its own contact pressed it apart."""
+        sheet = [nodes(PLACES), shells(SHELLS), "*CONSTRAINED_ADAPTIVITY\n", card(7, 2, 3), "*INITIAL_VELOCITY_NODE\n",
+                 *(card(n, 1000.0, 200.0, 300.0) for n in (6, 9, 11))]
+        for soft in (0, 1):
+            run = self.run_deck(deck(*sheet, contact(soft, thickness=6.0)))
+            self.assertNotIn("stand in the thickness", run.stderr)
+            states = self.glstat()
+            self.assertEqual({s["sliding interface energy"] for s in states}, {0.0})
+            self.assertGreater(states[-1]["internal energy"], 0.0)
+
+    def test_segment_based_contact_moves_no_nodes(self):
+        """Two sheets 0.6 mm apart, 1 mm thick. Sabotage: IGNORE 0 obeyed with SOFT 2 too."""
+        lower = [(4.0 * i, 4.0 * j, 0.0) for j in range(3) for i in range(3)]
+        upper = [(x + 1.0, y + 1.0, 0.6) for x, y, _ in lower]
+        corners = [(a, a + 1, a + 4, a + 3) for a in (1, 2, 4, 5)]
+        sheets = [nodes(lower + upper), shells(corners), shells([[n + 9 for n in c] for c in corners], first=11)]
+        for soft, told in ((1, "they were moved out (IGNORE = 0)"), (2, "the overlap is kept and gives no force (SOFT = 2)")):
+            run = self.run_deck(deck(*sheets, contact(soft)))
+            self.assertIn(told, run.stderr + self.read("run.log"))
+            self.assertEqual({s["kinetic energy"] for s in self.glstat()}, {0.0})
+
+    def test_sheets_finer_than_thick_that_were_moved_apart_make_no_energy(self):
+        """Shells of 2 mm beside some of 8 mm whose sides they do not share, in a contact that sees 8 mm of thickness: nodes are
+        moved out of the shells, these are folded up, and nothing moves. Sabotage: the depth of a pair that is another one because
+        its foot is; 5e10 of energy were made."""
+        places = [(0, 0), (8, 0), (8, 8), (0, 8), (8, -8), (0, -8), (0, 16), (8, 16)]
+        number = {p: i + 1 for i, p in enumerate(places)}
+        corners = [(1, 2, 3, 4), (6, 5, 2, 1), (4, 3, 8, 7)]
+        for y in range(-8, 18, 2):
+            for x in range(8, 26, 2):
+                number.setdefault((x, y), len(number) + 1)
+        corners += [[number[p] for p in ((x, y), (x + 2, y), (x + 2, y + 2), (x, y + 2))] for y in range(-8, 16, 2)
+                    for x in range(8, 24, 2)]
+        sheet = [nodes((x, y, 0) for x, y in number), shells(corners)]
+        for soft in (0, 1):
+            run = self.run_deck(deck(*sheet, contact(soft, thickness=8.0)))
+            self.assertIn("they were moved out (IGNORE = 0)", run.stderr)
+            self.assertLess(max(s["kinetic energy"] + s["internal energy"] for s in self.glstat()), 1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()
