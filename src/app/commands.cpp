@@ -515,6 +515,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(fmt::format(" {}\n\n", crowded));
     fmt::print(stderr, "note: {}\n", crowded);
   }
+  if (!p.model.implicit.after_run) system->forget_start(p.model);
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =
@@ -587,6 +588,7 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   std::string why;
   if (!joined.agree(ready(p, findings), why)) return ExitCode::normal;
   joined.use_threads(arguments.threads);
+  system.forget_start(p.model);
   interrupt_on_signals(0.0);
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles, .ranks = joined.ranks()};
   if (from != nullptr) options.restore = [&] { (*from)(simulation); };

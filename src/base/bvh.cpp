@@ -22,11 +22,19 @@ int longest_side(const Box& box) {
 }  // namespace
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
-  if (boxes.empty()) return;
   entries_.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) entries_.push_back({boxes[i], static_cast<int>(i)});
-  nodes_.reserve(boxes.size());
-  grow(0, static_cast<int>(boxes.size()));
+  grow();
+}
+
+BoxTree::BoxTree(std::vector<Entry> entries) : entries_(std::move(entries)) {
+  grow();
+}
+
+void BoxTree::grow() {
+  if (entries_.empty()) return;
+  nodes_.reserve(entries_.size());
+  grow(0, static_cast<int>(entries_.size()));
 }
 
 int BoxTree::grow(int begin, int end) {

@@ -49,8 +49,15 @@ struct Box {
 /// logarithmic and its shape depends on the boxes alone. Queries may run side by side.
 class BoxTree {
  public:
+  struct Entry {
+    Box box;
+    int item = 0;
+  };
+
   BoxTree() = default;
   explicit BoxTree(std::span<const Box> boxes);
+  /// Of boxes whose items have numbers of their own, rising; keeps the list, in another order.
+  explicit BoxTree(std::vector<Entry> entries);
 
   bool empty() const { return nodes_.empty(); }
 
@@ -73,13 +80,10 @@ class BoxTree {
     Box box;
     int first = 0, count = 0, right = 0;
   };
-  struct Entry {
-    Box box;
-    int item = 0;
-  };
   static constexpr int leaf_size = 4;
   static constexpr std::size_t deepest = 64;  // halving at the median: depth <= log2(2^31) + 1
 
+  void grow();
   int grow(int begin, int end);
 
   std::vector<Node> nodes_;

@@ -43,7 +43,7 @@ void NodalForces::add_to(std::size_t part, std::span<Row> force) const {
   const Touched& now = parts_[part].now;
   for (std::size_t i = 0; i < now.place.size(); ++i) {
     if (i + nodes_ahead < now.place.size()) __builtin_prefetch(&force[nodes_[now.place[i + nodes_ahead]]], 1);
-    nugget::add(force[nodes_[now.place[i]]], vec(now.sum[i].force));
+    nugget::add(force[nodes_[now.place[i]]], now.sum[i].force);
   }
 }
 
@@ -56,7 +56,7 @@ Vec3d NodalForces::sum(std::span<const unsigned char> marked) const {
     std::sort(order.begin(), order.end());
     for (const int place : order) {
       const auto node = at(nodes_[place]);
-      if (node < marked.size() && marked[node]) sum += vec(part.now.find(place)->force);
+      if (node < marked.size() && marked[node]) sum += part.now.find(place)->force;
     }
   }
   return sum;
@@ -66,14 +66,13 @@ void NodalForces::book_work(std::size_t part, double dt, std::span<const Row> v)
   const Touched& now = parts_[part].now;
   const Touched& before = parts_[part].before;
   const bool friction = !friction_work_.empty();
-  const auto book = [&](int place, const Row& force, const Row& rubs) {
+  const auto book = [&](int place, const Vec3d& force, const Vec3d& rubs) {
     if (left_out(place)) return;
     const Vec3d velocity = vec(v[nodes_[place]]);
-    work_[place] += 0.5 * dt * dot(vec(force), velocity);
-    if (friction) friction_work_[place] += 0.5 * dt * dot(vec(rubs), velocity);
+    work_[place] += 0.5 * dt * dot(force, velocity);
+    if (friction) friction_work_[place] += 0.5 * dt * dot(rubs, velocity);
   };
   const Sum nothing;
-  const auto both = [](const Row& a, const Row& b) { return Row{a.x + b.x, a.y + b.y, a.z + b.z, 0.0}; };
   for (std::size_t i = 0; i < now.place.size(); ++i) {
     if (i + nodes_ahead < now.place.size()) {
       const int soon = now.place[i + nodes_ahead];
@@ -82,7 +81,7 @@ void NodalForces::book_work(std::size_t part, double dt, std::span<const Row> v)
     }
     const Sum* found = before.find(now.place[i]);
     const Sum& was = found != nullptr ? *found : nothing;
-    book(now.place[i], both(now.sum[i].force, was.force), both(now.sum[i].friction, was.friction));
+    book(now.place[i], now.sum[i].force + was.force, now.sum[i].friction + was.friction);
   }
   for (std::size_t i = 0; i < before.place.size(); ++i)
     if (now.find(before.place[i]) == nullptr) book(before.place[i], before.sum[i].force, before.sum[i].friction);

@@ -15,6 +15,12 @@
 
 namespace nugget::contact {
 
+/// Room for one more in a list of which there are many: an eighth more at a time, not twice as much.
+template <class T>
+void make_room(std::vector<T>& list) {
+  if (list.size() == list.capacity()) list.reserve(list.size() + std::max<std::size_t>(4, list.size() / 8));
+}
+
 /// The nodes of two bodies, by node; those beyond the end of a list are of neither.
 struct TwoBodies {
   std::vector<unsigned char> in_a, in_b;
@@ -58,8 +64,8 @@ class NodalForces {
   void add(int node, const Vec3d& force, const Vec3d& friction = {}) { add_at(index_[node], force, friction); }
   void add_at(int place, const Vec3d& force, const Vec3d& friction) {
     Sum& sum = parts_[place / part_size].now.at(place);
-    nugget::add(sum.force, force);
-    nugget::add(sum.friction, friction);
+    sum.force += force;
+    sum.friction += friction;
   }
   /// What was now becomes what was before; now there are no forces.
   void next_cycle();
@@ -89,7 +95,7 @@ class NodalForces {
  private:
   static constexpr std::size_t nodes_ahead = 12;  ///< for which rows the memory is asked
   struct Sum {
-    Row force, friction;
+    Vec3d force, friction;
   };
   /// Forces on those nodes of a part that are touched, in the order in which they were.
   struct Touched {
@@ -105,6 +111,8 @@ class NodalForces {
       unsigned short& here = slot[at % part_size];
       if (here < place.size() && place[here] == at) return sum[here];
       here = static_cast<unsigned short>(place.size());
+      make_room(place);
+      make_room(sum);
       place.push_back(at);
       return sum.emplace_back();
     }

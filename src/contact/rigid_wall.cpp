@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "system/parcel.hpp"
@@ -49,7 +50,7 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
       bodies_(std::move(bodies)) {
   if (motion != nullptr) motion_ = *motion;
   tracked_.reserve(nodes.size());
-  for (int n : nodes) tracked_.push_back({n, kernel::WallAttachment::none, {}});
+  for (int n : nodes) tracked_.push_back({n, kernel::WallAttachment::none});
   groups_.resize((tracked_.size() + nodes_per_sum - 1) / nodes_per_sum);
   found_.resize(groups_.size());
 }
@@ -200,6 +201,7 @@ RigidWall::Sum RigidWall::stop(const Shape& shape, const Step& step) {
     const Found& found = found_[g];
     const bool far = !found.attached && found.clear > steps_of_sleep * way;
     groups_[g].asleep_until = far ? travelled_ - way + 0.5 * found.clear : 0.0;
+    if (far) free_room(groups_[g].last);  // a large model has few nodes near a wall
     Sum of_group;
     for (const Stopped& stopped : found.stopped) of_group.add(stopped.sum);
     all.add(of_group);
@@ -218,6 +220,9 @@ void RigidWall::look_at_group(const Shape& shape, std::size_t g, const Step& ste
   found.stopped.clear();
   const bool all = step.share == nullptr;
   const auto tracked = [&](std::size_t i) { return all ? i : at(followed_[i]); };
+  const std::size_t size = std::min(nodes_per_sum, tracked_.size() - g * nodes_per_sum);
+  const bool begins = slept || !started_ || group.last.size() != size;
+  group.last.resize(size);
   const std::size_t begin = all ? g * nodes_per_sum : first_followed_[g],
                     end = all ? std::min(tracked_.size(), (g + 1) * nodes_per_sum) : first_followed_[g + 1];
   for (std::size_t i = begin; i < end; ++i) {
@@ -226,7 +231,7 @@ void RigidWall::look_at_group(const Shape& shape, std::size_t g, const Step& ste
     __builtin_prefetch(&step.x[soon]);
     __builtin_prefetch(&step.v[soon], 1);
     const std::size_t now = tracked(i);
-    stop(shape, static_cast<int>(now), slept, step, found.stopped);
+    stop(shape, static_cast<int>(now), group, begins, step, found.stopped);
     const double free = clearance(shape, vec(step.x[tracked_[now].node]) - origin_);
     if (!(free >= found.clear)) found.clear = free;
     found.attached = found.attached || tracked_[now].attachment != kernel::WallAttachment::none;
@@ -234,8 +239,10 @@ void RigidWall::look_at_group(const Shape& shape, std::size_t g, const Step& ste
 }
 
 template <class Shape>
-void RigidWall::stop(const Shape& shape, int index, bool slept, const Step& step, std::vector<Stopped>& stopped) {
+void RigidWall::stop(const Shape& shape, int index, Group& group, bool begins, const Step& step,
+                     std::vector<Stopped>& stopped) {
   Tracked& tracked = tracked_[index];
+  Vec3d& last = group.last[at(index) % nodes_per_sum];
   if (!step.skip.empty() && step.skip[tracked.node]) {
     tracked.attachment = kernel::WallAttachment::none;
     return;
@@ -244,12 +251,12 @@ void RigidWall::stop(const Shape& shape, int index, bool slept, const Step& step
   const Vec3d free = vec(step.v[tracked.node]);
   Vec3d relative = free - step.wall_velocity;
   kernel::WallPush p = push(shape, from, from + step.dt * relative, tracked.attachment);
-  Vec3d before = started_ ? tracked.last : free;
+  Vec3d before = begins ? free : last;
   // Of a wall that begins, what the forces have changed since then is no velocity that the wall has stopped; and only a
   // node that in one step goes half of its way to the wall meets it as the group wakes.
-  if ((slept || !started_) && step.mass[tracked.node] > 0.0)
+  if (begins && step.mass[tracked.node] > 0.0)
     before = free - (step.between_middles / step.mass[tracked.node]) * vec(step.f[tracked.node]);
-  tracked.last = free;
+  last = free;
   if (!p.touching) {
     tracked.attachment = kernel::WallAttachment::none;
     return;
@@ -271,7 +278,7 @@ void RigidWall::stop(const Shape& shape, int index, bool slept, const Step& step
 
   const Vec3d after = relative + step.wall_velocity;
   const Vec3d impulse = step.mass[tracked.node] * (after - free);
-  tracked.last = after;
+  last = after;
   set(step.v[tracked.node], after);
   stopped.push_back({index,
                      {impulse, dot(impulse, p.normal), -0.5 * dot(impulse, before), -0.5 * dot(impulse, after),
@@ -318,8 +325,13 @@ void RigidWall::share_found(const system::Share& share) {
 }
 
 void RigidWall::carry(int rank, const system::Share& share, system::Parcel& parcel) {
-  for (Tracked& t : tracked_)
-    if (!share.everyone_follows(t.node) && share.answering(t.node) == rank) parcel(&t, 1);
+  for (std::size_t i = 0; i < tracked_.size(); ++i) {
+    const int node = tracked_[i].node;
+    if (share.everyone_follows(node) || share.answering(node) != rank) continue;
+    parcel(&tracked_[i], 1);
+    // All ranks look at the same groups.
+    if (std::vector<Vec3d>& last = groups_[i / nodes_per_sum].last; !last.empty()) parcel(&last[i % nodes_per_sum], 1);
+  }
 }
 
 std::size_t RigidWall::awake() const {

@@ -103,7 +103,6 @@ class RigidWall {
   struct Tracked {
     int node = 0;
     kernel::WallAttachment attachment = kernel::WallAttachment::none;
-    Vec3d last;  // its velocity when the wall had done with it in the step before
   };
   struct Sum {
     Vec3d impulse;
@@ -141,7 +140,9 @@ class RigidWall {
   struct Group {
     double asleep_until = 0.0;  ///< before `travelled_` gets here none of them can touch the wall [length]
     bool slept = false;         ///< was not looked at in the step before
-    void archive(Archive& a) { a(asleep_until, slept); }
+    std::vector<Vec3d> last;    ///< velocities of its nodes when the wall had done with them in the step before; empty
+                                ///< where it slept, or is about to
+    void archive(Archive& a) { a(asleep_until, slept, last); }
   };
   /// What a step finds in a group that is awake.
   struct Found {
@@ -160,7 +161,7 @@ class RigidWall {
   template <class Shape>
   void look_at_group(const Shape& shape, std::size_t group, const Step& step);
   template <class Shape>
-  void stop(const Shape& shape, int index, bool slept, const Step& step, std::vector<Stopped>& stopped);
+  void stop(const Shape& shape, int index, Group& group, bool begins, const Step& step, std::vector<Stopped>& stopped);
   /// Over several ranks, once: the tracked nodes that this one follows.
   void list_followed(const system::Share& share);
   void share_found(const system::Share& share);
@@ -185,7 +186,7 @@ class RigidWall {
   std::vector<int> followed_;                // over several ranks: tracked nodes, and
   std::vector<std::size_t> first_followed_;  // where those of each group begin and the last one's end
   double travelled_ = 0.0;  // by how much a node can have come closer to the wall since the start, at most
-  bool started_ = false;    // `last` holds
+  bool started_ = false;    // Group::last holds
   std::optional<WallPenalty> bodies_;
 
   PeriodMean mean_force_, mean_normal_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/free_room.hpp"
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
 #include "system/exchange.hpp"
@@ -134,13 +135,12 @@ void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& cos
 /// As before the first search.
 void SurfaceContact::forget_lists() {
   for (Block& block : blocks_) {
-    block.pairs = {};
+    free_room(block.pairs);
     std::ranges::fill(block.first, 0);
     std::ranges::fill(block.next_check_travel, 0.0);
     block.asleep_until = 0.0;
   }
   active_nodes_.clear();
-  active_segments_.clear();
   searched_ = false;
   searches_ = 0;
 }

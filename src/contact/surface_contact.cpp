@@ -89,7 +89,6 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     block.end = std::min(tracked, begin + nodes_per_block);
     block.first.assign(block.end - begin + 1, 0);
     block.next_check_travel.assign(block.end - block.begin, 0.0);
-    block.deep = block.next_check_travel;
     blocks_.push_back(std::move(block));
   }
 }
@@ -145,6 +144,7 @@ void SurfaceContact::Block::release(Pair& pair) {
 SurfaceContact::Touch& SurfaceContact::Block::touch(Pair& pair) {
   if (free.empty()) {
     pair.touch = static_cast<int>(touches.size());
+    make_room(touches);
     return touches.emplace_back();
   }
   pair.touch = free.back();
@@ -286,7 +286,7 @@ void SurfaceContact::project(const Block& block, Work& work, const Step& step) c
 
 void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked, const Step& step) const {
   const int node = nodes_[tracked].node;
-  if (block.deep[tracked - block.begin] > 0.0) {
+  if (block.depth_of(tracked) > 0.0) {
     stay_inside(candidates, node, step);
     go_over_edges(candidates, node, step);
     block.deep[tracked - block.begin] = 0.0;
@@ -326,7 +326,7 @@ void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked
 SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work& work, const Awake::Node& node,
                                                              std::size_t first, const Step& step) const {
   const int tracked = node.tracked;
-  const double widest = this->widest(tracked), deep = block.deep[tracked - block.begin];
+  const double widest = this->widest(tracked), deep = block.depth_of(tracked);
   const double thickness = nodes_[tracked].thickness;
   double first_check_travel = node.asleep_until;
   if (work.close.size() < node.end - first) work.close.resize(node.end - first);
@@ -431,6 +431,7 @@ double SurfaceContact::part(Block& block, const Candidate& candidate, int tracke
   const kernel::Friction& rough = law_.friction.between(segment.kind, nodes_[tracked].kind);
   if (rough.any()) along = friction(rough, candidate, candidate.before, direction, stiffness, size, step);
   const Vec3d force = size * direction + along;
+  make_room(block.hits);
   block.hits.push_back({tracked, candidate.segment, candidate.foot.weight, force, along, 0.0});
   return given_back;
 }
@@ -515,6 +516,7 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   block.energies.springs += pair.held();
   double& first_check_travel = block.next_check_travel[tracked - block.begin];
   if (pair.inside) {
+    if (block.deep.empty()) block.deep.assign(at(block.end - block.begin), 0.0);
     double& deep = block.deep[tracked - block.begin];
     deep = std::max(deep, overlap);
   }
@@ -531,6 +533,7 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
                                       : kernel::touch_friction(rough, touch);
     force += pair.friction;
   }
+  make_room(block.hits);
   block.hits.push_back({tracked, candidate.segment, candidate.foot.weight, force, pair.friction, pair.depth});
 }
 
@@ -575,9 +578,9 @@ void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, blocks_, acts_);
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, excluded_,
-          stays_active_, thickest_segment_, pressing_, margin_, moved_, active_segments_, active_blocks_, sources_,
-          results_need_hits_, share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_,
-          followed_, ghosts_, answered_, out_, in_, hits_for_);
+          stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_, results_need_hits_,
+          share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, ghosts_,
+          answered_, out_, in_, hits_for_);
 }
 
 }  // namespace nugget::contact

@@ -273,10 +273,10 @@ class SurfaceContact {
     double asleep_until = 0.0;              // the first of `next_check_travel`
     std::vector<int> first;                 // of the pairs of each node
     std::vector<double> next_check_travel;  // of each node: the first of its pairs'
-    std::vector<double> deep;               // of each node: how deep it was inside in the cycle before, if it was
-    std::vector<Pair> pairs;                // by node, then by segment
-    std::vector<Touch> touches;             // of pairs, where Pair::touch says
-    std::vector<int> free;                  // of these, those that no pair has
+    std::vector<double> deep;    // of each node: how deep it was inside in the cycle before, if it was; empty: none was
+    std::vector<Pair> pairs;     // by node, then by segment
+    std::vector<Touch> touches;  // of pairs, where Pair::touch says
+    std::vector<int> free;       // of these, those that no pair has
     std::vector<Hit> hits;
     std::vector<Share> shares;  // of the hits, by part of the nodes, in the order of the hits
     std::vector<Shares> parts;
@@ -285,6 +285,7 @@ class SurfaceContact {
     double deepest = 0.0;
     ContactEnergies energies;  // so far; of springs: what they hold now; that of friction stands with the nodes
 
+    double depth_of(int tracked) const { return deep.empty() ? 0.0 : deep[tracked - begin]; }
     const Touch* touch_of(const Pair& pair) const { return pair.touch == none ? nullptr : &touches[pair.touch]; }
     bool pressed(const Pair& pair) const { return pair.touch != none && touches[pair.touch].pressed(); }
     void release(Pair& pair);
@@ -346,7 +347,7 @@ class SurfaceContact {
   void fill(Candidate& candidate, const Block& block, Pair& pair, const Work& work, std::size_t turn, int tracked,
             const Step& step) const;
   double reach(const Block& block, int tracked, int segment) const {
-    return faces_[segment].inner + block.deep[tracked - block.begin];
+    return faces_[segment].inner + block.depth_of(tracked);
   }
   void stay_inside(Candidates candidates, int node, const Step& step) const;
   void go_over_edges(Candidates candidates, int node, const Step& step) const;
@@ -396,16 +397,15 @@ class SurfaceContact {
   unsigned pressing_ = 0;  // sides whose segments press any node
   double margin_ = 0.0;
 
-  NodalForces forces_;             // on all nodes of segments and all tracked nodes
-  std::vector<int> active_nodes_;  // those of them with active segments at the last search
-  std::vector<Row> searched_at_;   // coordinates of active_nodes_ then
+  NodalForces forces_;              // on all nodes of segments and all tracked nodes
+  std::vector<int> active_nodes_;   // those of them with active segments at the last search
+  std::vector<Vec3d> searched_at_;  // coordinates of active_nodes_ then
   bool searched_ = false;
   long searches_ = 0;
-  std::vector<Row> seen_at_;          // coordinates of active_nodes_ in the cycle before
-  double travelled_ = 0.0;            // by how much two points can have approached each other since the start, at most
-  double searched_when_ = 0.0;        // travelled_ at the last search
-  std::vector<Box> moved_;            // displacements of active_nodes_, by group of nodes
-  std::vector<int> active_segments_;  // active segments at the last search
+  std::vector<Vec3d> seen_at_;  // coordinates of active_nodes_ in the cycle before
+  double travelled_ = 0.0;      // by how much two points can have approached each other since the start, at most
+  double searched_when_ = 0.0;  // travelled_ at the last search
+  std::vector<Box> moved_;      // displacements of active_nodes_, by group of nodes
   std::vector<Block> blocks_;
   std::vector<int> active_blocks_;            // blocks that have pairs and that this process looks at
   std::vector<std::vector<Source>> sources_;  // of forces, by part of the nodes

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which segments are near a node.
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "base/bvh.hpp"
 #include "base/parallel.hpp"
@@ -39,8 +41,8 @@ double SurfaceContact::approach(const Displacement& displacement) {
 
 bool SurfaceContact::moved_too_far(std::span<const Row> x) {
   travelled_ += approach([this, &x](std::size_t i) {
-    const Vec3d step = vec(x[active_nodes_[i]]) - vec(seen_at_[i]);
-    seen_at_[i] = x[active_nodes_[i]];
+    const Vec3d now = vec(x[active_nodes_[i]]), step = now - seen_at_[i];
+    seen_at_[i] = now;
     return step;
   });
   // Steps added up are never less than the whole way: while they are short that need not be measured.
@@ -49,7 +51,7 @@ bool SurfaceContact::moved_too_far(std::span<const Row> x) {
 
 /// Whether no two points have come closer by more than the margin since the search.
 bool SurfaceContact::lists_are_good_for(std::span<const Row> x) {
-  return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - vec(searched_at_[i]); }) <= margin_;
+  return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - searched_at_[i]; }) <= margin_;
 }
 
 void SurfaceContact::search(const Step& step) {
@@ -63,14 +65,12 @@ void SurfaceContact::search(const Step& step) {
   for (int n : forces_.nodes()) {
     if (!node_alive(n, element_alive) || !finite(x[n])) continue;
     active_nodes_.push_back(n);
-    searched_at_.push_back(x[n]);
+    searched_at_.push_back(vec(x[n]));
   }
   seen_at_ = searched_at_;
 
   const Box within = box_of_own_blocks(x);
-  active_segments_.clear();
-  active_segments_.reserve(faces_.size());
-  std::vector<Box> boxes;
+  std::vector<BoxTree::Entry> boxes;
   boxes.reserve(faces_.size());
   for (std::size_t s = 0; s < faces_.size(); ++s) {
     const Face& face = faces_[s];
@@ -78,11 +78,9 @@ void SurfaceContact::search(const Step& step) {
     if (!whole || !(face.side & pressing_) || !alive(static_cast<int>(s), element_alive)) continue;
     const Box box = box_of(face, x);
     if (share_ != nullptr && !box.overlaps(within)) continue;
-    active_segments_.push_back(static_cast<int>(s));
-    boxes.push_back(box);
+    boxes.push_back({box, static_cast<int>(s)});
   }
-  const BoxTree tree = BoxTree(boxes);
-  boxes = {};
+  const BoxTree tree(std::move(boxes));
 
   const auto list = [this, &tree, &x, &element_alive](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
@@ -183,7 +181,7 @@ Box SurfaceContact::box_of_own_blocks(std::span<const Row> x) const {
 
 /// All that is within reach of a node at `p`.
 Box SurfaceContact::around(const Block& block, int tracked, const Vec3d& p) const {
-  return Box{p, p}.grown(0.5 * nodes_[tracked].thickness + margin_ + block.deep[tracked - block.begin]);
+  return Box{p, p}.grown(0.5 * nodes_[tracked].thickness + margin_ + block.depth_of(tracked));
 }
 
 /// Finds the segments around the nodes of a block from `first` on, as many of them as stand close together, in one walk
@@ -202,10 +200,7 @@ int SurfaceContact::find_around(const Block& block, int first, const BoxTree& tr
     all = more;
   }
   work.around.clear();
-  tree.overlapping(all, [&](int item) {
-    const int segment = active_segments_[item];
-    work.around.emplace_back(segment, box_of(faces_[segment], x));
-  });
+  tree.overlapping(all, [&](int segment) { work.around.emplace_back(segment, box_of(faces_[segment], x)); });
   return end;
 }
 

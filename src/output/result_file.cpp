@@ -100,12 +100,18 @@ void ResultFile::archive(Archive& a) {
 }
 
 void write_whole_file(const std::filesystem::path& path, std::string_view text) {
+  write_whole_file(path, [text](ResultFile& file) {
+    file.buffer() = text;
+    file.commit();
+  });
+}
+
+void write_whole_file(const std::filesystem::path& path, const std::function<void(ResultFile&)>& write) {
   const std::filesystem::path draft = path.string() + ".part";
   std::error_code ignored;
   try {
     ResultFile file(draft, OpenMode::draft);
-    file.buffer() = text;
-    file.commit();
+    write(file);
   } catch (const WriteError& error) {
     std::filesystem::remove(draft, ignored);
     throw WriteError(path, error.reason);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -69,5 +70,9 @@ class ResultFile {
 
 /// Replaces a whole file by `text`: a reader sees the old content or the new, never a half. Throws WriteError.
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
+/// Bytes of a long text that are put together before they are committed.
+inline constexpr std::size_t part_of_text = std::size_t{1} << 20;
+/// The same of a long text: `write` puts it into the buffer and commits it, part by part.
+void write_whole_file(const std::filesystem::path& path, const std::function<void(ResultFile&)>& write);
 
 }  // namespace nugget::output

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/summary.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 #include "output/result_file.hpp"
 
@@ -10,8 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
 void write_json(const std::filesystem::path& path, const Json& json) {
-  write_whole_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_whole_file(path, text_of(json) + "\n");
 }
 
 Json to_json(const WeldProjection& p) {
@@ -147,8 +154,7 @@ Json to_json(const Summary& s) {
                             {"busy", r.busy},
                             {"waiting", r.waiting},
                             {"peak_memory_mb", r.peak_memory}});
-  json["weld"] = Json::array();
-  for (const WeldReport& weld : s.welds) json["weld"].push_back(to_json(weld));
+  json["weld"] = Json::array();  // filled in by write_summary
   json["modes"] = Json::array();
   for (const ModeReport& mode : s.modes) json["modes"].push_back(to_json(mode));
   for (const ResponseReport& r : s.responses) json["responses"].push_back(to_json(r));
@@ -156,10 +162,37 @@ Json to_json(const Summary& s) {
   return json;
 }
 
+/// As an object of a list of the outermost object.
+void append_indented(std::string& to, std::string_view text) {
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.size(), text.find('\n', begin));
+    to.append(4, ' ');
+    to += text.substr(begin, end - begin);
+    if (end < text.size()) to += '\n';
+    begin = end + 1;
+  }
+}
+
 }  // namespace
 
 void write_summary(const std::filesystem::path& directory, const Summary& summary) {
-  write_json(directory / "summary.json", to_json(summary));
+  // A car has thousands of welds, whose objects would take more room than any other part of a run's end.
+  const std::string text = text_of(to_json(summary)), list = "\n  \"weld\": [";
+  const std::size_t inside = text.find(list) + list.size();  // the only such line: in strings it would be escaped
+  write_whole_file(directory / "summary.json", [&](ResultFile& file) {
+    std::string& buffer = file.buffer();
+    buffer.append(text, 0, inside);
+    const char* between = "\n";
+    for (const WeldReport& weld : summary.welds) {
+      buffer += std::exchange(between, ",\n");
+      append_indented(buffer, text_of(to_json(weld)));
+      if (buffer.size() >= part_of_text) file.commit();
+    }
+    if (!summary.welds.empty()) buffer += "\n  ";
+    buffer.append(text, inside);
+    buffer += '\n';
+    file.commit();
+  });
 }
 
 void write_findings(const std::filesystem::path& directory, const std::vector<Finding>& findings) {

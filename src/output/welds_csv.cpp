@@ -160,20 +160,34 @@ void row(std::string& out, const WeldReport& weld, std::size_t projections) {
   }
 }
 
-}  // namespace
-
-std::string weld_table(const std::vector<WeldReport>& welds) {
+/// `after_row` may take what is there out of `out`.
+template <class AfterRow>
+void table(std::string& out, const std::vector<WeldReport>& welds, const AfterRow& after_row) {
   // Beams have two ends; brick welds and patches of them have more nodes, and none is left out.
   std::size_t projections = 2;
   for (const WeldReport& weld : welds) projections = std::max(projections, weld.projections.size());
-  std::string out;
   head(out, projections, welds);
-  for (const WeldReport& weld : welds) row(out, weld, projections);
+  for (const WeldReport& weld : welds) {
+    row(out, weld, projections);
+    after_row();
+  }
+}
+
+}  // namespace
+
+std::string weld_table(const std::vector<WeldReport>& welds) {
+  std::string out;
+  table(out, welds, [] {});
   return out;
 }
 
 void write_welds(const std::filesystem::path& directory, const std::vector<WeldReport>& welds) {
-  write_whole_file(directory / "welds.csv", weld_table(welds));
+  write_whole_file(directory / "welds.csv", [&](ResultFile& file) {
+    table(file.buffer(), welds, [&file] {
+      if (file.buffer().size() >= part_of_text) file.commit();
+    });
+    file.commit();
+  });
 }
 
 }  // namespace nugget::output

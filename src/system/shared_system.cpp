@@ -127,8 +127,7 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
   map.carry([&](int d) { return !share_->everyone_follows(d) && share_->answering(d) == rank; }, parcel);
   // By masses, which all have alike, and arms.
   if (what == Carried::whole)
-    for (const int k : share_->reported_by(rank))
-      for (std::vector<double>* of_nodes : {&inertia, &carried_inertia_}) parcel(&(*of_nodes)[k], 1);
+    for (const int k : share_->reported_by(rank)) parcel(&inertia[k], 1);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     ElementGroup& group = *groups[g];
     const std::size_t width = group.block_width(), blocks = group.blocks();

@@ -45,7 +45,7 @@ void System::link_slots() {
     }
   }
 
-  std::vector<std::size_t> count(nodes + 1, 0);
+  std::vector<std::uint32_t> count(nodes + 1, 0);
   const auto each_slot = [&](auto&& visit) {
     for (const bool single : {false, true})  // gather_slots takes those of a node in this order
       for (const auto& group : groups)
@@ -56,9 +56,9 @@ void System::link_slots() {
   };
   each_slot([&](std::size_t node, const ElementGroup&, std::size_t) { ++count[node + 1]; });
   for (std::size_t k = 0; k < nodes; ++k) count[k + 1] += count[k];
-  gather_start_ = count;
   gather_.resize(count.back());
-  std::vector<std::size_t> next(count.begin(), count.end() - 1);
+  gather_start_ = std::move(count);
+  std::vector<std::uint32_t> next(gather_start_.begin(), gather_start_.end() - 1);
   each_slot([&](std::size_t node, const ElementGroup& group, std::size_t row) {
     gather_[next[node]++] = static_cast<std::uint32_t>(row << 1 | (group.rotational ? 1u : 0u));
   });
@@ -137,8 +137,8 @@ void System::add_up_slots(std::span<const Row> slots, std::span<const SingleRow>
   const auto gather = [&](auto with_single) {
     constexpr bool has_single = decltype(with_single)::value;
     const auto some = [=, this](std::size_t begin, std::size_t end) {
-      const std::uint32_t* entry = gather_.data();
-      const std::size_t *start = gather_start_.data(), last_entry = gather_.size() - 1;
+      const std::uint32_t *entry = gather_.data(), *start = gather_start_.data();
+      const std::size_t last_entry = gather_.size() - 1;
       // Adds up entries [i, stop) to f and m; all of them stand in `rows`, which are counted from `first` on.
       const auto add_up = [=](auto rows, std::size_t first, std::size_t i, std::size_t stop, FourReals& f,
                               FourReals& m) {

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
+#include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "system/order.hpp"
 #include "system/share.hpp"
@@ -72,6 +74,7 @@ System::System(const model::Model& m, const weld::Ties& t, Findings& findings, E
   transfer_dependent_mass();
   make_bodies();
   check_springs(*this, findings);
+  free_room(start_);
 }
 
 void System::order_nodes() {
@@ -86,6 +89,7 @@ void System::order_nodes() {
 }
 
 void System::make_constraints(Findings& findings) {
+  using Kind = ConstraintSource::Kind;
   constraint_source_.assign(nodes, {});
   const auto claim = [&](model::Index node, const ConstraintSource& who, const Place& place) {
     ConstraintSource& held = constraint_source_[node_of[node]];
@@ -112,7 +116,7 @@ void System::make_constraints(Findings& findings) {
     body.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     body_of[b] = static_cast<int>(bodies.size());
     for (model::Index n : source.nodes) {
-      if (!claim(n, {.body = static_cast<model::Index>(b)}, source.place)) continue;
+      if (!claim(n, {Kind::body, static_cast<model::Index>(b)}, source.place)) continue;
       // Arms hold the node's position until the centre is known; see make_bodies.
       const ConstraintMap::Term term{body.node, 1.0, ties.x[n]};
       map.add(node_of[n], true, {&term, 1});
@@ -129,22 +133,25 @@ void System::make_constraints(Findings& findings) {
       const int anchor = static_cast<int>(nodes + bodies.size() + springs.size());
       springs.push_back({t, node_of[tie.node], anchor});
       add_tie(anchor, tie, projected || !tie.lever ? Vec3d{} : gap, true);
-    } else if (claim(tie.node, {.contact = tie.contact}, contact.place)) {
+    } else if (claim(tie.node, {Kind::contact, tie.contact}, contact.place)) {
       add_tie(node_of[tie.node], tie, projected || !tie.lever ? Vec3d{} : gap, tie.rotations);
     }
   }
   for (std::size_t k = 0; k < model.interpolations.size(); ++k) {
     const model::Interpolation& i = model.interpolations[k];
-    if (claim(i.node, {.interpolation = static_cast<model::Index>(k)}, i.place))
+    if (claim(i.node, {Kind::interpolation, static_cast<model::Index>(k)}, i.place))
       add_best_fit(node_of[i.node], i.rotations, i.independent, i.weight, ties.x[i.node]);
   }
-  const auto body_at = [&](model::Index n) { return constraint_source_[node_of[n]].body; };
+  const auto body_at = [&](model::Index n) {
+    const ConstraintSource& held = constraint_source_[node_of[n]];
+    return held.kind == Kind::body ? held.index : model::none;
+  };
   for (std::size_t k = 0; k < model.hanging_nodes.size(); ++k) {
     const model::HangingNode& h = model.hanging_nodes[k];
     const model::Index body = body_at(h.node);
     // A side that is rigid as a whole asks of its nodes what their body does.
     if (body != model::none && body == body_at(h.ends[0]) && body == body_at(h.ends[1])) continue;
-    if (!claim(h.node, {.side = static_cast<model::Index>(k)}, h.place)) continue;
+    if (!claim(h.node, {Kind::side, static_cast<model::Index>(k)}, h.place)) continue;
     // Off the line between the ends the arm turns with them, so that the node keeps to any rigid motion.
     const Vec3d a = ties.x[h.ends[0]], along = ties.x[h.ends[1]] - a, off = ties.x[h.node] - a;
     const double share = dot(off, along) / dot(along, along);
@@ -210,11 +217,15 @@ void System::add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool
 }
 
 std::string System::name(const ConstraintSource& constraint_name) const {
-  if (constraint_name.body != model::none) return weld::name_body(model.rigid_bodies[constraint_name.body]);
-  if (constraint_name.contact != model::none) return weld::name_contact(model.contacts[constraint_name.contact]);
-  if (constraint_name.interpolation != model::none)
-    return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[constraint_name.interpolation].id);
-  if (constraint_name.side != model::none) return "the side of a shell (*CONSTRAINED_ADAPTIVITY)";
+  const model::Index i = constraint_name.index;
+  switch (constraint_name.kind) {
+    case ConstraintSource::Kind::body: return weld::name_body(model.rigid_bodies[i]);
+    case ConstraintSource::Kind::contact: return weld::name_contact(model.contacts[i]);
+    case ConstraintSource::Kind::interpolation:
+      return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[i].id);
+    case ConstraintSource::Kind::side: return "the side of a shell (*CONSTRAINED_ADAPTIVITY)";
+    case ConstraintSource::Kind::none: break;
+  }
   return "nothing";
 }
 
@@ -352,9 +363,23 @@ void System::transfer_dependent_mass() {
     mass[d] = 0.0;
     if (map.rotations(static_cast<int>(d))) inertia[d] = 0.0;
   }
+  if (!start_is_forgotten_) return;
+  free_room(carried_mass_);
+  free_room(carried_inertia_);
+}
+
+void System::forget_start(model::Model& m) {
+  free_room(m.initial_velocity);
+  free_room(m.initial_spin);
+  for (std::vector<model::Index>* named : {&m.named_nodes, &m.named_shells, &m.listed_nodes, &m.listed_shells})
+    free_room(*named);  // for those who move nodes and merge shells
+  free_room(carried_mass_);
+  free_room(carried_inertia_);
+  start_is_forgotten_ = true;
 }
 
 State System::initial_state() {
+  if (start_is_forgotten_) throw std::logic_error("the state at time 0 is asked for after it was set free");
   State state;
   for (const model::SensorControl& control : model.sensor_controls) state.controls.push_back({control.starts_on, 0.0});
   const std::size_t n = all_nodes();
@@ -594,12 +619,12 @@ double System::part_mass(model::Index part) const {
 
 void System::archive(Archive& a) {
   a.section("system");
-  a(mass, inertia, own_mass, own_inertia_, carried_mass_, carried_inertia_, map, bodies, slots_, subcycles_);
+  a(mass, inertia, own_mass, own_inertia_, map, bodies, slots_, subcycles_);
   if (!single_slots_.empty()) a(single_slots_);
   a.built(model, ties, brick_joints, weld_stacks, nodes, node_of, model_node, body_of, springs, shell_location,
-          solid_location, beam_location, discrete_location, start_, mass_only_elements_, constraint_source_,
-          damping_slots, gather_start_, gather_, blocks_, periods_, share_, computed_, deleted_, deletions_seen_,
-          steps_of_others_, reported_below);
+          solid_location, beam_location, discrete_location, start_, start_is_forgotten_, carried_mass_,
+          carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_, gather_, blocks_,
+          periods_, share_, computed_, deleted_, deletions_seen_, steps_of_others_, reported_below);
   a.section("elements");
   a(groups);
 }

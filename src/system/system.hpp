@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -125,6 +126,9 @@ class System {
 
   /// State at time 0: positions after tying, initial velocities, momenta of the bodies.
   State initial_state();
+  /// That state is there and is not asked for again: what of `m`, the model, it alone needs takes no room any more.
+  /// `initial_state` then throws std::logic_error.
+  void forget_start(model::Model& m);
 
   /// Forces of all elements at the end of a step into state.f and state.m (overwritten); keeps the smallest stable
   /// step.
@@ -284,15 +288,16 @@ class System {
   /// Sets the density factor of an element and puts the change on its nodes.
   void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
 
-  std::vector<Vec3d> start_;  ///< positions at time 0, by system node
+  std::vector<Vec3d> start_;  ///< positions at time 0, by system node; empty once all is made
+  bool start_is_forgotten_ = false;
   std::vector<MassOnlyElement> mass_only_elements_;
   std::vector<double> own_inertia_;
   /// What makes a node dependent: a rigid body, a tie contact, an interpolation or a side of a shell of the model.
   struct ConstraintSource {
-    model::Index body = model::none, contact = model::none, interpolation = model::none, side = model::none;
-    bool none() const {
-      return body == model::none && contact == model::none && interpolation == model::none && side == model::none;
-    }
+    enum class Kind : unsigned char { none, body, contact, interpolation, side };
+    Kind kind = Kind::none;
+    model::Index index = model::none;
+    bool none() const { return kind == Kind::none; }
   };
   std::string name(const ConstraintSource& constraint_name) const;
   std::vector<ConstraintSource> constraint_source_;     ///< by system node
@@ -307,8 +312,8 @@ class System {
   Subcycles subcycles_;
   friend class Subcycles;
   ZeroedVector<Row> slots_;
-  ZeroedVector<SingleRow> single_slots_;  ///< of groups of single precision, counted on behind slots_
-  std::vector<std::size_t> gather_start_;
+  ZeroedVector<SingleRow> single_slots_;     ///< of groups of single precision, counted on behind slots_
+  std::vector<std::uint32_t> gather_start_;  ///< of each node, and where the last one's end
   std::vector<std::uint32_t>
       gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows
   std::vector<std::pair<int, std::size_t>> blocks_;  ///< all blocks of all groups, or of the share: group, block

@@ -10,6 +10,7 @@
 #include "base/index.hpp"
 #include "impact/conditions/in_force.hpp"
 #include "model/circular_motion.hpp"
+#include "system/share.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -185,7 +186,10 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
       constrained_dofs_.push_back(
           {spc_.size(), node, axis(model, spc.system, i % 3), i >= 3, spc.birth, spc.death, spc.control});
     }
-    spc_.push_back({node, static_cast<model::Index>(s), spc.set_id, {}, {}, 0.0, {}, {}});
+    Reaction& reaction = spc_.emplace_back();
+    reaction.node = node;
+    reaction.source = static_cast<model::Index>(s);
+    reaction.set_id = spc.set_id;
   }
   for (std::size_t k = 0; k < model.motions.size(); ++k) {
     const model::PrescribedMotion& motion = model.motions[k];
@@ -204,7 +208,9 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
         prescribed.at_start = directions[d];
         prescribed_dofs_.push_back(prescribed);
       }
-      motion_.push_back({node, static_cast<model::Index>(k), 0, {}, {}, 0.0, {}, {}});
+      Reaction& reaction = motion_.emplace_back();
+      reaction.node = node;
+      reaction.source = static_cast<model::Index>(k);
     };
     if (motion.target == model::PrescribedMotion::Target::nodes) {
       for (model::Index n : motion.nodes) {
@@ -369,6 +375,7 @@ void Supports::prescribe_beside_supports(PrescribedDof& prescribed, double targe
   Reaction& own = motion_[reaction];
   (prescribed.rotation ? own.moment : own.force) += prescribed.force * direction;
   own.energy += along.front().energy;
+  own.power += along.front().power;
   for (const std::size_t h : prescribed.oblique_to) {
     if (!constrained_dofs_[h].active) continue;
     const double force = -prescribed.force * dot(constrained_dofs_[h].axis, direction);
@@ -396,7 +403,8 @@ void Supports::set_component(ConstrainedDof& dof, double target, int body, syste
     impulse = inertia * (target - free_velocity);
     add(row, (target - free_velocity) * dof.axis);
   }
-  power_on_change_ += (target - free_velocity) * dot(dof.axis, load);
+  Reaction& reaction = reactions[dof.reaction];
+  reaction.power += (target - free_velocity) * dot(dof.axis, load);
   dof.force = velocity_interval > 0.0 ? impulse / velocity_interval : 0.0;
   // A node without mass, as the end of a spring may be, feels what pulls at it and nothing else. The first card that
   // holds it takes that.
@@ -405,12 +413,9 @@ void Supports::set_component(ConstrainedDof& dof, double target, int body, syste
     dof.force = -dot(dof.axis, load);
     add(dof.rotation ? state.m[node] : state.f[node], dof.force * dof.axis);
   }
-  Reaction& reaction = reactions[dof.reaction];
   (dof.rotation ? reaction.moment : reaction.force) += dof.force * dof.axis;
   // Closing half: the velocity component before the update is the one that `dof` kept from the last step.
-  const double work = 0.5 * dof.force * dof.velocity * state.dt_previous;
-  work_ += work;
-  reaction.energy += work;
+  reaction.energy += 0.5 * dof.force * dof.velocity * state.dt_previous;
   dof.before = dof.velocity;
   dof.velocity = target;
 }
@@ -420,7 +425,6 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
     return state.time >= h.birth && state.time < h.death && state.acts(h.control);
   };
   dt_previous_ = state.dt_previous;
-  power_on_change_ = 0.0;
   const auto component = [&](const ConstrainedDof& h) {
     return dot(h.axis, vec(h.rotation ? state.w[h.node] : state.v[h.node]));
   };
@@ -432,8 +436,12 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
     h.velocity = component(h);
   };
   for (std::vector<Reaction>* reactions : {&spc_, &motion_})
-    for (Reaction& r : *reactions) r.force = r.moment = {};
+    for (Reaction& r : *reactions) {
+      r.force = r.moment = {};
+      r.power = 0.0;
+    }
   for (ConstrainedDof& h : constrained_dofs_) {
+    if (!meets(h)) continue;
     if (!alive(h)) {
       release(h);
       continue;
@@ -443,6 +451,7 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
     set_component(h, 0.0, -1, state, velocity_interval, bodies, spc_);
   }
   for (PrescribedDof& d : prescribed_dofs_) {
+    if (!meets(d)) continue;
     if (!alive(d) || !in_force(system_.model.curves[d.motion->curve], state)) {
       release(d);
       continue;
@@ -470,7 +479,7 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
       prescribe_beside_supports(d, wanted, state, velocity_interval);
   }
   for (PrescribedDof& d : prescribed_dofs_)
-    if (d.motion->circular) d.left = vec(state.v[d.node]);
+    if (d.motion->circular && meets(d)) d.left = vec(state.v[d.node]);
   if (state.period > 1) average_reactions(state);
 }
 
@@ -487,13 +496,41 @@ void Supports::book_opening_work(double dt) {
   // Both halves together are the impulse times the mean of the velocities before and after, whatever the two steps: a
   // node that is driven from rest in half a first step gets its kinetic energy, not twice that.
   const auto open = [&](const ConstrainedDof& dof, Reaction& reaction) {
-    if (!dof.active) return;
-    const double work = 0.25 * dof.force * ((dt + dt_previous_) * dof.velocity + (dt - dt_previous_) * dof.before);
-    work_ += work;
-    reaction.energy += work;
+    if (!dof.active || !meets(dof)) return;
+    reaction.energy += 0.25 * dof.force * ((dt + dt_previous_) * dof.velocity + (dt - dt_previous_) * dof.before);
   };
   for (const ConstrainedDof& h : constrained_dofs_) open(h, spc_[h.reaction]);
   for (const PrescribedDof& d : prescribed_dofs_) open(d, motion_[d.reaction]);
+  for (std::vector<Reaction>* reactions : {&spc_, &motion_})
+    for (Reaction& r : *reactions) r.step_change += 0.25 * (dt - dt_previous_) * r.power;
+}
+
+void Supports::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
+  const bool whole = what == system::Carried::whole;
+  const auto reported = [&of](int node) {
+    return !of.share.everyone_follows(node) && of.share.answering(node) == of.rank;
+  };
+  system::ParcelArchive archive(parcel);
+  for (std::vector<Reaction>* reactions : {&spc_, &motion_})
+    for (Reaction& r : *reactions) {
+      if (!reported(r.node)) continue;
+      if (whole)
+        archive(r);
+      else if (what == system::Carried::energies)
+        archive(r.energy, r.step_change);
+      else
+        archive(r.force, r.moment, r.energy, r.step_change);
+    }
+  if (!whole) return;
+  for (ConstrainedDof& h : constrained_dofs_)
+    if (reported(h.node)) archive(h);
+  for (PrescribedDof& d : prescribed_dofs_)
+    if (reported(d.node)) archive(d);
+}
+
+void Supports::Reaction::archive(Archive& a) {
+  a(force, moment, energy, mean_force, mean_moment, power, step_change);
+  a.built(node, source, set_id);
 }
 
 void Supports::ConstrainedDof::archive(Archive& a) {
@@ -508,7 +545,7 @@ void Supports::PrescribedDof::archive(Archive& a) {
 }
 
 void Supports::archive(Archive& a) {
-  a(constrained_dofs_, prescribed_dofs_, spc_, motion_, work_, dt_previous_, power_on_change_);
+  a(constrained_dofs_, prescribed_dofs_, spc_, motion_, dt_previous_);
   a.built(system_);
 }
 

@@ -6,15 +6,19 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/index.hpp"
 #include "base/period_mean.hpp"
 #include "impact/energy/energy.hpp"
+#include "system/parcel.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
 
 /// Nodes and bodies whose motion is prescribed, by *BOUNDARY_SPC (to zero) and *BOUNDARY_PRESCRIBED_MOTION.
 /// The work is booked so that it fits the discrete energy balance of the central-difference scheme
-/// (docs/decisions/0002): a force F at t(n) does 1/2 F . (v(n-1/2) dt(n-1) + v(n+1/2) dt(n)).
+/// (docs/decisions/0002): a force F at t(n) does 1/2 F . (v(n-1/2) dt(n-1) + v(n+1/2) dt(n)). It stands with each
+/// reaction and is summed up when somebody asks, so that a rank of several meets the supports of the nodes that it
+/// follows only (docs/decisions/0130).
 class Supports {
  public:
   Supports(const system::System& system, Findings& findings);
@@ -29,15 +33,14 @@ class Supports {
   void prescribe(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies);
   /// Books the opening half, with the velocities that `prescribe` left.
   void book_opening_work(double dt);
-  double work() const { return work_; }
+  double work() const { return sum_of(&Reaction::energy); }
+  /// Energy::step_change by what is held or driven, up to the last `book_opening_work` [energy].
+  double step_change() const { return sum_of(&Reaction::step_change); }
   /// Sets the work done so far to zero: the run begins after a relaxation.
   void reset_work() {
-    work_ = 0.0;
     for (std::vector<Reaction>* reactions : {&spc_, &motion_})
-      for (Reaction& r : *reactions) r.energy = 0.0;
+      for (Reaction& r : *reactions) r.energy = r.step_change = 0.0;
   }
-  /// Sum over what is held of the other forces times what the last `prescribe` changed in the velocities [power].
-  double power_on_change() const { return power_on_change_; }
 
   /// Reaction on one node (or body) at t(n).
   struct Reaction {
@@ -47,6 +50,9 @@ class Supports {
     Vec3d force, moment;  ///< on the structure; in sub-cycling, means over a period
     double energy = 0.0;  ///< work done so far
     PeriodMean mean_force, mean_moment;
+    double power = 0.0;        ///< of the other forces at t(n) on what the last `prescribe` changed in the velocity
+    double step_change = 0.0;  ///< so far, see Supports::step_change
+    void archive(Archive& a);
   };
   const std::vector<Reaction>& spc_reactions() const { return spc_; }
   const std::vector<Reaction>& motion_reactions() const { return motion_; }
@@ -63,7 +69,9 @@ class Supports {
   /// The velocity along it that the next `prescribe` will set; nothing where its curve is not in force.
   std::optional<double> coming_velocity(std::size_t driven, const system::State& state, double velocity_interval) const;
 
-  void add_energy(Energy& energy) const { energy.external += work_; }
+  void add_energy(Energy& energy) const { energy.external += work(); }
+  /// Over several ranks: reactions on nodes that not all follow.
+  void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   void archive(Archive& a);
 
  private:
@@ -106,10 +114,17 @@ class Supports {
   const system::System& system_;
   std::vector<ConstrainedDof> constrained_dofs_;
   std::vector<PrescribedDof> prescribed_dofs_;
+  double sum_of(double Reaction::*value) const {
+    double sum = 0.0;
+    for (const std::vector<Reaction>* reactions : {&spc_, &motion_})
+      for (const Reaction& r : *reactions) sum += r.*value;
+    return sum;
+  }
+  /// Whether this process meets what holds or drives a node.
+  bool meets(const ConstrainedDof& dof) const { return system_.follows(at(dof.node)); }
+
   std::vector<Reaction> spc_, motion_;
-  double work_ = 0.0;
   double dt_previous_ = 0.0;  ///< of the last prescribe
-  double power_on_change_ = 0.0;
 };
 
 }  // namespace nugget::impact

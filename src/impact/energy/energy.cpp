@@ -42,21 +42,17 @@ struct Carrier {
   const system::State& state;
   std::span<const Row> v_before, w_before;
   double share;
-  std::vector<char> weightless;       ///< by node: its body's mass is given
+  std::vector<char> weightless;       ///< by node: its body's mass is given; empty if none is
   std::vector<char> has_no_elements;  ///< by node: has lost all its elements; empty if none was lost
-  std::vector<Carried> carried;       ///< by node
 
   Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w)
-      : system(s), state(now), v_before(v), w_before(w), share(share_of_interval(now)), weightless(s.all_nodes(), 0) {
+      : system(s), state(now), v_before(v), w_before(w), share(share_of_interval(now)) {
     for (const system::RigidBody& body : s.bodies) {
       const model::RigidBody& source = s.model.rigid_bodies[body.source];
       if (!source.given) continue;
+      weightless.resize(s.all_nodes());
       for (const model::Index n : source.nodes) weightless[s.node_of[n]] = 1;
     }
-    carried.resize(s.all_nodes());
-    parallel_for(carried.size(), sums_of, [this](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) carried[k] = carried_by(static_cast<int>(k));
-    });
     find_nodes_without_elements();
   }
 
@@ -82,10 +78,12 @@ struct Carrier {
       if (system.map.dependent(static_cast<int>(k))) has_no_elements[k] = 0;
   }
 
+  bool is_weightless(std::size_t node) const { return !weightless.empty() && weightless[node] != 0; }
+
   /// A tied node's mass is, as in the equations of motion, that of the nodes which it follows.
   Carried carried_by(int node) const {
     const auto k = at(node);
-    if (weightless[k]) return {};
+    if (is_weightless(k)) return {};
     if (system.map.dependent(node) && at(system.map.terms(node).front().node) < system.nodes) {
       Carried sum;
       for (const system::ConstraintMap::Term& t : system.map.terms(node)) {
@@ -108,7 +106,7 @@ struct Carrier {
   }
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {
-    const Carried& by = carried[node];
+    const Carried by = carried_by(node);
     (has_no_elements.empty() || !has_no_elements[node] ? part.kinetic : part.eroded_kinetic) +=
         m * by.by_mass + inertia * by.by_inertia;
     part.momentum += m * by.momentum;
@@ -139,7 +137,7 @@ struct Carrier {
     const int node = system.node_of[point.node];
     const double mean = (point.inertia[0] + point.inertia[3] + point.inertia[5]) / 3.0;
     carry(part, node, point.mass, mean);
-    if (weightless[node] || !system.map.dependent(node)) return;
+    if (is_weightless(at(node)) || !system.map.dependent(node)) return;
     const auto body = at(system.map.terms(node).front().node);
     if (body < system.nodes) return;
     system::Inertia tensor = point.inertia;

@@ -85,7 +85,7 @@ system::Partition Simulation::partition(int ranks) {
   return {system_, ranks, read, contact, of_one_rank};
 }
 
-// Of all that each rank computes whole, of loads and supports, and those that somebody looks at between results. The
+// Of all that each rank computes whole, of loads, and those that somebody looks at between results. The
 // others are left to the ranks whose elements have them.
 std::vector<char> Simulation::followed_by_all() const {
   const model::Model& model = system_.model;
@@ -122,8 +122,6 @@ std::vector<char> Simulation::followed_by_all() const {
     follow_segments(volume.segments);
     follow_segments(volume.flowing.vent.faces);
   }
-  for (const Supports::Reaction& r : c.supports.spc_reactions()) followed[r.node] = 1;
-  for (const Supports::Reaction& r : c.supports.motion_reactions()) followed[r.node] = 1;
   for (const model::NodalLoad& load : model.nodal_loads) {
     std::ranges::for_each(load.nodes, follow);
     std::ranges::for_each(load.follower_nodes, follow);
@@ -132,7 +130,18 @@ std::vector<char> Simulation::followed_by_all() const {
   for (const model::TractionLoad& load : model.traction_loads) follow_segments(load.segments);
   for (const model::BlastLoad& load : model.blast_loads) follow_segments(load.segments);
   for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
-  for (const model::Sensor& sensor : model.sensors) std::ranges::for_each(sensor.node, follow);
+  for (const model::Sensor& sensor : model.sensors) {
+    std::ranges::for_each(sensor.node, follow);
+    using Quantity = model::Sensor::Quantity;
+    const auto follow_reactions = [&](const std::vector<Supports::Reaction>& reactions) {
+      for (const Supports::Reaction& r : reactions)
+        if (std::ranges::binary_search(sensor.sources, r.source)) follow_place(r.node);
+    };
+    const bool load = sensor.quantity == Quantity::force || sensor.quantity == Quantity::moment;
+    if (load && sensor.pushing == model::Sensor::Pushing::support) follow_reactions(c.supports.spc_reactions());
+    if (sensor.quantity == Quantity::work_of_motion || (load && sensor.pushing == model::Sensor::Pushing::motion))
+      follow_reactions(c.supports.motion_reactions());
+  }
   for (const model::RunEnd& end : model.run_ends) follow(end.node);
   for (const model::CoordinateSystem& system : model.systems)
     if (system.nodes)

@@ -258,7 +258,6 @@ void Simulation::update_velocities() {
                                        components_.supports);
   accelerate();
   components_.supports.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
-  power_on_change_ += components_.supports.power_on_change();
   for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
   components_.walls.constrain(system_, state_, dependent_, power_on_change_);
   components_.stoppers.apply(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
@@ -591,9 +590,10 @@ void Simulation::update_energy_balance() {
   components_.for_each([&](const auto& component) {
     if constexpr (requires { component.add_energy(energy_); }) component.add_energy(energy_);
   });
-  energy_.step_change = step_change_ + ordered_sum(system_.nodes, [this](std::size_t k) {
-                          return system_.follows(k) ? step_change_before_now(k) : step_change_of_node_[k];
-                        });
+  energy_.step_change =
+      step_change_ + components_.supports.step_change() + ordered_sum(system_.nodes, [this](std::size_t k) {
+        return system_.follows(k) ? step_change_before_now(k) : step_change_of_node_[k];
+      });
   if (state_.cycle == 0) energy_.initial = energy_.total();
   gives_energy_ = giving_part() != parts_.end() || contact_gives();
   // Other balances come with the output, which must not change how a run ends.

@@ -196,7 +196,7 @@ class Simulation {
   bool gives_energy_ = false;  ///< a part or the contacts do so, by the last balance
   bool unstable_ = false;      ///< energy_is_made at the last cycle that is a multiple of 100
   Relaxation relaxation_;
-  double step_change_ = 0.0;                 ///< Energy::step_change so far, but for what free nodes add
+  double step_change_ = 0.0;                 ///< Energy::step_change so far, but for what nodes and supports add
   std::vector<double> step_change_of_node_;  ///< this, with what their forces at t(n) add
   double largest_input_ = 0.0;               ///< of the energy balances so far: what was there and put in, its size
   double power_on_change_ = 0.0;  ///< forces at t(n), but on free nodes, times what they change in velocities

@@ -44,6 +44,21 @@ std::vector<std::string> keys(const Json& json) {
   return names;
 }
 
+// Welds are written one by one: the text is that of the whole object.
+TEST(Summary, IsWrittenAsOneObject) {
+  Scratch scratch;
+  for (const std::size_t welds : {0u, 1u, 3u}) {
+    Summary s;
+    s.title = "lines\n  \"weld\": []";
+    s.welds.assign(welds, sample_weld());
+    write_summary(scratch.path(), s);
+    const std::string text = content(scratch / "summary.json");
+    const Json json = Json::parse(text);
+    EXPECT_EQ(json["weld"].size(), welds);
+    EXPECT_EQ(json.dump(2) + "\n", text);
+  }
+}
+
 TEST(Summary, HasTheKeysOfTheContractInItsOrder) {
   Scratch scratch;
   Summary s;

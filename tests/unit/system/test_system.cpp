@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "base/parallel.hpp"
 #include "deck/deck.hpp"
@@ -69,6 +70,20 @@ std::string errors(const std::string& more) {
   for (const Finding& f : findings.all())
     if (f.severity == Severity::error) all += to_string(f) + "\n";
   return all;
+}
+
+// A run sets free what only the state at time 0 needs: whoever asks for that again must not get zeros.
+TEST(System, TheStartIsNotAskedForTwice) {
+  Assembled one;
+  one.model.initial_velocity.assign(one.model.nodes.size(), {1.0, 2.0, 3.0});
+  EXPECT_EQ(one.system.initial_state().v[0].y, 2.0);
+  const std::vector<double> mass = one.system.mass, inertia = one.system.inertia;
+  one.system.forget_start(one.model);
+  EXPECT_EQ(one.model.initial_velocity.capacity() + one.model.initial_spin.capacity(), 0u);
+  EXPECT_THROW(one.system.initial_state(), std::logic_error);
+  one.system.transfer_dependent_mass();
+  EXPECT_EQ(one.system.mass, mass);
+  EXPECT_EQ(one.system.inertia, inertia);
 }
 
 // The side of a shell of a rigid part moves its node as the part does. The other end of the second side deforms.

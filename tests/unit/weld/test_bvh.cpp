@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace nugget {
@@ -41,6 +42,19 @@ TEST(BoxTree, FindsEveryOverlapThatBruteForceFinds) {
     }
     EXPECT_GT(hits, 0);
   }
+}
+
+TEST(BoxTree, KeepsNumbersThatWereGiven) {
+  const std::vector<Box> boxes = random_boxes(100, 12.0);
+  std::vector<BoxTree::Entry> entries;
+  for (int i = 0; i < 100; ++i) entries.push_back({boxes[i], 3 * i + 5});
+  const BoxTree plain(boxes), numbered(std::move(entries));
+  for (const Box& query : random_boxes(20, 20.0)) {
+    std::vector<int> expected = overlapping(plain, query);
+    for (int& item : expected) item = 3 * item + 5;
+    EXPECT_EQ(overlapping(numbered, query), expected);
+  }
+  EXPECT_TRUE(BoxTree(std::vector<BoxTree::Entry>{}).empty());
 }
 
 TEST(BoxTree, FindsTheNearestThatBruteForceFinds) {
