@@ -12,8 +12,6 @@
 #include <map>
 #include <system_error>
 
-extern char** environ;
-
 namespace nugget::app {
 namespace {
 
@@ -32,6 +30,7 @@ pid_t start_child(const ChildRun& run, const fs::path& program) {
   if (run.verb == "run") words.emplace_back("--quiet");
   words.insert(words.end(), run.options.begin(), run.options.end());
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const std::string log = (run.folder / "terminal.log").string();

@@ -227,6 +227,7 @@ std::string with_strengths(const TakenCard& taken, const std::array<double, 6>& 
   lines[at] = line + fmt::format("{:>10}", old[7]);
   if (rupture > 0.0) replace_rupture(lines, at, rupture);
   std::vector<std::string> comments;
+  comments.reserve(remarks.size());
   for (const std::string& remark : remarks) comments.push_back("$ " + remark);
   lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), comments.begin(), comments.end());
   return fmt::format("{}\n", fmt::join(lines, "\n"));

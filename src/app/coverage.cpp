@@ -95,7 +95,7 @@ void add_findings(CoveredDeck& deck, const fs::path& results) {
       if (finding.at("severity") == "warning") ++deck.warnings;
       if (finding.at("severity") != "error") continue;
       deck.errors.push_back(finding);
-      deck.is_fragment |= finding.at("keyword") == "*CONTROL_TERMINATION" && finding.at("field") == "";
+      deck.is_fragment |= finding.at("keyword") == "*CONTROL_TERMINATION" && finding.at("field").get_ref<const std::string&>().empty();
       deck.keywords.insert(finding.at("keyword").get<std::string>());
     }
   }
@@ -112,6 +112,7 @@ std::vector<Obstacle> obstacles_of(const std::vector<CoveredDeck>& decks) {
       if (deck.keywords.size() == 1) obstacle.alone.push_back(deck.path.string());
     }
   std::vector<Obstacle> obstacles;
+  obstacles.reserve(by_keyword.size());
   for (auto& [keyword, obstacle] : by_keyword) obstacles.push_back(std::move(obstacle));
   std::stable_sort(obstacles.begin(), obstacles.end(), [](const Obstacle& a, const Obstacle& b) {
     return std::pair(a.alone.size(), a.decks.size()) > std::pair(b.alone.size(), b.decks.size());

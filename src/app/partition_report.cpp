@@ -36,6 +36,7 @@ void write_picture(const std::filesystem::path& path, const system::System& syst
     for (std::size_t e = 0; e < group.size(); ++e) {
       const system::ElementNodes nodes = group.nodes(e);
       std::vector<int> corners;
+      corners.reserve(at(group.nodes_per_element));
       for (int a = 0; a < group.nodes_per_element; ++a) corners.push_back(system.model_node[nodes[a]]);
       grid.add_cell(cell_type(group), corners);
       rank.push_back(partition.of_element(static_cast<int>(g), e));
