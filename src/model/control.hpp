@@ -117,6 +117,7 @@ struct Control {
   // *CONTROL_CONTACT
   double penalty_scale = 0.1;         ///< SLSFAC
   int ignore_penetration = 0;         ///< IGNORE
+  bool full_thickness = false;        ///< SSTHK = 1: single surface contact sees shells as thick as they are
   int keep_nodes_of_deleted = 0;      ///< ENMASS: 1 nodes of deleted bricks stay in the contact, 2 of shells too
   kernel::Friction part_friction;     ///< SFRIC, DFRIC, EDC, VFC: of parts that give none
   bool list_ties = false;             ///< OUTSEG

@@ -72,6 +72,24 @@ class InitialPenetrations(CommandTest):
             self.assertIn("they were moved out (IGNORE = 0)", run.stderr)
             self.assertLess(max(s["kinetic energy"] + s["internal energy"] for s in self.glstat()), 1e-9)
 
+    def test_shells_are_no_thicker_than_their_sides_allow_in_single_surface_contact(self):
+        """Two sheets of 1 mm whose shells are 1 mm wide, 0.7 mm apart: with SSTHK 0 they are 0.4 mm thick for the contact and do not
+        touch. Sabotage: no limit; a limit on thicknesses that a card gives; on contacts of two surfaces; the mean side in place of the
+        shortest."""
+        lower = [(1.0 * i, 1.5 * j, 0.0) for j in range(3) for i in range(3)]
+        upper = [(x + 0.5, y + 0.75, 0.7) for x, y, _ in lower]
+        corners = [(a, a + 1, a + 4, a + 3) for a in (1, 2, 4, 5)]
+        sheets = [nodes(lower + upper), shells(corners), shells([[n + 9 for n in c] for c in corners], pid=2, first=11), part(2)]
+        full = "*CONTROL_CONTACT\n" + card(0.1) + card(0, 0, 0, 0, 4.0, 1)
+        two = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n" + card(1, 2, 3, 3) + card(0) + card(1.0, 1.0)
+        overlap, thin = "0.3 deep in shell", "8 shells are thinner for this contact than they are, 0.4 of their shortest side (SSTHK = 0): 0.4 in place of 1"
+        for blocks, overlaps, told in (([contact(1)], False, True), ([contact(1), full], True, False),
+                                       ([contact(1, thickness=1.0)], True, False), ([two], True, False)):
+            self.write(deck(*sheets, *blocks))
+            said = self.nugget("check", "model.k").stderr
+            self.assertEqual(overlap in said, overlaps, said)
+            self.assertEqual(thin in said, told, said)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -191,7 +192,7 @@ class Surfaces {
   void add_shell(std::size_t e, unsigned side) {
     const model::Part& part = model_.parts[model_.shells.part[e]];
     contact::Segment s;
-    s.thickness = contact_thickness(card_, part, model_.shells.thickness[e], side == tracked);
+    s.thickness = shell_contact_thickness(model_, card_, e, side == tracked, mesh_.x);
     if (thinned_[e]) s.thickness *= model_.control.weld_thinning;
     s.scale = stiffness_scale(side) * part.stiffness_scale;
     s.bulk_modulus = stiffness_scale(side) * bulk_modulus(model_, part);
@@ -460,6 +461,22 @@ double contact_thickness(const model::Contact& contact, const model::Part& part,
   const double scale = of_a ? contact.thickness_scale_a : contact.thickness_scale_b;
   if (given > 0.0) return contact.keyword.find("MORTAR") != std::string::npos ? given * scale : given;
   return (part.contact_thickness > 0.0 ? part.contact_thickness : own * part.contact_scale) * scale;
+}
+
+double shell_contact_thickness(const model::Model& model, const model::Contact& contact, std::size_t shell, bool of_a,
+                               const std::vector<Vec3d>& x) {
+  constexpr double of_side = 0.4;
+  const model::Part& part = model.parts[model.shells.part[shell]];
+  const double thickness = contact_thickness(contact, part, model.shells.thickness[shell], of_a);
+  const double given = of_a ? contact.thickness_a : contact.thickness_b;
+  if (contact.kind != model::Contact::Kind::single_surface || model.control.full_thickness || given > 0.0 ||
+      part.contact_thickness > 0.0 || contact.keyword.find("MORTAR") != std::string::npos)
+    return thickness;
+  double shortest = std::numeric_limits<double>::infinity();
+  const auto& node = model.shells.node[shell];
+  for (std::size_t a = 0; a < 4; ++a)
+    if (const double side = norm(x[node[(a + 1) % 4]] - x[node[a]]); side > 0.0) shortest = std::min(shortest, side);
+  return std::min(thickness, of_side * shortest);
 }
 
 double bulk_modulus(const model::Model& model, const model::Part& part) {

@@ -39,6 +39,11 @@ std::vector<contact::SqueezedBrick> bricks_of(const system::System& system, cons
 /// _MORTAR alone (keyword manual, *CONTACT, card 3, and *PART_CONTACT).
 double contact_thickness(const model::Contact& contact, const model::Part& part, double own, bool of_a);
 
+/// That of a shell, `x` by node of the model: in single surface contact its own thickness, scaled, is no more than 0.4
+/// of its shortest side, but with SSTHK = 1, or where SAST or OPTT give one (lsdyna.ansys.com, "Contact thickness").
+double shell_contact_thickness(const model::Model& model, const model::Contact& contact, std::size_t shell, bool of_a,
+                               const std::vector<Vec3d>& x);
+
 /// Bulk modulus that a part's contact stiffness is found from, E/(3(1 - 2 nu)) times SSF of *PART_CONTACT [stress].
 double bulk_modulus(const model::Model& model, const model::Part& part);
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 
+#include "base/index.hpp"
 #include "contact/surface_contact.hpp"
 #include "impact/contact/contact_setup.hpp"
 #include "weld/tie/ties.hpp"
@@ -99,6 +100,32 @@ void treat(const model::Model& model, const model::Contact& card, const contact:
   findings.warning(card.place, keyword, what + "; the overlap is kept and gives no force (IGNORE = 2)", advice);
 }
 
+/// Shells that the contact sees thinner than they are.
+void report_thin_shells(const model::Model& model, const model::Contact& card,
+                        const contact::SurfaceContactSetup& setup, Findings& findings) {
+  std::set<int> thin;
+  int worst = model::none;
+  double least = 0.99, seen = 0.0;  // what is a hundredth thinner is not worth a word
+  for (const contact::Segment& s : setup.segments) {
+    if (s.volume > 0.0 || s.element < 0) continue;
+    const model::Part& part = model.parts[model.shells.part[s.element]];
+    const double own = contact_thickness(card, part, model.shells.thickness[s.element], true);
+    const double now = shell_contact_thickness(model, card, at(s.element), true, model.nodes.x);
+    if (!(now < 0.99 * own)) continue;
+    thin.insert(s.element);
+    if (now >= least * own) continue;
+    least = now / own;
+    seen = now;
+    worst = s.element;
+  }
+  if (thin.empty()) return;
+  findings.note(card.place, '*' + card.keyword,
+                fmt::format("{} shells are thinner for this contact than they are, 0.4 of their shortest side (SSTHK = "
+                            "0): {:.4g} in place of {:.4g} in shell {}; SSTHK = 1 of *CONTROL_CONTACT leaves them as "
+                            "thick as they are",
+                            thin.size(), seen, seen / least, model.shells.id[worst]));
+}
+
 /// The welds that SPOTHIN goes by: tied to the sheets where they stand in the deck.
 std::vector<weld::Weld> welds_that_thin(const model::Model& model) {
   if (model.control.weld_thinning <= 0.0 || model.control.weld_thinning >= 1.0) return {};
@@ -119,6 +146,7 @@ std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findi
     if (!card.slides()) continue;
     const contact::SurfaceContactSetup setup = contact_setup(mesh, card);
     if (setup.segments.empty()) continue;
+    report_thin_shells(model, card, setup, findings);
     treat(model, card, setup, rows, findings);
     report_out_of_reach(model, card, setup, rows, findings);
     if (card.ignore != 0) continue;

@@ -125,7 +125,7 @@ const CardOf<ContactCard1> contact_card_1{
 };
 
 struct ContactCard2 {
-  int tiedprj = 0;
+  int ssthk = 0, tiedprj = 0;
 };
 const CardOf<ContactCard2> contact_card_2{
     integer("usrstr", 0, only(0), "user routines"),
@@ -133,7 +133,7 @@ const CardOf<ContactCard2> contact_card_2{
     flag("nsbcs", "cycles between searches, chosen by the program"),
     flag("interm", "for contacts that are not automatic, no effect"),
     factor("xpene", 4, "for contacts that are not automatic, no effect"),
-    flag("ssthk", "actual shell thickness is used in any case"),
+    {&ContactCard2::ssthk, integer("ssthk", 0, between(0, 1), "1: full shell thickness in single surface contact")},
     flag("ecdt", "for eroding contact, no effect"),
     {&ContactCard2::tiedprj, integer("tiedprj", 0, between(0, 1), "1: tied nodes stay where they are")},
 };
@@ -495,6 +495,7 @@ void read_control_contact(Builder& b, const Block& block, const Options&) {
   c.keep_nodes_of_deleted = one->enmass;
   c.part_friction = {three->sfric, three->dfric, three->edc, three->vfc};
   c.ignore_penetration = four->ignore;
+  c.full_thickness = two->ssthk == 1;
   c.list_ties = four->outseg == 1;
   c.untied_weld = four->spotstp;
   c.untied_weld_place = four[&ContactCard4::spotstp].place;
