@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which segments are near a node.
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/bvh.hpp"
+#include "base/free_room.hpp"
 #include "base/parallel.hpp"
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
@@ -67,7 +69,7 @@ void SurfaceContact::search(const Step& step) {
     active_nodes_.push_back(n);
     searched_at_.push_back(vec(x[n]));
   }
-  seen_at_ = searched_at_;
+  free_room(seen_at_);  // the tree takes more
 
   const Box within = box_of_own_blocks(x);
   std::vector<BoxTree::Entry> boxes;
@@ -80,13 +82,15 @@ void SurfaceContact::search(const Step& step) {
     if (share_ != nullptr && !box.overlaps(within)) continue;
     boxes.push_back({box, static_cast<int>(s)});
   }
-  const BoxTree tree(std::move(boxes));
+  std::optional<BoxTree> tree(std::in_place, std::move(boxes));
 
   const auto list = [this, &tree, &x, &element_alive](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
-      if (computes(b)) list_neighbours(blocks_[b], tree, work_of_thread(), x, element_alive);
+      if (computes(b)) list_neighbours(blocks_[b], *tree, work_of_thread(), x, element_alive);
   };
   parallel_for(blocks_.size(), 4, list);
+  tree.reset();
+  seen_at_ = searched_at_;
   if (share_ != nullptr) {
     list_followed_nodes();
     ask_for_ghosts();
