@@ -48,9 +48,9 @@ struct TakenCard {
 /// Reads the card of `arguments`; decks will stand in `directory`. Throws CardFault.
 TakenCard take_card(const CouponArguments& arguments, const std::filesystem::path& directory);
 
-/// The file of a card with other strengths (NRR NRS NRT MRR MSS MTT) on the second card of its *MAT_SPOTWELD, another RS
-/// (above 0) on its third, and `remarks` above them, all else as it was. Throws CardFault where the text does not allow
-/// it.
+/// The file of a card with other strengths (NRR NRS NRT MRR MSS MTT) on the second card of its *MAT_SPOTWELD, another
+/// RS (above 0) on its third, and `remarks` above them, all else as it was. Throws CardFault where the text does not
+/// allow it.
 std::string with_strengths(const TakenCard& taken, const std::array<double, 6>& strength, double rupture,
                            const std::vector<std::string>& remarks);
 

@@ -95,7 +95,8 @@ void add_findings(CoveredDeck& deck, const fs::path& results) {
       if (finding.at("severity") == "warning") ++deck.warnings;
       if (finding.at("severity") != "error") continue;
       deck.errors.push_back(finding);
-      deck.is_fragment |= finding.at("keyword") == "*CONTROL_TERMINATION" && finding.at("field").get_ref<const std::string&>().empty();
+      deck.is_fragment |=
+          finding.at("keyword") == "*CONTROL_TERMINATION" && finding.at("field").get_ref<const std::string&>().empty();
       deck.keywords.insert(finding.at("keyword").get<std::string>());
     }
   }

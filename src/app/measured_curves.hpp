@@ -12,7 +12,7 @@ namespace nugget::app {
 /// One specimen that was pulled.
 struct MeasuredCurve {
   weld::CouponTest test;
-  std::string sample;           ///< its name; empty: there is one
+  std::string sample;  ///< its name; empty: there is one
   std::vector<double> displacement, force;
   double peak = 0.0, at = 0.0;  ///< largest force, and the displacement there
   Place place;                  ///< of its first line
