@@ -67,6 +67,8 @@ class Ranks(CommandTest):
                 command = [word for each in self.command("modes", "model.k", "-n", 60, "-j", 1, "-o", "out", "--quiet")
                            for word in (limit if each == NUGGET else [each])]
                 run = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=self.folder, env=ENVIRONMENT)
+                if "mpi_init" in run.stderr.lower():  # too little for MPI itself
+                    continue
                 codes.add(run.returncode)
                 self.assertIn(run.returncode, (0, 3), run.stderr)
                 self.assertEqual(run.returncode == 3, "not enough memory" in run.stderr, run.stderr)
