@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -470,13 +471,17 @@ double shell_contact_thickness(const model::Model& model, const model::Contact& 
   const double thickness = contact_thickness(contact, part, model.shells.thickness[shell], of_a);
   const double given = of_a ? contact.thickness_a : contact.thickness_b;
   if (contact.kind != model::Contact::Kind::single_surface || model.control.full_thickness || given > 0.0 ||
-      part.contact_thickness > 0.0 || contact.keyword.find("MORTAR") != std::string::npos)
+      part.contact_thickness > 0.0)
     return thickness;
-  double shortest = std::numeric_limits<double>::infinity();
+  double square = std::numeric_limits<double>::infinity();  // of the shortest side
   const auto& node = model.shells.node[shell];
-  for (std::size_t a = 0; a < 4; ++a)
-    if (const double side = norm(x[node[(a + 1) % 4]] - x[node[a]]); side > 0.0) shortest = std::min(shortest, side);
-  return std::min(thickness, of_side * shortest);
+  for (std::size_t a = 0; a < 4; ++a) {
+    const Vec3d side = x[node[(a + 1) % 4]] - x[node[a]];
+    if (const double own = dot(side, side); own > 0.0) square = std::min(square, own);
+  }
+  if (thickness * thickness <= of_side * of_side * square || contact.keyword.find("MORTAR") != std::string::npos)
+    return thickness;
+  return of_side * std::sqrt(square);
 }
 
 double bulk_modulus(const model::Model& model, const model::Part& part) {
