@@ -2,6 +2,7 @@
 #include "nvh/matrices/mumps_part.hpp"
 
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 
 #include "base/index.hpp"
@@ -194,15 +195,19 @@ void MumpsPart<Number>::solve(Number* x, std::size_t columns) {
 }
 
 template <class Number>
-void MumpsPart<Number>::solve_rows(Columns& x) requires std::is_same_v<Number, double> {
+void MumpsPart<Number>::solve_rows(Columns& x) {
   std::vector<MUMPS_INT> row(x.rows), row_of_solution(at(data_.info[22]));
   for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<MUMPS_INT>(shares_->own_begin() + i) + 1;
   Columns solution(row_of_solution.size(), x.count);
-  data_.rhs_loc = x.value.data();
+  if constexpr (std::is_same_v<Number, double>) {
+    data_.rhs_loc = x.value.data();
+    data_.sol_loc = solution.value.data();
+  } else {
+    throw std::logic_error("vectors of Columns are real");
+  }
   data_.irhs_loc = row.data();
   data_.nloc_rhs = data_.lrhs_loc = static_cast<MUMPS_INT>(x.rows);
   data_.nrhs = static_cast<MUMPS_INT>(x.count);
-  data_.sol_loc = solution.value.data();
   data_.isol_loc = row_of_solution.data();
   data_.lsol_loc = static_cast<MUMPS_INT>(solution.rows);
   option(20) = 10;  // right-hand sides and solutions: each rank its rows

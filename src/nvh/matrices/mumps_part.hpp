@@ -40,8 +40,8 @@ class MumpsPart {
   void factor(std::span<const Number> factors);
   /// On the first rank x := A^-1 x for columns one after the other; the others help.
   void solve(Number* x, std::size_t columns);
-  /// x := A^-1 x, where each rank has its rows. With other ranks only.
-  void solve_rows(Columns& x) requires std::is_same_v<Number, double>;
+  /// x := A^-1 x, where each rank has its rows. With other ranks and real numbers only.
+  void solve_rows(Columns& x);
 
   /// The others wait in a call that this rank could not finish: there will be no more calls.
   void leave() { left_ = ranks_ != nullptr; }

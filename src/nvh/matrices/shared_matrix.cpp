@@ -14,7 +14,7 @@ std::vector<int> rows_elsewhere(const RowShares& shares, const Symmetric& column
   for (const int i : columns.rows(0, shares.own()))
     if (i >= end) rows.push_back(i);
   std::ranges::sort(rows);
-  rows.erase(std::ranges::unique(rows).begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
 }
 
