@@ -20,14 +20,14 @@ class WholeSides {
 
   explicit WholeSides(const model::Model& model);
 
-  /// The shell itself, or where nodes hang on its sides the triangles between these and its corners that are least
+  /// The shell itself, or where its sides have hanging nodes the triangles between these and its corners that are least
   /// slender, in the shell's sense. `x`: by node of the model [length].
   std::vector<Corners> pieces(const Corners& shell, const std::vector<Vec3d>& x) const;
 
  private:
   using Side = std::pair<model::Index, model::Index>;
   static Side side(model::Index a, model::Index b) { return {std::min(a, b), std::max(a, b)}; }
-  /// Appends the first end of a side and what hangs on it, from there to the other end.
+  /// Appends the first end of a side and its hanging nodes, from there to the other end.
   void append(model::Index from, model::Index to, const std::vector<Vec3d>& x,
               std::vector<model::Index>& outline) const;
 

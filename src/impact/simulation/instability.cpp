@@ -67,8 +67,8 @@ std::string Simulation::describe_instability() const {
   if (contact_gives())
     return fmt::format(
         "the run is unstable: contacts have given {:.3g} more energy than they ever got, by time {:.6g}, cycle {}, "
-        "most "
-        "of it {} [look in run.log at what stands in each other at the start, and there in d3plot; move the bodies "
+        "most of it {} [look in run.log at what stands in each other at the start, and there in d3plot; move the "
+        "bodies "
         "apart, or give SAST, SBST or OPTT of *PART_CONTACT no larger than the elements]",
         -energy_.contact, state_.time, state_.cycle, components_.contacts.giving_most(system_));
   if (const auto giving = giving_part(); giving != parts_.end())

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "base/index.hpp"
@@ -24,7 +25,9 @@ class WorkErrors {
   int values() const { return static_cast<int>(measured_.size()); }
 
   int operator()(const VectorXd& log_rupture, VectorXd& residual) {
-    const std::vector<double> work = simulated_(std::exp(log_rupture[0]));
+    const auto [found, is_new] = known_.try_emplace(log_rupture[0]);
+    if (is_new) found->second = simulated_(std::exp(log_rupture[0]));
+    const std::vector<double>& work = found->second;
     constexpr double least = 1e-3;  // a weld that is gone at its peak
     for (std::size_t i = 0; i < work.size(); ++i)
       residual[static_cast<Eigen::Index>(i)] = std::log(std::max(work[i] / measured_[i], least));
@@ -44,6 +47,7 @@ class WorkErrors {
  private:
   const std::vector<double>& measured_;
   const std::function<std::vector<double>(double)>& simulated_;
+  std::map<double, std::vector<double>> known_;  ///< by ln RS: runs are dear
   VectorXd last_;
 };
 
