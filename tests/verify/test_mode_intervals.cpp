@@ -139,7 +139,8 @@ double deviation_from_orthonormal(const LinearExperiment& experiment, const nvh:
   return largest;
 }
 
-/// The modes of a request sought from several places, `slice` at each, are those from one place, all of them.
+/// The modes of a request sought from several places, `slice` at the last of them, are those from one place, all of
+/// them.
 void expect_slices(const LinearExperiment& experiment, nvh::ModeRequest r, std::size_t slice) {
   SCOPED_TRACE(fmt::format("{} modes from {} to {}, {} a slice", r.count, r.low, r.high, slice));
   r.slice = 1000;
@@ -148,7 +149,7 @@ void expect_slices(const LinearExperiment& experiment, nvh::ModeRequest r, std::
   const nvh::Modes modes = nvh::find_modes(experiment.matrices(), r);
   EXPECT_TRUE(modes.proof.complete()) << modes.proof.counted << " modes counted, " << modes.proof.found << " found";
   EXPECT_GE(modes.proof.found, static_cast<int>(modes.eigenvalue.size()));
-  EXPECT_GT(modes.cost.factorizations, 3);
+  EXPECT_GT(modes.cost.factorizations, 2) << "one place and the count behind the last mode";
   ASSERT_EQ(modes.eigenvalue.size(), whole.eigenvalue.size());
   for (std::size_t i = 0; i < modes.eigenvalue.size(); ++i)
     EXPECT_NEAR(modes.eigenvalue[i], whole.eigenvalue[i], 1e-10 * whole.eigenvalue.back()) << "mode " << i + 1;
@@ -168,7 +169,7 @@ TEST(ModeSlices, SupportedPlate) {
   for (const std::size_t i : {0u, 7u, 15u, 23u, 31u, 39u})
     expect_reference("response of a supported plate", fmt::format("supported plate in slices, mode {} [Hz]", i + 1),
                      f[i], exact[i], 2e-2);
-  for (const std::size_t slice : {4u, 6u, 9u, 16u}) expect_slices(experiment, request(40), slice);
+  for (const std::size_t slice : {3u, 4u, 6u, 9u, 13u}) expect_slices(experiment, request(40), slice);
 }
 
 TEST(ModeSlices, IntervalsAndLimits) {
@@ -196,7 +197,8 @@ TEST(ModeSlices, EqualFrequencies) {
   s.card("SECTION_SHELL", {1, 16, 0.833333, 2}).text("       2.0       2.0       2.0       2.0\n").part(1, 1, 1);
   for (int i = 0; i < 3; ++i) s.shells(1, {300.0 * i, 0.0, 0.0}, {200.0, 200.0, 0.0}, 10, 10);
   const LinearExperiment free(s.deck());
-  for (const int count : {30, 33, 41}) expect_slices(free, request(count), 6);
+  for (const std::size_t slice : {3u, 4u, 6u})
+    for (const int count : {30, 33, 36, 41}) expect_slices(free, request(count), slice);
 }
 
 }  // namespace

@@ -21,18 +21,20 @@ constexpr double tolerance = 1e-7;
 /// The growing basis V, orthonormal in M, and the projection T = V^t M A^-1 M V.
 class Basis {
  public:
-  Basis(const ShiftInvert& a, std::size_t most) : a_(a), v_(a.rows(), 0), t_(most, most) {
-    v_.value.reserve(a.rows() * most);  // memory is not touched before it is used
-  }
+  Basis(const ShiftInvert& a, std::size_t most) : a_(a), v_(a.rows(), 0), t_(most, most) {}
+  /// Where so many vectors come, their memory is found at once; it is not touched before it is used.
+  void expect(std::size_t vectors) { v_.value.reserve(v_.rows * vectors); }
 
   std::size_t size() const { return size_; }
   /// Makes w, A^-1 M times the last block, orthonormal to the basis and in itself, in the inner product of M, and drops
-  /// directions that are dependent. Returns R and H with w_before = V H + w R, and M w.
+  /// directions that are dependent. R and H with w_before = V H + w R, and M w.
   struct Orthonormal {
     Columns h, r, mass;
   };
-  Orthonormal orthonormalize(Columns& w) const {
-    Orthonormal o{Columns(size_, w.count), Columns(w.count, w.count), Columns(w.rows, w.count)};
+  void orthonormalize(Columns& w, Orthonormal& o) {
+    o.h = Columns(size_, w.count);
+    o.r = Columns(w.count, w.count);
+    o.mass.reshape(w.rows, w.count);
     for (std::size_t i = 0; i < w.count; ++i) o.r[i][i] = 1.0;
     // First what the recurrence knows of, then the whole basis against round-off.
     for (const std::size_t first : {coupled_, std::size_t{0}}) {
@@ -46,7 +48,6 @@ class Basis {
       scale(w, o);
     }
     a_.multiply_mass(w, o.mass);
-    return o;
   }
   void append(const Columns& w) {
     v_.value.insert(v_.value.end(), w.value.begin(), w.value.end());
@@ -84,7 +85,7 @@ class Basis {
  private:
   /// Orthonormal in itself: w := w G D^-1/2 with w^t M w = G D G^t, so w_before = w_after (D^1/2 G^t); the largest
   /// first.
-  void scale(Columns& w, Orthonormal& o) const {
+  void scale(Columns& w, Orthonormal& o) {
     if (w.count == 0) return;
     a_.multiply_mass(w, o.mass);
     Columns g = inner(w, w.count, o.mass);
@@ -100,12 +101,13 @@ class Basis {
         turn[k][i] = g[kept[k]][i] / std::sqrt(d[kept[k]]);
         back[i][k] = g[kept[k]][i] * std::sqrt(d[kept[k]]);
       }
-    Columns next(w.rows, kept.size()), r(kept.size(), o.r.count);
-    add_product(1.0, w, w.count, turn, 0.0, next);
+    Columns r(kept.size(), o.r.count);
+    turned_.reshape(w.rows, kept.size());
+    add_product(1.0, w, w.count, turn, 0.0, turned_);
     add_product(1.0, back, back.count, o.r, 0.0, r);
-    w = std::move(next);
+    std::swap(w, turned_);
     o.r = std::move(r);
-    if (o.mass.count != w.count) o.mass = Columns(w.rows, w.count);
+    o.mass.reshape(w.rows, w.count);
   }
 
   /// As `diagonalize`: what follows depends on it, so that all ranks take that of the first.
@@ -119,6 +121,7 @@ class Basis {
   const ShiftInvert& a_;
   Columns v_, t_;
   std::size_t size_ = 0;
+  Columns turned_;                      ///< room for a block: memory that is new costs as much as what is done with it
   std::size_t last_ = 0, coupled_ = 0;  ///< where the last block begins, and that before: A^-1 M of the last needs both
 };
 
@@ -184,28 +187,28 @@ Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const st
   const std::size_t most_wanted = sides > 0 ? std::min(n, 2 * std::max(want, sides)) : want;
   const auto room = [&] { return std::min(n, (sides > 0 ? 3 : 2) * want + 8 * width); };  // restarts cost solutions
   Basis basis(a, std::min(n, 3 * most_wanted + 8 * width) + width);
+  basis.expect(room() + width);
   Eigenpairs found;
 
   Columns w(a.rows(), width);
   fill_at_random(w, n, a.first_row());
-  const auto applied = [&](Columns x) {  // A^-1 (M w), where x holds M w
-    a.solve(x);
-    found.solves += static_cast<int>(x.count);
-    return x;
+  Basis::Orthonormal o;
+  const auto apply = [&] {  // w := A^-1 (M w)
+    std::swap(w, o.mass);
+    a.solve(w);
+    found.solves += static_cast<int>(w.count);
   };
-  {
-    Columns mass(a.rows(), width);
-    a.multiply_mass(w, mass);
-    w = applied(std::move(mass));
-  }
-  Basis::Orthonormal o = basis.orthonormalize(w);
+  o.mass.reshape(a.rows(), width);
+  a.multiply_mass(w, o.mass);
+  apply();
+  basis.orthonormalize(w, o);
   Ritz p;
   const auto lambda = [&](std::size_t i) { return 1.0 / p.theta[i] - a.shift(); };
   for (int restarts = 0;;) {
     const std::size_t first = basis.size();
     basis.append(w);
-    w = applied(std::move(o.mass));
-    o = basis.orthonormalize(w);
+    apply();
+    basis.orthonormalize(w, o);
     basis.project(first, o.h);
     const bool exhausted = w.count == 0 || basis.size() >= n, full = basis.size() + w.count > room();
     if (!exhausted && !full && !worth_a_look(basis.size(), want)) continue;
@@ -225,6 +228,7 @@ Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const st
       }
       if ((below >= wanted.below && above >= wanted.above) || want == most_wanted) break;
       want = std::min(want + width, most_wanted);
+      basis.expect(room() + width);
     }
     if (full) {
       if (++restarts > 60) {

@@ -112,7 +112,9 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressC
   modes.proof = {std::max(r.low, 0.0), r.high, s.inside, 0};
   if (s.inside <= 0) return {};
   s.wanted = r.count > 0 ? std::min(at(r.count), at(s.inside)) : at(s.inside);
-  const bool in_slices = r.centre <= 0.0 && s.wanted > r.slice + r.slice / 2 && m.size() > 4 * s.wanted;
+  // From the lower end one shift finds most.
+  const std::size_t from_one = (s.before == 0 ? 5 : 3) * r.slice / 2;
+  const bool in_slices = r.centre <= 0.0 && s.wanted > from_one && m.size() > 4 * s.wanted;
   const bool interval = r.centre <= 0.0 && s.whole();
 
   Counted start{r.centre > 0.0                                                   ? eigenvalue_of(r.centre)

@@ -99,6 +99,28 @@ double next_place(const Known& known, const Eigenpairs& last, double ahead) {
   return eigenvalue_of(up_to + ahead * each);
 }
 
+/// How many pairs a shift is worth: as many as there is memory for, counted in vectors. The last shift, of `slice`
+/// pairs, needs all that are wanted and four times a slice, for basis and pairs of Lanczos; so much may each of them
+/// take.
+class SliceSizes {
+ public:
+  SliceSizes(std::size_t wanted, std::size_t slice) : wanted_(wanted), slice_(slice), room_(wanted + 4 * slice) {}
+  /// At the lower end of the spectrum, where a pair takes some two vectors of the basis.
+  std::size_t lowest() const {
+    return whole(std::max(slice_, (room_ - std::min(room_, std::size_t{64})) / 3), wanted_);
+  }
+  /// In the middle, where it takes three.
+  std::size_t next(std::size_t known) const {
+    return whole(std::max(slice_, (room_ - std::min(room_, known)) / 4), wanted_ - known);
+  }
+
+ private:
+  /// All that is left where it is not much more: another shift costs some hundred vectors of its own.
+  static std::size_t whole(std::size_t size, std::size_t left) { return left <= size + size / 4 ? left : size; }
+
+  std::size_t wanted_, slice_, room_;
+};
+
 }  // namespace
 
 Eigenpairs find_in_slices(Shifts& shifts, const Spectrum& s, Counted first, std::size_t slice, Modes::Proof& proof) {
@@ -107,14 +129,14 @@ Eigenpairs find_in_slices(Shifts& shifts, const Spectrum& s, Counted first, std:
     const auto found = std::ranges::count_if(known.values(), [&](double v) { return v < c.place; });
     proof = {frequency_of(std::max(s.low, 0.0)), frequency_of(c.place), c.below - s.before, static_cast<int>(found)};
   };
-  const double size = static_cast<double>(slice);
+  const SliceSizes sizes(s.wanted, slice);
   Counted before{s.low, s.before}, now = first;
-  std::size_t count = slice;
+  std::size_t behind = 3;  // pairs behind the last one, which show the gap
+  std::size_t size = s.before == 0 ? sizes.lowest() : sizes.next(0), count = size;
   for (;;) {
     const std::size_t rest = s.wanted - known.size(), between = at(std::max(0, now.below - known.below_cut()));
-    const bool the_last = rest <= slice;
-    // Behind the last pair others show the gap, unless there is none.
-    const std::size_t above = the_last && rest > between ? rest - between + (s.whole() ? 0 : 3) : 0;
+    const bool the_last = rest <= size;
+    const std::size_t above = the_last && rest > between ? rest - between + (s.whole() ? 0 : behind) : 0;
     if (the_last) count = std::max({count, between + above, std::size_t{8}});
     const Eigenpairs p = shifts.nearest({count, known.cut(), between, above}, known.size(), s.wanted);
     const auto index = [&](double place) {
@@ -124,6 +146,7 @@ Eigenpairs find_in_slices(Shifts& shifts, const Spectrum& s, Counted first, std:
     if (!p.converged || middle - from != between) {  // one is missing: of the shift before, or between the two
       if (before.place < known.cut()) {
         known.forget_above(before);
+        count = size = sizes.next(known.size());
         continue;
       }
       prove(now);
@@ -133,8 +156,9 @@ Eigenpairs find_in_slices(Shifts& shifts, const Spectrum& s, Counted first, std:
     const std::size_t up_to = std::max(middle, index(s.high));
     const bool to_the_end = s.whole() && up_to - from == rest;
     const std::size_t last = to_the_end ? up_to : std::min(last_gap(p.value, middle, now.place), up_to);
-    if (last == 0 && count < shifts.matrices().size()) {  // many rigid motions
+    if (last == from && count < shifts.matrices().size()) {  // all at one place, as rigid motions
       count *= 2;
+      behind *= 2;
       continue;
     }
     known.append(p, from, last,
@@ -143,16 +167,18 @@ Eigenpairs find_in_slices(Shifts& shifts, const Spectrum& s, Counted first, std:
                                          : p.value[last - 1]);
     if (known.size() >= s.wanted) break;
     // Half of what is found there lies below the next shift.
-    const double ahead = 0.45 * std::min(size, static_cast<double>(s.wanted - known.size()));
+    const std::size_t left = s.wanted - known.size();
+    size = sizes.next(known.size());
+    const double ahead = size < left ? 0.45 * static_cast<double>(size) : 0.5 * static_cast<double>(left);
     before = now;
     now.place = std::min(next_place(known, p, ahead), s.high);
     for (int tries = 0; tries < 4; ++tries) {  // nearer where there are many more between than was expected
       now.below = shifts.below(now.place);
       const double found = now.below - known.below_cut(), cut = frequency_of(known.cut());
-      if (found < 1.2 * size) break;
-      now.place = eigenvalue_of(cut + (frequency_of(now.place) - cut) * 0.45 * size / found);
+      if (found < 1.2 * static_cast<double>(size)) break;
+      now.place = eigenvalue_of(cut + (frequency_of(now.place) - cut) * 0.45 * static_cast<double>(size) / found);
     }
-    count = s.wanted - known.size() > slice ? slice : 0;
+    count = left > size ? size : 0;
   }
   if (at(std::max(0, now.below - s.before)) < s.wanted) {
     if (s.whole()) {

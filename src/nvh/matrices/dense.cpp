@@ -11,6 +11,8 @@
 #include <limits>
 #include <memory>
 
+#include "nvh/matrices/tall_products.hpp"
+
 namespace nugget::nvh {
 
 void prepare_blas() {
@@ -31,7 +33,9 @@ void prepare_blas() {
 
 Columns inner(const Columns& a, std::size_t a_count, const Columns& b, std::size_t a_first) {
   Columns c(a_count, b.count);
-  if (a_count > 0 && b.count > 0 && a.rows > 0)
+  if (tall::pays(a.rows, b.count))
+    tall::inner(a, a_first, b, c);
+  else if (a_count > 0 && b.count > 0 && a.rows > 0)
     cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, static_cast<int>(a_count), static_cast<int>(b.count),
                 static_cast<int>(a.rows), 1.0, a[a_first].data(), static_cast<int>(a.rows), b.value.data(),
                 static_cast<int>(b.rows), 0.0, c.value.data(), static_cast<int>(a_count));
@@ -40,7 +44,9 @@ Columns inner(const Columns& a, std::size_t a_count, const Columns& b, std::size
 
 void add_product(double alpha, const Columns& a, std::size_t a_count, const Columns& b, double beta, Columns& c,
                  std::size_t a_first) {
-  if (a_count > 0 && b.count > 0 && a.rows > 0)
+  if (tall::pays(a.rows, b.count))
+    tall::add_product(alpha, a, a_first, b, beta, c);
+  else if (a_count > 0 && b.count > 0 && a.rows > 0)
     cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(a.rows), static_cast<int>(b.count),
                 static_cast<int>(a_count), alpha, a[a_first].data(), static_cast<int>(a.rows), b.value.data(),
                 static_cast<int>(b.rows), beta, c.value.data(), static_cast<int>(c.rows));

@@ -6,7 +6,7 @@
 
 #include "nvh/matrices/sparse.hpp"
 
-// Small dense products and eigenvalues, by BLAS and LAPACK.
+// Dense products and eigenvalues, by BLAS and LAPACK; of few long columns by tall_products.hpp.
 namespace nugget::nvh {
 
 /// Lets BLAS compute on one thread, and take the memory that it keeps for itself: it would wait for ever where there is

@@ -15,6 +15,11 @@ struct Columns {
 
   Columns() = default;
   Columns(std::size_t n, std::size_t columns) : rows(n), count(columns), value(n * columns, 0.0) {}
+  /// Keeps its memory; what is in it is not defined.
+  void reshape(std::size_t n, std::size_t columns) {
+    rows = n, count = columns;
+    value.resize(n * columns);
+  }
   std::span<double> operator[](std::size_t j) { return {value.data() + j * rows, rows}; }
   std::span<const double> operator[](std::size_t j) const { return {value.data() + j * rows, rows}; }
 };
