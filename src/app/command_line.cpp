@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -87,6 +87,18 @@ CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
           "area: welds are tied to their sheets by the nugget's disc, wherever in the mesh; joint: so, and a joint "
           "carries what a coarse mesh lacks")
       ->check(CLI::Validator(known, "{area,joint}"));  // help and completion show them
+}
+
+/// --as of the commands that model welds.
+void add_weld_form(CLI::App* command, nugget::weld::WeldForm& form, std::span<const nugget::weld::NamedWeldForm> forms,
+                   std::string_view what) {
+  std::vector<std::string> names;
+  for (const nugget::weld::NamedWeldForm& f : forms) names.emplace_back(f.name);
+  command
+      ->add_option_function<std::string>(
+          "--as", [&form](const std::string& name) { form = *nugget::weld::weld_form(name); },
+          fmt::format("{}: {}", nugget::weld::list_names(forms, " or "), what))
+      ->check(CLI::IsMember(names));
 }
 
 void add_units(CLI::App* command, std::string& units) {
@@ -289,24 +301,20 @@ int nugget::app::command_line(int argc, char** argv) {
   check_command->add_flag("--skip-unsupported", check.deck.skip_unsupported, "unsupported keywords are warnings");
 
   nugget::app::WeldArguments weld;
-  const std::map<std::string, nugget::weld::WeldForm> forms{{"beam", nugget::weld::WeldForm::beam},
-                                                            {"solid", nugget::weld::WeldForm::solid},
-                                                            {"solid4", nugget::weld::WeldForm::solid4},
-                                                            {"solid8", nugget::weld::WeldForm::solid8}};
-  std::string form = "beam";
   CLI::App* weld_command = cli.add_subcommand("weld", "place welds from a list of points");
   weld_command->add_option("points", weld.points, "table of x, y, z, diameter, parts, class, or xMCF");
   weld_command->add_option("model", weld.deck, "the deck with the sheets");
   weld_command->add_option("-o,--output", weld.output, "the deck to be written: it includes the model")->required();
-  weld_command->add_option("--as", form, "beam, solid, solid4 or solid8: one beam, or 1, 4, 8 bricks a weld")
-      ->check(CLI::IsMember({"beam", "solid", "solid4", "solid8"}));
+  add_weld_form(weld_command, weld.form, nugget::weld::weld_forms(),
+                "one beam or so many bricks a weld, or *CONSTRAINED_INTERPOLATION_SPOTWELD");
   const CLI::Validator length = number_above_zero("a length above 0", false);
   weld_command->add_option("--diameter", weld.diameter, "where the list gives none (default: 5 sqrt(t))")
       ->check(length);
   weld_command->add_option("--reach", weld.search_distance, "how far a sheet may be from a point (default: 3 t)")
       ->check(length);
   weld_command->add_option("--material", weld.material,
-                           "[CLASS:]FIELD=VALUE,... of *MAT_SPOTWELD, e.g. nrr=8000,nrs=6000; strengths hold for every "
+                           "[CLASS:]FIELD=VALUE,... of *MAT_SPOTWELD, e.g. nrr=8000,nrs=6000 (with --as interpolation "
+                           "upf, upr, too); strengths hold for every "
                            "weld as given, whatever its diameter, unless --scale-strength is given");
   CLI::Option* scale_strength = weld_command
                                     ->add_option("--scale-strength", weld.strength_diameter,
@@ -352,7 +360,6 @@ int nugget::app::command_line(int argc, char** argv) {
   welds_command->add_flag("--csv", welds.csv, "all welds as comma-separated values");
 
   nugget::app::CouponArguments coupon;
-  std::string coupon_form = "beam";
   CLI::App* coupon_command =
       cli.add_subcommand("coupon", "lap shear, coach peel, cross tension and KS-2 tests of a weld's card");
   coupon_command
@@ -369,8 +376,7 @@ int nugget::app::command_line(int argc, char** argv) {
   coupon_command
       ->add_option("--diameter", coupon.diameter, "of the weld (default: the card's *SECTION_BEAM, or 5 sqrt(t))")
       ->check(length);
-  coupon_command->add_option("--as", coupon_form, "beam, solid, solid4 or solid8: one beam, or 1, 4, 8 bricks")
-      ->check(CLI::IsMember({"beam", "solid", "solid4", "solid8"}));
+  add_weld_form(coupon_command, coupon.form, nugget::weld::forms_of_rpbhx(), "one beam, or 1, 4, 8 bricks");
   coupon_command
       ->add_option("--only", coupon.only, "names of coupons separated by commas, e.g. lap_shear,ks2_45 (default: all)")
       ->delimiter(',')
@@ -393,9 +399,7 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(length);
   fit_command->add_option("--diameter", fit.diameter, "of the weld (default: the card's *SECTION_BEAM, or 5 sqrt(t))")
       ->check(length);
-  std::string fit_form = "beam";
-  fit_command->add_option("--as", fit_form, "beam, solid, solid4 or solid8: the weld as one beam, or as 1, 4, 8 bricks")
-      ->check(CLI::IsMember({"beam", "solid", "solid4", "solid8"}));
+  add_weld_form(fit_command, fit.form, nugget::weld::forms_of_rpbhx(), "the weld as one beam, or as 1, 4, 8 bricks");
   fit_command->add_option("-j,--threads", fit.threads, "coupons at once (default: all cores)")->check(count);
 
   nugget::app::StudyArguments study;
@@ -540,18 +544,9 @@ int nugget::app::command_line(int argc, char** argv) {
   if (modes_command->parsed()) return static_cast<int>(nugget::app::modes(modes));
   if (frf_command->parsed()) return static_cast<int>(nugget::app::frf(frf, direct));
   if (check_command->parsed()) return static_cast<int>(nugget::app::check(check));
-  if (weld_command->parsed()) {
-    weld.form = forms.at(form);
-    return static_cast<int>(nugget::app::weld(weld));
-  }
-  if (coupon_command->parsed()) {
-    coupon.form = forms.at(coupon_form);
-    return static_cast<int>(nugget::app::coupon(coupon));
-  }
-  if (fit_command->parsed()) {
-    fit.form = forms.at(fit_form);
-    return static_cast<int>(nugget::app::fit(fit));
-  }
+  if (weld_command->parsed()) return static_cast<int>(nugget::app::weld(weld));
+  if (coupon_command->parsed()) return static_cast<int>(nugget::app::coupon(coupon));
+  if (fit_command->parsed()) return static_cast<int>(nugget::app::fit(fit));
   if (welds_command->parsed()) return static_cast<int>(nugget::app::welds(welds));
   if (study_command->parsed()) return static_cast<int>(nugget::app::study(study));
   if (tidy_command->parsed()) return static_cast<int>(nugget::app::tidy(tidy));

@@ -106,12 +106,8 @@ void take_weld(const model::Model& model, const CouponArguments& arguments, Take
     card.diameter = 5.0 * std::sqrt(thinner / card.units.millimetre) * card.units.millimetre;
     from = "default: 5 sqrt(t) of the thinner sheet in mm";
   }
-  const char* const form = arguments.form == weld::WeldForm::beam     ? "a beam"
-                           : arguments.form == weld::WeldForm::solid  ? "one brick"
-                           : arguments.form == weld::WeldForm::solid4 ? "four bricks"
-                                                                      : "eight bricks";
   taken.notes.push_back(fmt::format("weld: material {} of the card, diameter {:.4g} ({}), as {}", card.weld_material,
-                                    card.diameter, from, form));
+                                    card.diameter, from, weld::named(arguments.form).words));
   const double d = card.diameter / card.units.millimetre;
   if (!(d >= 2.0 && d <= 16.0))
     throw CardFault(

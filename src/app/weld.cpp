@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// `[CLASS:]FIELD=VALUE,FIELD=VALUE`; a sentence on what is wrong, or nothing.
-std::string read_fields(const std::string& text, std::map<std::string, weld::WeldFields>& fields) {
+std::string read_fields(const std::string& text, weld::WeldForm form, std::map<std::string, weld::WeldFields>& fields) {
   const std::size_t colon = text.find(':');
   weld::WeldFields& own = fields[colon == std::string::npos ? std::string() : text.substr(0, colon)];
   std::size_t begin = colon == std::string::npos ? 0 : colon + 1;
@@ -27,9 +27,10 @@ std::string read_fields(const std::string& text, std::map<std::string, weld::Wel
     const std::string piece = text.substr(begin, end - begin);
     const std::size_t equals = piece.find('=');
     const std::string name = piece.substr(0, equals);
-    const std::vector<std::string>& known = weld::weld_fields();
+    const std::vector<std::string>& known = weld::weld_fields(form);
     if (std::find(known.begin(), known.end(), name) == known.end())
-      return fmt::format("'{}' is no field of *MAT_SPOTWELD that can be given here; these can: {}", name,
+      return fmt::format("'{}' is no field of {} that can be given here; these can: {}", name,
+                         form == weld::WeldForm::interpolation ? "--as interpolation" : "*MAT_SPOTWELD",
                          fmt::join(known, ", "));
     double value = 0.0;
     if (equals == std::string::npos || !deck::parse_real(piece.substr(equals + 1), value))
@@ -73,9 +74,11 @@ ExitCode place_welds(const WeldArguments& arguments, const weld::GivenMaterial& 
   if (own.errors() > 0 || placed.spots == 0) return refuse(own);
   output::write_whole_file(arguments.output, placed.text);
   print_findings(own);
-  fmt::print("{} of {} spots placed as {} {}{}; {}\n", placed.spots, points.size(), placed.elements,
-             arguments.form == weld::WeldForm::beam ? "beam" : "brick", placed.elements == 1 ? "" : "s",
-             arguments.output);
+  const char* const what = arguments.form == weld::WeldForm::beam            ? "beam"
+                           : arguments.form == weld::WeldForm::interpolation ? "interpolation spot weld"
+                                                                             : "brick";
+  fmt::print("{} of {} spots placed as {} {}{}; {}\n", placed.spots, points.size(), placed.elements, what,
+             placed.elements == 1 ? "" : "s", arguments.output);
   return ExitCode::normal;
 }
 
@@ -128,7 +131,7 @@ ExitCode weld(const WeldArguments& arguments) {
   weld::GivenMaterial given;
   given.strength_diameter = arguments.strength_diameter;
   for (const std::string& text : arguments.material)
-    if (const std::string wrong = read_fields(text, given.fields); !wrong.empty()) {
+    if (const std::string wrong = read_fields(text, arguments.form, given.fields); !wrong.empty()) {
       fmt::print(stderr, "nugget: --material {}: {}\n", text, wrong);
       return ExitCode::wrong_command;
     }

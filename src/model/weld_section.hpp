@@ -12,9 +12,10 @@ struct WeldSection {
   std::vector<std::array<int, 4>> quad;      ///< points of each, counter-clockwise seen against the axis
 };
 
-/// Templates of 1, 4 or 8 quadrilaterals with the area of the circle of this diameter
-/// (docs/theory/weld.md#bricks-in-place-of-a-beam): a square; an octagon in four; a rectangle in two with six around it
-/// up to a hexagon. Any other count gives an empty section.
-WeldSection weld_section(int quads, double diameter);
+/// Templates of 1, 4, 8 or 16 quadrilaterals with this area [length^2]
+/// (docs/theory/weld.md#bricks-in-place-of-a-beam): a square; an octagon in four that meet in its centre; a rectangle
+/// in two with six around it up to a hexagon; one in six with ten around it up to a decagon. Any other count gives an
+/// empty section.
+WeldSection weld_section(int quads, double area);
 
 }  // namespace nugget::model

@@ -105,14 +105,6 @@ std::pair<int, std::string> frf(app::RunArguments arguments, bool direct) {
   return in_process([&] { return app::frf(arguments, direct); });
 }
 
-const std::map<std::string, weld::WeldForm>& weld_forms() {
-  static const std::map<std::string, weld::WeldForm> forms{{"beam", weld::WeldForm::beam},
-                                                           {"solid", weld::WeldForm::solid},
-                                                           {"solid4", weld::WeldForm::solid4},
-                                                           {"solid8", weld::WeldForm::solid8}};
-  return forms;
-}
-
 std::pair<int, std::string> place_welds(const std::string& points, const std::string& deck, const std::string& output,
                                         const std::string& form, double reach, double diameter,
                                         const std::vector<std::string>& material, double strength_diameter,
@@ -121,7 +113,7 @@ std::pair<int, std::string> place_welds(const std::string& points, const std::st
   arguments.points = points;
   arguments.deck = deck;
   arguments.output = output;
-  arguments.form = weld_forms().at(form);
+  arguments.form = weld::weld_form(form).value();
   arguments.search_distance = reach;
   arguments.diameter = diameter;
   arguments.material = material;
@@ -174,7 +166,7 @@ void add_run(py::module_& module) {
   module.def("weld", &place_welds);
   module.def("weld_forms", [] {
     std::vector<std::string> names;
-    for (const auto& [name, form] : weld_forms()) names.push_back(name);
+    for (const weld::NamedWeldForm& f : weld::weld_forms()) names.emplace_back(f.name);
     return names;
   });
 }

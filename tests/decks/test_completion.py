@@ -76,7 +76,7 @@ class InBash(Completion):
         self.assertEqual(self.offered("nugget welds other --sort "), ["energy", "failure", "margin"])
         self.assertEqual(self.offered("nugget welds other --sort=m"), ["margin"])
         self.assertEqual(self.offered("nugget modes model.k --weld-tie "), ["area", "joint"])
-        self.assertEqual(self.offered("nugget weld --as solid"), ["solid", "solid4", "solid8"])
+        self.assertEqual(self.offered("nugget weld --as solid"), ["solid", "solid16", "solid4", "solid8"])
         self.assertIn(r"mm\,\ t\,\ s", self.offered("nugget weld --units "))
 
     def test_decks_and_folders(self):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`nugget weld`: from a list of points to a deck that passes `nugget check` and runs."""
 import csv
+import math
 import re
 import unittest
 
@@ -84,7 +85,7 @@ class Weld(CommandTest):
         self.nugget("weld", "--stack", "1.2:440,1.5:590", "-o", "card.k", "--scale-strength", "6", expect=2)
 
     def test_bricks(self):
-        for form, count in (("solid", 1), ("solid4", 4), ("solid8", 8)):
+        for form, count in (("solid", 1), ("solid4", 4), ("solid8", 8), ("solid16", 16)):
             with self.subTest(form):
                 run = self.place("--as", form, points="9,9,0.6\n")
                 self.assertEqual(run.stdout, f"1 of 1 spots placed as {count} brick{'s' * (count > 1)}; joined.k\n")
@@ -95,6 +96,36 @@ class Weld(CommandTest):
                 self.assertTrue(weld["tied"])
                 self.assertEqual(weld["kind"], "solid" if count == 1 else "assembly")
                 self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, 4)
+
+    def test_interpolation(self):
+        """A force law between the sheets, with the elastic stiffnesses of a round bar and the strengths that are given."""
+        run = self.place("--as", "interpolation", "--material", "nrr=8000,nrs=6000,mss=16000,upf=0.1,upr=0.3",
+                         points="9,9,0.6,6.0\n")
+        self.assertEqual(run.stdout, "1 of 1 spots placed as 1 interpolation spot weld; joined.k\n")
+        card = self.read("joined.k").split("*CONSTRAINED_INTERPOLATION_SPOTWELD\n")[1].splitlines()
+        join, flow, stiffness = ([float(line[i:i + 10]) for i in range(0, len(line), 10)] for line in card[1:6:2])
+        length, area = 1.2, math.pi * 9.0
+        for got, expected in ((join[3], length), (join[4], 3.0), (join[5], 210000.0 * area / length), (join[6], 0.5),
+                              (flow[0], 8000.0), (flow[1], 6000.0), (stiffness[0], 210000.0 / 2.6 * area / length),
+                              (stiffness[1], 210000.0 * math.pi * 6.0 ** 4 / 64.0 / length)):
+            self.assertAlmostEqual(got, expected, delta=1e-5 * expected)
+        summary = self.run_it()
+        (weld,) = summary["weld"]
+        self.assertTrue(weld["tied"])
+        self.assertAlmostEqual(weld["diameter"], 6.0, 6)
+        self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, 4)
+        self.assertGreater(weld["peak"]["shear"], 100.0)
+        # The joint has the stiffnesses of the beam that is tied in the same way.
+        self.place(points="9,9,0.6,6.0\n")
+        self.nugget("run", "joined.k", "--quiet", "--weld-tie", "area", "-o", "results")
+        (beam,) = self.json("results/summary.json")["weld"]
+        self.assertAlmostEqual(weld["peak"]["shear"] / beam["peak"]["shear"], 1.0, delta=0.05)
+        for material, text in (("nrr=8000", "NRR and NRS need each other"),
+                               ("mss=8000", "MSS and MRR count beside NRR and NRS only"),
+                               ("nrr=8000,nrs=6000,upf=0.3", "UPR, above it, is where the weld breaks")):
+            self.assertIn(text, self.place("--as", "interpolation", "--material", material, expect=1).stderr)
+        self.assertIn("'tfail' is no field of --as interpolation",
+                      self.place("--as", "interpolation", "--material", "tfail=1", expect=2).stderr)
 
     def test_points_without_sheets_are_told(self):
         run = self.place(points=LIST + "30, 9, 0.6\n9, 9, 7\n")
@@ -237,7 +268,7 @@ class Weld(CommandTest):
     def test_wrong_command_lines(self):
         for option, text in (("strength=1", "'strength' is no field of *MAT_SPOTWELD"), ("sigy=much", "expected sigy=NUMBER")):
             self.assertIn(text, self.place("--material", option, expect=2).stderr)
-        self.place("--as", "solid16", expect=2)
+        self.place("--as", "solid12", expect=2)
         before = self.read("car/sheets.k")
         run = self.nugget("weld", "points.csv", "car/sheets.k", "-o", "car/sheets.k", expect=2)
         self.assertIn("would be overwritten", run.stderr)

@@ -165,7 +165,7 @@ class Changes(CommandTest):
         placed = nugget.place_welds(points, "model.k", "module.k", material={"nrr": 9000.0, "nrs": 7000.0})
         self.assertEqual(self.read("module.k").replace("module.k", ""), self.read("command.k").replace("command.k", ""))
         self.assertEqual((placed.welds.count, placed.welds["diameter"].tolist()[1]), (3, 5.0))
-        self.refused("form 'ring', expected beam, solid, solid4, solid8",
+        self.refused("form 'ring', expected beam, solid, solid4, solid8, solid16, interpolation",
                      lambda: nugget.place_welds(points, "model.k", "none.k", form="ring"))
         self.refused("no welds were placed", lambda: nugget.place_welds([(99.0, 99.0, 0.0)], "model.k", "none.k"))
         self.refused("point 0: 'width' is none of x, y, z,",

@@ -10,7 +10,7 @@
 
 #include "brick_decks.hpp"
 #include "experiment.hpp"
-#include "reading/mesh/brick_clusters.hpp"
+#include "model/weld_section.hpp"
 
 namespace nugget::verify {
 namespace {
@@ -263,10 +263,10 @@ TEST(BrickWeld, ResultantsTurnWithTheWeld) {
   }
 }
 
-/// The cluster that RPBHX = 8 puts in the place of a beam of 6 mm.
-Prism o_grid() {
-  const reading::ClusterTemplate shape = reading::cluster_template(8, 0.25 * std::numbers::pi * 36.0);
-  return {shape.nodes, shape.quads, {0.0, 1.5}};
+/// A cluster in the place of a beam of 6 mm: 8 bricks as RPBHX has them, 16 as placed.
+Prism cluster(int bricks) {
+  const model::WeldSection shape = model::weld_section(bricks, 0.25 * std::numbers::pi * 36.0);
+  return {shape.point, shape.quad, {0.0, 1.5}};
 }
 
 /// Elongation, shear along s and t, twist, and bending about s and t without shear, at the end of the path.
@@ -298,9 +298,9 @@ AtFailure at_failure(const Prism& prism, const WeldData& w, const Load& load) {
 // OPT 0: the load on the support at the last cycle that the weld holds, against the surface.
 // Sabotage to be caught: a term left out; bricks of a cluster that fail one by one at the strength of the whole.
 TEST(BrickWeldFailure, ResultantSurface) {
-  for (const bool cluster : {false, true}) {
-    const Prism prism = cluster ? o_grid() : square_prism(side, 1.5);
-    const std::string what = cluster ? "8 bricks" : "one brick";
+  for (const int bricks : {8, 16, 1}) {
+    const Prism prism = bricks > 1 ? cluster(bricks) : square_prism(side, 1.5);
+    const std::string what = bricks > 1 ? fmt::format("{} bricks", bricks) : "one brick";
     WeldData w = strong();
     const auto with = [&](std::array<double, 6> strength, const Load& load) {
       w.strength = strength;
@@ -346,14 +346,14 @@ TEST(BrickWeldFailure, ResultantSurface) {
 
 // OPT 1, with the equivalent diameter of 6 mm: A = 28.274, Z = 21.206.
 TEST(BrickWeldFailure, BeamStresses) {
-  for (const bool cluster : {false, true}) {
-    const Prism prism = cluster ? o_grid() : square_prism(side, 1.5);
-    const std::string what = cluster ? "8 bricks" : "one brick";
+  for (const bool several : {false, true}) {
+    const Prism prism = several ? cluster(8) : square_prism(side, 1.5);
+    const std::string what = several ? "8 bricks" : "one brick";
     WeldData w = strong();
     w.option = 1;
     w.strength = {500, 300};
     w.true_thickness = 1e-6;  // moments as at mid-length
-    if (cluster) w.true_thickness = 0.0;
+    if (several) w.true_thickness = 0.0;
     expect_reference("weld failure by stresses", what + ": tension at failure, SIGAX = 500 [N]",
                      at_failure(prism, w, {.pull = 6e-3}).tension, 500 * 28.2743, 5e-3);
     expect_reference("weld failure by stresses", what + ": bending at failure, SIGAX = 500 [N mm]",

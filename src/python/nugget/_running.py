@@ -182,7 +182,8 @@ def place_welds(points: str | os.PathLike[str] | Iterable[Sequence[float] | Mapp
                 strength_diameter: float = 0.0, skip_unsupported: bool = False) -> Deck:
     """Places welds as `nugget weld` does, writes the deck `output`, which includes `deck`, and reads it. `points`: a
     list of spots (a csv or xMCF file), or rows x, y, z, or dictionaries with the columns of such a list: x, y, z, diameter,
-    parts, class. `form`: beam, solid, solid4 or solid8. `material`: fields of *MAT_SPOTWELD for all welds.
+    parts, class. `form`: beam, solid, solid4, solid8, solid16 or interpolation. `material`: fields of
+    *MAT_SPOTWELD, or of an interpolation spot weld, for all welds.
     ValueError, with what the command prints, where none could be placed."""
     forms = _nugget.weld_forms()
     if form not in forms:

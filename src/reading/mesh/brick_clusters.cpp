@@ -8,39 +8,12 @@
 #include <map>
 #include <numbers>
 
+#include "model/weld_section.hpp"
+
 namespace nugget::reading {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-ClusterTemplate square(double area) {
-  const double h = 0.5 * std::sqrt(area);
-  return {{{-h, -h}, {h, -h}, {h, h}, {-h, h}}, {{0, 1, 2, 3}}};
-}
-
-ClusterTemplate octagon(double area) {
-  const double radius = std::sqrt(area / (2.0 * std::numbers::sqrt2));
-  ClusterTemplate c;
-  c.nodes.push_back({0.0, 0.0});
-  for (int k = 0; k < 8; ++k) c.nodes.push_back({radius * std::cos(0.25 * pi * k), radius * std::sin(0.25 * pi * k)});
-  for (int k = 0; k < 8; k += 2) c.quads.push_back({0, 1 + k, 2 + k, 1 + (k + 2) % 8});
-  return c;
-}
-
-ClusterTemplate o_grid(double area) {
-  const double d = std::sqrt(4.0 * area / pi), a = 0.30 * d, b = 0.17 * d;
-  ClusterTemplate c;
-  c.nodes = {{-a, -b}, {0, -b}, {a, -b}, {a, b}, {0, b}, {-a, b}};
-  std::array<double, 6> angle{};
-  for (std::size_t i = 0; i < 6; ++i) angle[i] = std::atan2(c.nodes[i][1], c.nodes[i][0]);
-  double sines = 0.0;  // area of the ring's polygon = R^2/2 sum sin(angle between neighbours)
-  for (std::size_t i = 0; i < 6; ++i) sines += std::sin(angle[(i + 1) % 6] - angle[i]);
-  const double radius = std::sqrt(2.0 * area / sines);
-  for (double w : angle) c.nodes.push_back({radius * std::cos(w), radius * std::sin(w)});
-  c.quads = {{0, 1, 4, 5}, {1, 2, 3, 4}};
-  for (int i = 0; i < 6; ++i) c.quads.push_back({6 + i, 6 + (i + 1) % 6, (i + 1) % 6, i});
-  return c;
-}
 
 /// r along the beam, s towards its third node, else the global axis that is farthest from r: the axes of a weld beam.
 Frame3d beam_axes(const Model& m, std::size_t e) {
@@ -172,16 +145,16 @@ void Replacement::replace(std::size_t e) {
   double area = 0.0;
   for (std::size_t end = 0; end < 2; ++end)
     area += 0.125 * pi * (section.outer[end] * section.outer[end] - section.inner[end] * section.inner[end]);
-  const ClusterTemplate shape = cluster_template(control_.bricks, area);
+  const WeldSection shape = weld_section(control_.bricks, area);
   const Frame3d axes = beam_axes(m_, e);
   std::array<std::vector<Index>, 2> nodes;
   for (std::size_t end = 0; end < 2; ++end) {
     const Index like = m_.beams.node[e][end];
     const Vec3d centre = m_.nodes.x[like];
-    for (const auto& [s, t] : shape.nodes) nodes[end].push_back(add_node(centre + s * axes.e2 + t * axes.e3, like));
+    for (const auto& [s, t] : shape.point) nodes[end].push_back(add_node(centre + s * axes.e2 + t * axes.e3, like));
   }
   HexAssembly weld{m_.beams.id[e], {}, axes.e2, m_.beams.tied_parts[e], m_.beams.place[e]};
-  for (const auto& quad : shape.quads) {
+  for (const auto& quad : shape.quad) {
     weld.solids.push_back(static_cast<Index>(m_.solids.size()));
     m_.solids.id.push_back(m_.solids.id.empty() ? 1 : m_.solids.id.back() + 1);
     m_.solids.part.push_back(part);
@@ -278,10 +251,6 @@ void Replacement::report_replacements() const {
 }
 
 }  // namespace
-
-ClusterTemplate cluster_template(int bricks, double area) {
-  return bricks == 1 ? square(area) : bricks == 4 ? octagon(area) : o_grid(area);
-}
 
 Model with_brick_clusters(Model model, Findings& findings) {
   if (model.control.weld_beams.bricks > 0) Replacement(model, findings).run();

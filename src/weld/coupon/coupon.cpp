@@ -316,7 +316,7 @@ class CouponDeck {
            fmt::format("{:10d}{:10d}{:10.1f}{:10d}{:10d}\n", section, 9, 1.0, 2, 1) +
            "$#     ts1       ts2       tt1       tt2\n" + reals({card_.diameter, card_.diameter, 0.0, 0.0});
     }
-    const int bricks = card_.form == WeldForm::solid ? 1 : card_.form == WeldForm::solid4 ? 4 : 8;
+    const int bricks = named(card_.form).bricks;
     if (card_.form != WeldForm::beam)
       s += fmt::format(
                "$ The weld beam becomes {} brick{} of the same cross-section.\n*CONTROL_SPOTWELD_BEAM\n"

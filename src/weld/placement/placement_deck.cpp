@@ -15,6 +15,7 @@
 #include "model/units.hpp"
 #include "model/weld_section.hpp"
 #include "weld/placement/deck_text.hpp"
+#include "weld/placement/interpolation_deck.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -38,10 +39,6 @@ std::string title_of(const std::string& spot_class, double diameter) {
   return fmt::format("spot welds{}{:.40}, diameter {:.4g}", spot_class.empty() ? "" : " ", spot_class, diameter);
 }
 
-int quads_of(WeldForm form) {
-  return form == WeldForm::solid ? 1 : form == WeldForm::solid4 ? 4 : 8;
-}
-
 /// One weld part: all welds of a class and a diameter.
 struct WeldPart {
   int id = 0;
@@ -51,7 +48,7 @@ struct WeldPart {
 /// The strengths among the fields, as they would stand in a sentence: `NRR = 8000, NRS = 6000`; empty: none above 0.
 std::string name_strengths(const WeldFields& fields) {
   std::string text;
-  for (const std::string& name : weld_fields()) {
+  for (const std::string& name : weld_fields(WeldForm::beam)) {
     const auto found = fields.find(name);
     if (strength_power(name) == 0 || found == fields.end() || found->second == 0.0) continue;
     text += text.empty() ? "" : ", ";
@@ -77,7 +74,8 @@ class PlacementWriter {
     section_ = std::max({largest(model.shell_sections), largest(model.solid_sections), largest(model.beam_sections)});
     material_ = largest(model.materials);
     hourglass_ = largest(model.hourglass);
-    set_ = largest(model.sets.parts);
+    set_ = std::max(largest(model.sets.parts), largest(model.sets.nodes));
+    curve_ = std::max({largest(model.curves), largest(model.tables), largest(model.functions)});
     contact_ = largest(model.contacts);
   }
 
@@ -85,7 +83,9 @@ class PlacementWriter {
     PlacementDeck deck;
     for (const Spot& spot : spots) {
       const std::size_t before = count_;
-      form_ == WeldForm::beam ? add_beams(spot) : add_bricks(spot);
+      form_ == WeldForm::beam            ? add_beams(spot)
+      : form_ == WeldForm::interpolation ? add_locations(spot)
+                                         : add_bricks(spot);
       if (count_ > before) ++deck.spots;
     }
     if (std::max({node_, element_, part_}) > largest_id)
@@ -95,9 +95,14 @@ class PlacementWriter {
     deck.elements = count_;
     // One after the other: each gives out ids that the next ones use.
     deck.text = head(included, deck.spots);
-    deck.text += parts();
-    deck.text += materials();
-    deck.text += ties();
+    if (form_ == WeldForm::interpolation) {
+      deck.text += interpolation_cards();
+    } else {
+      deck.text += parts();
+      deck.text += materials();
+      deck.text += ties();
+    }
+    deck.text += request();
     deck.text += mesh();
     return deck;
   }
@@ -132,6 +137,27 @@ class PlacementWriter {
     }
   }
 
+  void add_locations(const Spot& spot) {
+    const std::string diameter = fmt::format("{:.5g}", spot.diameter);
+    for (std::size_t i = 1; i < spot.sheets.size(); ++i) {
+      const SpotSheet &below = spot.sheets[i - 1], &above = spot.sheets[i];
+      const int first = model_.parts[below.part].id, second = model_.parts[above.part].id;
+      const auto same = [&](const InterpolationWelds& w) {
+        return w.spot_class == spot.from->spot_class && w.diameter == diameter && w.first_part == first &&
+               w.second_part == second;
+      };
+      auto welds = std::ranges::find_if(interpolation_, same);
+      if (welds == interpolation_.end())
+        welds = interpolation_.insert(welds, {spot.from->spot_class, diameter, first, second, 0.0, {}});
+      const double distance = norm(above.point - below.point), thick = 0.5 * (below.thickness + above.thickness);
+      welds->reach = std::max(welds->reach, distance > 1e-3 * thick ? distance : thick);
+      welds->nodes.push_back(add_node(0.5 * (below.point + above.point)));
+      ++count_;
+    }
+    weld_part(spot);  // its class and diameter count for strengths
+    use_sheets(spot);
+  }
+
   /// The points of a section on one sheet, or nothing where the sheet ends before one of them.
   std::vector<Vec3d> on_sheet(const Spot& spot, const SpotSheet& sheet, const model::WeldSection& section) const {
     Vec3d s{1, 0, 0};
@@ -150,7 +176,8 @@ class PlacementWriter {
   }
 
   void add_bricks(const Spot& spot) {
-    const model::WeldSection section = model::weld_section(quads_of(form_), spot.diameter);
+    const model::WeldSection section =
+        model::weld_section(named(form_).bricks, 0.25 * std::numbers::pi * spot.diameter * spot.diameter);
     std::vector<std::vector<Vec3d>> planes;
     for (const SpotSheet& sheet : spot.sheets) {
       planes.push_back(on_sheet(spot, sheet, section));
@@ -181,9 +208,10 @@ class PlacementWriter {
 
   std::string head(const std::string& included, std::size_t spots) const {
     return fmt::format(
-        "*KEYWORD\n$ {} spots between {} sheets as {} elements, placed by nugget weld.\n$ Units: {}.\n"
+        "*KEYWORD\n$ {} spots between {} sheets as {} {}, placed by nugget weld.\n$ Units: {}.\n"
         "*INCLUDE\n{}",
-        spots, sheet_parts_.size(), count_, units_ ? units_->name : "those of the model", deck::name_lines(included));
+        spots, sheet_parts_.size(), count_, form_ == WeldForm::interpolation ? "welds" : "elements",
+        units_ ? units_->name : "those of the model", deck::name_lines(included));
   }
 
   std::string parts() {
@@ -212,6 +240,10 @@ class PlacementWriter {
     return s;
   }
 
+  const char* keyword() const {
+    return form_ == WeldForm::interpolation ? "*CONSTRAINED_INTERPOLATION_SPOTWELD" : "*MAT_SPOTWELD";
+  }
+
   /// What is given for a class.
   WeldFields given_of(const std::string& spot_class) const {
     WeldFields own;
@@ -223,7 +255,7 @@ class PlacementWriter {
 
   WeldFields default_fields() const {
     WeldFields usual{{"pr", 0.3}, {"dt", 0.0}, {"tfail", 0.0}};
-    for (const std::string& name : weld_fields()) usual.try_emplace(name, 0.0);
+    for (const std::string& name : weld_fields(form_)) usual.try_emplace(name, 0.0);
     for (const char* name : {"ro", "e", "sigy", "eh"}) usual.erase(name);
     if (units_) {
       const double megapascal = units_->steel_young / 210000.0;
@@ -235,8 +267,21 @@ class PlacementWriter {
     return usual;
   }
 
-  std::string materials() {
+  /// What is given of a class, and what is usual of the rest.
+  WeldFields completed(WeldFields own) {
     const WeldFields usual = default_fields();
+    own.insert(usual.begin(), usual.end());
+    for (const char* name : {"ro", "e", "sigy", "eh"})
+      if (own.count(name) == 0) {
+        findings_.error({model_.deck, 0, 0}, keyword(),
+                        fmt::format("{} has no default, because the units of the model are not recognised", name),
+                        fmt::format("give it: --material {}=...", name));
+        own[name] = 0.0;
+      }
+    return own;
+  }
+
+  std::string materials() {
     std::string s;
     for (const auto& [key, id] : material_of_) {
       const auto& [spot_class, diameter] = key;
@@ -246,18 +291,38 @@ class PlacementWriter {
           own.count("efail") + own.count("tfail") > 0;
       const std::string strengths =
           diameter.empty() ? tell_same_strengths(spot_class, own) : scale_strengths(spot_class, diameter, own);
-      own.insert(usual.begin(), usual.end());
-      for (const char* name : {"ro", "e", "sigy", "eh"})
-        if (own.count(name) == 0) {
-          findings_.error({model_.deck, 0, 0}, "*MAT_SPOTWELD",
-                          fmt::format("{} has no default, because the units of the model are not recognised", name),
-                          fmt::format("give it: --material {}=...", name));
-          own[name] = 0.0;
-        }
       s += fmt::format(
-          "$ {}{}{}\n", spot_class.empty() ? "All spots" : "Class " + spot_class, strengths,
+          "$ {}{}{}\n", whose(spot_class), strengths,
           failure ? "." : ". No failure is given: efail, or the resultants nrr to mtt, would say when a weld breaks.");
-      s += material_card(id, own);
+      s += material_card(id, completed(std::move(own)));
+    }
+    return s;
+  }
+
+  static std::string whose(const std::string& spot_class) {
+    return spot_class.empty() ? "All spots" : "Class " + spot_class;
+  }
+
+  std::string interpolation_cards() {
+    std::string s;
+    std::set<std::string> said;
+    for (const InterpolationWelds& welds : interpolation_) {
+      WeldFields own = given_of(welds.spot_class);
+      std::string strengths;
+      if (given_.strength_diameter > 0.0)
+        strengths = scale_strengths(welds.spot_class, welds.diameter, own);
+      else if (said.insert(welds.spot_class).second)
+        tell_same_strengths(welds.spot_class, own);
+      const WeldFields fields = completed(std::move(own));
+      if (const std::string fault = interpolation_fault(fields); !fault.empty())
+        findings_.error({model_.deck, 0, 0}, keyword(), fault, "change --material, or use --as beam");
+      if (strengths.empty()) strengths = ", diameter " + welds.diameter;
+      s += fmt::format("$ {}{}{}\n", whose(welds.spot_class), strengths,
+                       fields.at("upr") > 0.0 ? "."
+                                              : ". No failure is given: the plastic displacements upf, where damage "
+                                                "begins, and upr would say when a weld breaks.");
+      s += fmt::format("*SET_NODE_LIST\n$#     sid\n{:10d}\n{}", ++set_, id_lines(welds.nodes));
+      s += interpolation_card(welds, set_, fields, curve_);
     }
     return s;
   }
@@ -265,7 +330,7 @@ class PlacementWriter {
   static std::string material_card(int id, const WeldFields& fields) {
     std::string s = "*MAT_SPOTWELD\n$#     mid        ro         e        pr      sigy        eh        dt     tfail\n";
     s += fmt::format("{:10d}", id);
-    for (const std::string& name : weld_fields()) {
+    for (const std::string& name : weld_fields(WeldForm::beam)) {
       if (name == "efail") s += "\n$#   efail       nrr       nrs       nrt       mrr       mss       mtt        nf\n";
       s += real_field(fields.at(name));
     }
@@ -282,12 +347,12 @@ class PlacementWriter {
     const std::string whose = spot_class.empty() ? "welds" : fmt::format("welds of class {}", spot_class);
     if (diameters.size() == 1) {
       findings_.note(
-          {model_.deck, 0, 0}, "*MAT_SPOTWELD",
+          {model_.deck, 0, 0}, keyword(),
           fmt::format("{} of diameter {:.4g} have the strengths as given: {}", whose, *diameters.begin(), strengths),
           "if these are of a weld of another diameter, give that: --scale-strength DIAMETER");
       return {};
     }
-    findings_.warning({model_.deck, 0, 0}, "*MAT_SPOTWELD",
+    findings_.warning({model_.deck, 0, 0}, keyword(),
                       fmt::format("{} of diameters {:.4g} to {:.4g} have the same strengths, the smallest those of the "
                                   "largest: {}",
                                   whose, *diameters.begin(), *diameters.rbegin(), strengths),
@@ -303,7 +368,7 @@ class PlacementWriter {
     for (auto& [field, value] : own)
       if (const int power = strength_power(field); power > 0) value *= std::pow(ratio, power);
     if (before.empty() || before == name_strengths(own)) return {};
-    findings_.note({model_.deck, 0, 0}, "*MAT_SPOTWELD",
+    findings_.note({model_.deck, 0, 0}, keyword(),
                    fmt::format("welds{} of diameter {} have {}, scaled from diameter {:.4g}: {}",
                                spot_class.empty() ? "" : " of class " + spot_class, diameter, name_strengths(own),
                                given_.strength_diameter, before));
@@ -329,15 +394,19 @@ class PlacementWriter {
         "$#   surfa     surfb  surfatyp  surfbtyp\n{:10d}{:10d}{:10d}{:10d}\n$#      fs\n\n$#    sfsa\n\n",
         weld_set, id_lines(welds), sheet_set, id_lines({sheet_parts_.begin(), sheet_parts_.end()}), ++contact_,
         weld_set, sheet_set, 2, 2);
-    if (!model_.requests["swforc"].asked())
-      s += fmt::format("*DATABASE_SWFORC\n$#      dt\n{}\n",
-                       real_field(model_.control.end_time > 0.0 ? 1e-3 * model_.control.end_time : 1.0));
     return s;
+  }
+
+  std::string request() const {
+    if (model_.requests["swforc"].asked()) return {};
+    return fmt::format("*DATABASE_SWFORC\n$#      dt\n{}\n",
+                       real_field(model_.control.end_time > 0.0 ? 1e-3 * model_.control.end_time : 1.0));
   }
 
   std::string mesh() const {
     return "*NODE\n$#   nid               x               y               z\n" + nodes_ +
-           (form_ == WeldForm::beam
+           (elements_.empty() ? ""
+            : form_ == WeldForm::beam
                 ? "*ELEMENT_BEAM\n$#   eid     pid      n1      n2      n3\n"
                 : "*ELEMENT_SOLID\n$#   eid     pid      n1      n2      n3      n4      n5      n6      "
                   "n7      n8\n") +
@@ -350,20 +419,24 @@ class PlacementWriter {
   const GivenMaterial& given_;
   Findings& findings_;
   std::optional<model::Units> units_;
-  int node_ = 0, element_ = 0, part_ = 0, section_ = 0, material_ = 0, hourglass_ = 0, set_ = 0, contact_ = 0;
+  int node_ = 0, element_ = 0, part_ = 0, section_ = 0, material_ = 0, hourglass_ = 0, set_ = 0, contact_ = 0,
+      curve_ = 0;
   std::size_t count_ = 0;  // of elements
   std::string nodes_, elements_;
   std::vector<WeldPart> weld_parts_;
+  std::vector<InterpolationWelds> interpolation_;
   std::set<int> sheet_parts_;
   std::map<std::pair<std::string, std::string>, int> material_of_;  // by class, and diameter where strengths scale
 };
 
 }  // namespace
 
-const std::vector<std::string>& weld_fields() {
+const std::vector<std::string>& weld_fields(WeldForm form) {
   static const std::vector<std::string> names{"ro",  "e",   "pr",  "sigy", "eh",  "dt",  "tfail", "efail",
                                               "nrr", "nrs", "nrt", "mrr",  "mss", "mtt", "nf"};
-  return names;
+  static const std::vector<std::string> interpolation{"ro",  "e",   "pr",  "sigy", "eh", "nrr",
+                                                      "nrs", "mrr", "mss", "upf",  "upr"};
+  return form == WeldForm::interpolation ? interpolation : names;
 }
 
 int strength_power(const std::string& field) {

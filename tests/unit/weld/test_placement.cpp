@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -111,21 +112,31 @@ TEST(Placement, TheAxisIsNormalToCurvedSheetsAlsoFromAPointBesideThem) {
 }
 
 TEST(Placement, SectionsHaveTheAreaOfTheCircleAndAreNumberedOneWay) {
-  for (const auto& [quads, points] : {std::pair{1, 4u}, {4, 9u}, {8, 12u}}) {
-    const model::WeldSection s = model::weld_section(quads, 6.0);
+  const double circle = 9.0 * std::acos(-1.0);
+  for (const auto& [quads, points] : {std::pair{1, 4u}, {4, 9u}, {8, 12u}, {16, 22u}}) {
+    const model::WeldSection s = model::weld_section(quads, circle);
     EXPECT_EQ(s.point.size(), points);
     ASSERT_EQ(s.quad.size(), std::size_t(quads));
     double sum = 0.0;
+    std::array<double, 2> centre{};
     for (const auto& q : s.quad) {
       const auto d = [&](int i, int k) { return s.point[q[i]][k] - s.point[q[i - 2]][k]; };
       const double area = 0.5 * (d(2, 0) * d(3, 1) - d(2, 1) * d(3, 0));
-      EXPECT_GT(area, 0.0);
+      EXPECT_GT(area, 0.25 * circle / quads) << quads << ": none is thin";
       sum += area;
+      for (std::size_t i = 0; i < 4; ++i) {  // and none has a corner that turns the other way
+        const auto &a = s.point[q[i]], &b = s.point[q[(i + 1) % 4]], &c = s.point[q[(i + 2) % 4]];
+        EXPECT_GT((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]), 0.0) << quads;
+      }
     }
-    EXPECT_NEAR(sum, 9.0 * std::acos(-1.0), 1e-12) << quads;
+    EXPECT_NEAR(sum, circle, 1e-12) << quads;
+    for (const auto& p : s.point)
+      for (std::size_t k = 0; k < 2; ++k) centre[k] += p[k];
+    EXPECT_NEAR(std::hypot(centre[0], centre[1]), 0.0, 1e-12) << quads;
   }
-  EXPECT_NEAR(model::weld_section(4, 1.0).point[0][0], 0.5270, 1e-4);  // circumradius of the octagon
-  EXPECT_NEAR(model::weld_section(1, 1.0).point[2][0], 0.5 * 0.8862, 1e-4);
+  const double unit = 0.25 * std::acos(-1.0);  // docs/theory/weld.md
+  EXPECT_NEAR(model::weld_section(4, unit).point[1][0], 0.5270, 1e-4);
+  EXPECT_NEAR(model::weld_section(1, unit).point[2][0], 0.5 * 0.8862, 1e-4);
 }
 
 TEST(Placement, BeamsOfAStackShareTheNodesBetweenAndBricksTheirFaces) {
@@ -140,6 +151,12 @@ TEST(Placement, BeamsOfAStackShareTheNodesBetweenAndBricksTheirFaces) {
   EXPECT_THAT(beams.text, HasSubstr(fmt::format("{:8d}{:8d}       0", n + 2, n + 3)));
   EXPECT_THAT(beams.text, HasSubstr("*INCLUDE\nm.k\n"));
   EXPECT_EQ(write_placement(a.model, sheets, placed.spots, WeldForm::solid8, {}, "m.k", findings).elements, 16u);
+  EXPECT_EQ(write_placement(a.model, sheets, placed.spots, WeldForm::solid16, {}, "m.k", findings).elements, 32u);
+  const PlacementDeck laws =
+      write_placement(a.model, sheets, placed.spots, WeldForm::interpolation, {}, "m.k", findings);
+  EXPECT_EQ(laws.elements, 2u);
+  EXPECT_THAT(laws.text, HasSubstr("*CONSTRAINED_INTERPOLATION_SPOTWELD"));
+  EXPECT_THAT(laws.text, Not(HasSubstr("*ELEMENT")));
   EXPECT_EQ(findings.all().size(), 0u) << text(findings);
   EXPECT_THAT(
       write_placement(a.model, sheets, placed.spots, WeldForm::beam, {{{"", {{"nrr", 8000.0}}}}}, "m.k", findings).text,
