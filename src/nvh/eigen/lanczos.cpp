@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "nvh/eigen/kept_memory.hpp"
 #include "nvh/eigen/shift_invert.hpp"
 #include "nvh/matrices/dense.hpp"
 #include "nvh/matrices/mumps.hpp"
@@ -179,6 +180,7 @@ bool worth_a_look(std::size_t size, std::size_t want) {
 
 /// The pairs, of whose vectors this rank has its rows.
 Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const std::function<void(int)>& progress) {
+  const KeptMemory kept;
   const std::size_t n = a.size();
   std::size_t want = std::min(wanted.count, n);
   const std::size_t width = std::min<std::size_t>({n, 8, std::max<std::size_t>(want, 2)});
