@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
+#include "reading/cards/fabric_leakage.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
 
@@ -20,9 +22,32 @@ using deck::Cursor;
 using deck::RowOf;
 using kernel::Fabric;
 
+constexpr auto leakage_flc =
+    or_negative(real("flc", dimension::number, 0, any_value,
+                     "share of the area that leaks, times FAC; below 0: -FLC is a curve of it over time. With X0: X2"),
+                IdSpace::function);
+constexpr auto leakage_fac =
+    or_negative(real("fac", dimension::number, 0, any_value,
+                     "the same; below 0: -FAC is a curve of it, with FVOPT 7 and 8 of the velocity of the gas "
+                     "[length/time], over the absolute pressure. With X0: X3"),
+                IdSpace::function);
+constexpr auto leakage_ela =
+    or_negative(real("ela", dimension::number, 0, any_value,
+                     "with FVOPT 2, 4, 8: share of what contact covers that leaks all the same; below 0: -ELA is a "
+                     "curve of it over time"),
+                IdSpace::function);
+constexpr auto leakage_option =
+    real("fvopt", dimension::number, 0, any_value,
+         "how gas leaks: 0 by OPT of the gas; 1, 2 as through a vent, 3, 4 by the pressure, 7, 8 with a velocity; even "
+         "ones: less where contact covers the fabric");
+constexpr auto leakage_x0 =
+    real("x0", dimension::number, 0, any_value, "above 0: the leaking area is A0 (X0 + X1 A/A0 + (X2 + X3 A/A0) PE/p)");
+constexpr auto leakage_x1 = real("x1", dimension::number, 0, any_value, "see X0");
+
 /// All cards of *MAT_FABRIC.
 struct FabricCards : MaterialCard, Fabric, AxesCards {
-  double prab = 0, cse = 0, flc = 0, fac = 0, lnrc = 0, form = 0, fvopt = 0, beta = 0;
+  double prab = 0, cse = 0, flc = 0, fac = 0, ela = 0, lnrc = 0, form = 0, fvopt = 0, x0 = 0, x1 = 0, beta = 0;
+  int a0ref = 0;
 };
 const CardOf<FabricCards> moduli_of_fabric_card{
     {&MaterialCard::mid, material_id},
@@ -51,28 +76,26 @@ const CardOf<FabricCards> shear_and_liner_card{
 
 const CardOf<FabricCards> form_card{
     {&AxesCards::aopt, aopt::option},
-    {&FabricCards::flc, real("flc", dimension::number, 0, any_value,
-                             "leakage, for gases that ask for it by OPT: none of those that are built")},
-    {&FabricCards::fac, real("fac", dimension::number, 0, any_value, "the same")},
-    real("ela", dimension::number, 0, any_value, "the same, of fabric that touches something"),
+    {&FabricCards::flc, leakage_flc},
+    {&FabricCards::fac, leakage_fac},
+    {&FabricCards::ela, leakage_ela},
     {&FabricCards::lnrc, real("lnrc", dimension::number, 0, only(0), "liner until the reference geometry is reached")},
     {&FabricCards::form, real("form", dimension::number, 0, any_value,
                               "0 and 1: linear, axes that turn with the element; 2, 3, 4, 12, 13, 14, -14, 24 are not "
                               "built")},
-    {&FabricCards::fvopt, real("fvopt", dimension::number, 0, any_value,
-                               "venting through the fabric; not built where FLC and FAC are given")},
+    {&FabricCards::fvopt, leakage_option},
     real("tsrfac", dimension::number, 0, only(0), "stresses of a reference geometry"),
 };
 
 const CardOf<FabricCards> fabric_axes_card{
     unused(),
     real("rgbrth", dimension::time, 0, only(0), "birth of a reference geometry"),
-    integer("a0ref", 0, any_value, "area by which fabric leaks; no effect without leakage"),
+    {&FabricCards::a0ref, integer("a0ref", 0, any_value, "with X0: 0, the area A0 is that at the start")},
     {&AxesCards::a1, aopt::a1},
     {&AxesCards::a2, aopt::a2},
     {&AxesCards::a3, aopt::a3},
-    real("x0", dimension::number, 0, any_value, "coefficient of leakage; no effect without it"),
-    real("x1", dimension::number, 0, any_value, "the same"),
+    {&FabricCards::x0, leakage_x0},
+    {&FabricCards::x1, leakage_x1},
 };
 
 const CardOf<FabricCards> fabric_angle_card{
@@ -88,17 +111,17 @@ const CardOf<FabricCards> fabric_angle_card{
 
 /// *MAT_ADD_AIRBAG_POROSITY_LEAKAGE: these fields for any law.
 struct LeakageCard {
-  double flc = 0, fac = 0, fvopt = 0;
+  int mid = 0;
+  double flc = 0, fac = 0, ela = 0, fvopt = 0, x0 = 0, x1 = 0;
 };
 const CardOf<LeakageCard> leakage_card{
-    material_id,
-    {&LeakageCard::flc, real("flc", dimension::number, 0, any_value, "share that leaks, with FAC; 0: nothing leaks")},
-    {&LeakageCard::fac, real("fac", dimension::number, 0, any_value, "the same")},
-    real("ela", dimension::number, 0, any_value, "the same, of fabric that touches something"),
-    {&LeakageCard::fvopt, real("fvopt", dimension::number, 0, any_value,
-                               "venting through the fabric; not built where FLC and FAC are given")},
-    real("x0", dimension::number, 0, any_value, "coefficient of leakage; no effect without it"),
-    real("x1", dimension::number, 0, any_value, "the same"),
+    {&LeakageCard::mid, id("mid", IdSpace::material, required, "material whose shells leak")},
+    {&LeakageCard::flc, leakage_flc},
+    {&LeakageCard::fac, leakage_fac},
+    {&LeakageCard::ela, leakage_ela},
+    {&LeakageCard::fvopt, leakage_option},
+    {&LeakageCard::x0, leakage_x0},
+    {&LeakageCard::x1, leakage_x1},
 };
 
 /// Refuses what would make another material of it.
@@ -122,17 +145,8 @@ void check_moduli(Builder& b, const RowOf<FabricCards>& moduli, const RowOf<Fabr
     refuse(b, shear[&Fabric::liner_young], "the liner has no stiffness", "give EL, or LRATIO 0");
 }
 
-/// The share of a fabric that leaks is FLC times FAC, so nothing leaks where one of them is 0.
-template <class Row, class Option, class Share>
-void check_leakage(Builder& b, const Row& row, Option option, Share flc, Share fac) {
-  const bool leaks = row[flc].value != 0.0 && row[fac].value != 0.0;
-  const double fvopt = row[option].value;
-  if (fvopt < 0.0 || (leaks && fvopt != 0.0))
-    refuse(b, row[option], "gas that leaks through the fabric is not built",
-           "leave it 0, and let the gas out by a vent of its *AIRBAG_ card");
-  else if (fvopt != 0.0)
-    row[option].report(b.findings, Severity::note, "nothing leaks through this fabric: FLC or FAC is 0");
-  if (leaks && b.leaking_fabric.keyword.empty()) b.leaking_fabric = row[flc];
+bool moves_curve_numbers(const Block& block) {
+  return block.transform != nullptr && block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)] != 0;
 }
 
 void read_leakage(Builder& b, const Block& block, const Options& options) {
@@ -140,7 +154,17 @@ void read_leakage(Builder& b, const Block& block, const Options& options) {
   read_title(cursor, options);
   const auto row = cursor.read(leakage_card);
   expect_end(b, cursor);
-  check_leakage(b, row, &LeakageCard::fvopt, &LeakageCard::flc, &LeakageCard::fac);
+  using L = LeakageCard;
+  add_leakage(b,
+              {row[&L::flc],
+               row[&L::fac],
+               row[&L::ela],
+               row[&L::fvopt],
+               row[&L::x0],
+               row[&L::x1],
+               {},
+               moves_curve_numbers(block)},
+              none, row[&L::mid]);
 }
 
 void read_fabric(Builder& b, const Block& block, const Options& options) {
@@ -158,7 +182,6 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
                            ? "stress by curves over strain along threads that shear"
                            : "strains of Green and Lagrange, or threads that shear"),
            "write FORM 0 with EA, EB, PRBA and GAB");
-  check_leakage(b, form, &FabricCards::fvopt, &FabricCards::flc, &FabricCards::fac);
   Fabric law = cards;
   law.no_compression = cards.cse == 1.0;
   if (cards.cse != 0.0 && !law.no_compression)
@@ -173,16 +196,29 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
     law.young_b = law.young_a;
   }
   check_moduli(b, moduli, shear, law);
+  std::optional<RowOf<FabricCards>> axes_row;
   if (linear && cards.fvopt >= 0.0) {  // else more cards follow
     const auto first = cursor.read(fabric_axes_card, cards);
     const auto second = cursor.read(fabric_angle_card, cards);
     expect_end(b, cursor);
     law.axes = material_axes(b, block, cards, form[&AxesCards::aopt], first[&AxesCards::a1], second[&AxesCards::v1]);
+    axes_row = first;
     law.axes.angle = hand(block) * cards.beta * (std::numbers::pi / 180.0);
   }
   law.nu = std::clamp(law.poisson_ba, 0.0, 0.45);
   law.E = law.wave_modulus() * (1.0 - law.nu * law.nu);
   const Index material = add_material(b, moduli, std::move(title), "MAT_FABRIC", kernel::composed_law({law}));
+  LeakageFields leakage{.flc = form[&FabricCards::flc],
+                        .fac = form[&FabricCards::fac],
+                        .ela = form[&FabricCards::ela],
+                        .fvopt = form[&FabricCards::fvopt],
+                        .moves_curve_numbers = moves_curve_numbers(block)};
+  if (axes_row) {
+    leakage.x0 = (*axes_row)[&FabricCards::x0];
+    leakage.x1 = (*axes_row)[&FabricCards::x1];
+    leakage.a0ref = (*axes_row)[&FabricCards::a0ref];
+  }
+  add_leakage(b, leakage, material, moduli[&MaterialCard::mid]);
   take_axes_of_system(b, form[&AxesCards::aopt], material);
   b.part_checks[material] = [](Builder& later, const Part& part, const RowOf<PartCard>& row) {
     if (part.kind != ElementKind::shell || part.section == none) return;
