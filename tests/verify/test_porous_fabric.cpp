@@ -197,7 +197,11 @@ TEST(PorousFabric, LeaksByItsStretch) {
   for (const auto& [at, id] : box.nodes)
     for (int i = 0; i < 3; ++i) {
       const double x = box_side / FabricBox::cells * at[static_cast<std::size_t>(i)];
-      box.specimen.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {1.0 * id, 1.0 + i, 0, 9, rate * x});
+      if (x > 0.0)
+        box.specimen.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {1.0 * id, 1.0 + i, 0, 9, rate * x});
+      else
+        box.specimen.card("BOUNDARY_SPC_NODE",
+                          {1.0 * id, 0, i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0});
     }
   const impact::Bag gas = box.run();
   const auto [mass, energy] = GrowingBox{ambient, rate, p}.run(box_end);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -21,6 +22,7 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 using kernel::Fabric;
+using kernel::WovenFabric;
 
 constexpr auto leakage_flc =
     or_negative(real("flc", dimension::number, 0, any_value,
@@ -48,6 +50,7 @@ constexpr auto leakage_x1 = real("x1", dimension::number, 0, any_value, "see X0"
 struct FabricCards : MaterialCard, Fabric, AxesCards {
   double prab = 0, cse = 0, flc = 0, fac = 0, ela = 0, lnrc = 0, form = 0, fvopt = 0, x0 = 0, x1 = 0, beta = 0;
   int a0ref = 0;
+  int lca = 0, lcb = 0, lcab = 0, lcua = 0, lcub = 0, lcuab = 0;
 };
 const CardOf<FabricCards> moduli_of_fabric_card{
     {&MaterialCard::mid, material_id},
@@ -81,8 +84,8 @@ const CardOf<FabricCards> form_card{
     {&FabricCards::ela, leakage_ela},
     {&FabricCards::lnrc, real("lnrc", dimension::number, 0, only(0), "liner until the reference geometry is reached")},
     {&FabricCards::form, real("form", dimension::number, 0, any_value,
-                              "0 and 1: linear, axes that turn with the element; 2, 3, 4, 12, 13, 14, -14, 24 are not "
-                              "built")},
+                              "0 and 1: linear, axes that turn with the element; 12 (2, 3, 13): linear in Green's "
+                              "strain along the threads; 14 (4, -14): by curves of it; 24 is not built")},
     {&FabricCards::fvopt, leakage_option},
     real("tsrfac", dimension::number, 0, only(0), "stresses of a reference geometry"),
 };
@@ -108,6 +111,29 @@ const CardOf<FabricCards> fabric_angle_card{
     {&FabricCards::beta, real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 [degrees]")},
     integer("isrefg", 0, only(0), "stresses of a reference geometry"),
 };
+
+const CardOf<FabricCards> thread_curves_card{
+    {&FabricCards::lca,
+     id("lca", IdSpace::function, 0, "curve: second Piola-Kirchhoff stress over Green's strain along a; 0: EA")},
+    {&FabricCards::lcb, id("lcb", IdSpace::function, 0, "the same along b; 0: EB")},
+    {&FabricCards::lcab,
+     id("lcab", IdSpace::function, 0, "the same of the shear, over twice Green's strain ab, for both signs; 0: GAB")},
+    {&FabricCards::lcua,
+     id("lcua", IdSpace::function, 0, "curve of unloading and reloading along a; 0: that of loading")},
+    {&FabricCards::lcub, id("lcub", IdSpace::function, 0, "the same along b")},
+    {&FabricCards::lcuab, id("lcuab", IdSpace::function, 0, "the same of the shear")},
+    real("rl", dimension::number, 0, only(0), "0: reloading by the curve of unloading"),
+};
+const Card coating_card{{
+    integer("lcaa", 0, only(0), "curve of a under strain in both directions"),
+    integer("lcbb", 0, only(0), "curve of b under strain in both directions"),
+    real("h", dimension::number, 0, only(0), "hysteresis"),
+    real("dt", dimension::time, 0, only(0), "averaging of strain rates"),
+    unused(),
+    real("ecoat", dimension::stress, 0, only(0), "Young's modulus of a coating"),
+    real("scoat", dimension::stress, 0, only(0), "yield stress of a coating"),
+    real("tcoat", dimension::length, 0, only(0), "thickness of a coating"),
+}};
 
 /// *MAT_ADD_AIRBAG_POROSITY_LEAKAGE: these fields for any law.
 struct LeakageCard {
@@ -149,6 +175,93 @@ bool moves_curve_numbers(const Block& block) {
   return block.transform != nullptr && block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)] != 0;
 }
 
+/// How stress follows strain (FORM).
+enum class FabricForm {
+  sum,     ///< sum of strain increments
+  green,   ///< Green's strain
+  curves,  ///< the same, with curves
+  none     ///< refused
+};
+FabricForm formulation_of(Builder& b, const deck::Entry& field) {
+  const double form = field.value;
+  const auto is = [form](std::initializer_list<double> some) { return std::ranges::find(some, form) != some.end(); };
+  if (is({0, 1})) return FabricForm::sum;
+  if (is({2, 3, 13, 4}))
+    field.report(
+        b.findings, Severity::note,
+        fmt::format("computed as FORM {}: threads that shear are followed there as well", form == 4.0 ? 14 : 12));
+  if (is({2, 3, 12, 13})) return FabricForm::green;
+  if (is({4, 14, -14})) return FabricForm::curves;
+  refuse(b, field,
+         form == 24.0
+             ? "formulation 24 of the fabric (nominal stress over nominal strain, coupled by Poisson's ratio) is "
+               "not built"
+             : "there is no such formulation of the fabric",
+         form == 24.0 ? "write FORM 14 with curves of the second Piola-Kirchhoff stress over Green's strain"
+                      : "write 0, 12 or 14");
+  return FabricForm::none;
+}
+
+/// A curve of a thread, by the field of its id; nothing where there is none. `whole` is cleared where it cannot be one.
+std::optional<Curve> thread_curve(Builder& b, const deck::Entry& field, bool rises, bool& whole) {
+  if (field.value == 0.0) return {};
+  const auto refuse_curve = [&](std::string_view text, std::string_view remedy) {
+    refuse(b, field, fmt::format("curve {}: {}", field.integer(), text), remedy);
+    whole = false;
+    return std::optional<Curve>{};
+  };
+  if (b.tables.find(field.integer()) != none)
+    return refuse_curve("tables over the strain rate are not built", "give the curve of one rate");
+  const Index found = b.curve(field);
+  if (found == none) {
+    whole = false;
+    return {};
+  }
+  const Curve& curve = b.model.curves[found];
+  if (curve.x.size() < 2) return refuse_curve("one point is no curve", "give at least two");
+  if (curve.x.front() > 0.0 || curve.x.back() <= 0.0 || std::abs(curve.clamped(0.0)) > 1e-9 * std::abs(curve.y.back()))
+    return refuse_curve("it does not begin at 0, 0", "let the stress be 0 without strain, and rise with it");
+  for (std::size_t i = 0; i + 1 < curve.y.size(); ++i)
+    if (curve.y[i + 1] < curve.y[i] || (rises && !(curve.y[i + 1] > curve.y[i])))
+      return refuse_curve(fmt::format("the stress {} after the strain {:g}",
+                                      curve.y[i + 1] < curve.y[i] ? "falls" : "does not rise", curve.x[i]),
+                          rises ? "the way back must rise everywhere" : "give a curve that does not fall");
+  return curve;
+}
+
+/// Takes the curves over once all are known.
+void take_thread_curves(Builder& builder, const WovenFabric& woven, Index material, const deck::Entry& poisson,
+                        const RowOf<FabricCards>& row) {
+  using F = FabricCards;
+  constexpr std::array loading{&F::lca, &F::lcb, &F::lcab}, unloading{&F::lcua, &F::lcub, &F::lcuab};
+  const auto given = [&](int F::*field) { return row[field].value != 0.0; };
+  if (std::ranges::none_of(loading, given) && std::ranges::none_of(unloading, given)) return;
+  if (poisson.value != 0.0)
+    poisson.report(builder.findings, Severity::warning,
+                   "not obeyed: the threads of FORM 14 follow their curves and are not coupled", "write 0");
+  builder.defer(Phase::parts, [=](Builder& b) {
+    WovenFabric law = woven;
+    law.by_curves = true;
+    const std::array moduli{law.young_a, law.young_b, law.shear_ab};
+    for (std::size_t k = 0; k < 3; ++k) {
+      bool whole = true;
+      std::optional<Curve> there = thread_curve(b, row[loading[k]], false, whole);
+      const std::optional<Curve> back = thread_curve(b, row[unloading[k]], true, whole);
+      if (!whole) return;
+      if (!there && !back) continue;
+      if (!there) there = Curve{.id = 0, .x = {0.0, 1.0}, .y = {0.0, moduli[k]}};
+      law.curves[k].emplace(*there, back);
+      if (const std::optional<double> strain = law.curves[k]->gives_energy())
+        return refuse(
+            b, row[unloading[k]],
+            fmt::format("curve {} gives more energy back than loading to the strain {:.4g} took", back->id, *strain),
+            "give a curve that lies below that of loading, or is steeper");
+    }
+    law.E = law.wave_modulus() * (1.0 - law.nu * law.nu);
+    b.model.materials[material].law = kernel::composed_law({law});
+  });
+}
+
 void read_leakage(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
@@ -174,14 +287,7 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
   const auto moduli = cursor.read(moduli_of_fabric_card, cards);
   const auto shear = cursor.read(shear_and_liner_card, cards);
   const auto form = cursor.read(form_card, cards);
-  const bool linear = cards.form == 0.0 || cards.form == 1.0;
-  if (!linear)
-    refuse(b, form[&FabricCards::form],
-           fmt::format("formulation {:g} of the fabric ({}) is not built", cards.form,
-                       cards.form == 4.0 || std::abs(cards.form) == 14.0 || cards.form == 24.0
-                           ? "stress by curves over strain along threads that shear"
-                           : "strains of Green and Lagrange, or threads that shear"),
-           "write FORM 0 with EA, EB, PRBA and GAB");
+  const FabricForm formulation = formulation_of(b, form[&FabricCards::form]);
   Fabric law = cards;
   law.no_compression = cards.cse == 1.0;
   if (cards.cse != 0.0 && !law.no_compression)
@@ -196,10 +302,12 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
     law.young_b = law.young_a;
   }
   check_moduli(b, moduli, shear, law);
-  std::optional<RowOf<FabricCards>> axes_row;
-  if (linear && cards.fvopt >= 0.0) {  // else more cards follow
+  std::optional<RowOf<FabricCards>> axes_row, curves_row;
+  if (formulation != FabricForm::none && cards.fvopt >= 0.0) {  // else more cards follow
     const auto first = cursor.read(fabric_axes_card, cards);
     const auto second = cursor.read(fabric_angle_card, cards);
+    if (formulation == FabricForm::curves) curves_row = cursor.read(thread_curves_card, cards);
+    if (cards.form == -14.0) cursor.read(coating_card);
     expect_end(b, cursor);
     law.axes = material_axes(b, block, cards, form[&AxesCards::aopt], first[&AxesCards::a1], second[&AxesCards::v1]);
     axes_row = first;
@@ -207,7 +315,11 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
   }
   law.nu = std::clamp(law.poisson_ba, 0.0, 0.45);
   law.E = law.wave_modulus() * (1.0 - law.nu * law.nu);
-  const Index material = add_material(b, moduli, std::move(title), "MAT_FABRIC", kernel::composed_law({law}));
+  const WovenFabric woven{law, false, {}};
+  const Index material =
+      add_material(b, moduli, std::move(title), "MAT_FABRIC",
+                   formulation == FabricForm::sum ? kernel::composed_law({law}) : kernel::composed_law({woven}));
+  if (curves_row) take_thread_curves(b, woven, material, moduli[&Fabric::poisson_ba], *curves_row);
   LeakageFields leakage{.flc = form[&FabricCards::flc],
                         .fac = form[&FabricCards::fac],
                         .ela = form[&FabricCards::ela],
@@ -241,7 +353,9 @@ std::vector<Keyword> fabric_material_keywords() {
                       {"", &shear_and_liner_card},
                       {"", &form_card},
                       {"", &fabric_axes_card},
-                      {"", &fabric_angle_card}},
+                      {"", &fabric_angle_card},
+                      {"if FORM = 4, 14 or -14", &thread_curves_card},
+                      {"if FORM = -14", &coating_card}},
            .read = read_fabric},
           {.name = "MAT_ADD_AIRBAG_POROSITY_LEAKAGE",
            .options = {"TITLE"},
