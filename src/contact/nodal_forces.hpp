@@ -76,6 +76,12 @@ class NodalForces {
   std::array<double, 2> energy_of_sides() const;
   /// What friction has taken, minus its work [energy].
   double friction_energy() const;
+  /// Whether a force of this cycle acts on a node, which need not be one of nodes().
+  bool acts_on(int node) const {
+    const int place = nugget::at(node) < index_.size() ? index_[node] : -1;
+    const Sum* sum = place < 0 ? nullptr : parts_[place / part_size].now.find(place);
+    return sum != nullptr && dot(sum->force, sum->force) > 0.0;
+  }
   /// Sum over the nodes that are marked (by node; those beyond its end are not) [force].
   Vec3d sum(std::span<const unsigned char> marked) const;
 

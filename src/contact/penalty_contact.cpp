@@ -65,6 +65,10 @@ Vec3d PenaltyContact::with_edges_and_glue(Vec3d sum) const {
   return sum;
 }
 
+bool PenaltyContact::presses(int node) const {
+  return surface_.presses(node) || (edges_ && edges_->presses(node)) || (glue_ && glue_->presses(node));
+}
+
 Vec3d PenaltyContact::force_on(std::span<const unsigned char> marked) const {
   Vec3d sum = surface_.force_on(marked);
   if (edges_) sum += edges_->force_on(marked);

@@ -36,6 +36,7 @@ class PenaltyContact {
     for (const int node : edges_->nodes()) visit(node);
   }
   /// Whether all of several ranks must follow all its nodes: glue and edges are computed by each of them.
+  void look_everywhere() { surface_.look_everywhere(); }
   bool looks_everywhere() const { return surface_.looks_everywhere(); }
   /// Elements of the surface were deleted.
   void surface_changed();
@@ -45,6 +46,7 @@ class PenaltyContact {
   ContactEnergies energies() const;  ///< see SurfaceContact::energies; of glue friction alone
   Vec3d resultant() const;           ///< see SurfaceContact::resultant
   Vec3d resultant_of_all_ranks() const;
+  bool presses(int node) const;  ///< a force of this cycle acts on the node
   Vec3d force_on(std::span<const unsigned char> marked) const;
   Vec3d force_between(const TwoBodies& bodies) const;  ///< see SurfaceContact::force_between
   const SurfaceContact& surface() const { return surface_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,24 @@ struct Vent {
   std::vector<Segment> faces;                   ///< of the parts whose area is that of the vent, as it is now
 };
 
+/// Faces of fabric of one material through which gas leaks (FVOPT of *MAT_FABRIC). The share of their area that is open
+/// is FLC FAC; or, with X0, their open area is A0 (X0 + X1 s + X2 q + X3 s q), A0 the area at the start, s that of now
+/// over A0, q the ambient pressure over that of the gas (Anagonye and Wang).
+struct PorousFabric {
+  enum class Flow {
+    orifice,   ///< FVOPT 1, 2: as through a vent
+    pressure,  ///< FVOPT 3, 4: with the velocity sqrt(2 (p - pe) / density) (Graefe, Krummheuer and Siejak)
+    velocity   ///< FVOPT 7, 8: FAC is the velocity of the gas
+  };
+  Flow flow = Flow::orifice;
+  bool covered_by_contact = false;  ///< FVOPT 2, 4, 8: where a contact presses, the share ELA of it leaks
+  double leakage = 0.0, share = 0.0, covered = 0.0;  ///< FLC, FAC, ELA
+  Index leakage_curve = none, covered_curve = none;  ///< in the place of FLC and ELA, over time
+  Index share_curve = none;                          ///< in the place of FAC, over the absolute pressure
+  std::optional<std::array<double, 4>> by_stretch;   ///< X0, X1, X2, X3
+  std::vector<Segment> faces;
+};
+
 /// An ideal gas that flows in and out (*AIRBAG_SIMPLE_AIRBAG_MODEL, _WANG_NEFSKE). Its heat capacity at constant
 /// pressure is cp = heat + heat_slope T, that at constant volume cp - constant, all per mass.
 struct FlowingGas {
@@ -35,6 +54,7 @@ struct FlowingGas {
   Index inflow_temperature_curve = none;    ///< LCT: in the place of it, over time
   Index inflow_curve = none;                ///< LCID, LCMT: mass flow over time
   Vent vent, leak;                          ///< MU, AREA; C23, A23 and CP23, AP23
+  std::vector<PorousFabric> fabric;         ///< leaks as well
   double pop_pressure = 0.0;                ///< PPOP: gauge pressure that opens the vent for good [stress]
   Index outflow_curve = none;               ///< LOU, LCEFR: mass flow over the gauge pressure; in the place of the vent
 };
@@ -108,13 +128,18 @@ double enclosed_volume(const std::vector<Segment>& segments, const std::vector<O
   return sum / 6.0;
 }
 
-/// Area of the faces, openings left out: half the cross product of a face's diagonals.
+/// Half the cross product of a face's diagonals.
+template <class Places>
+double face_area(const Segment& s, const Places& x) {
+  return 0.5 * (s[3] == s[2] ? norm(cross(x(s[1]) - x(s[0]), x(s[2]) - x(s[0])))
+                             : norm(cross(x(s[2]) - x(s[0]), x(s[3]) - x(s[1]))));
+}
+
+/// Area of the faces, openings left out.
 template <class Places>
 double surface_area(const std::vector<Segment>& segments, const Places& x) {
   double sum = 0.0;
-  for (const Segment& s : segments)
-    sum += 0.5 * (s[3] == s[2] ? norm(cross(x(s[1]) - x(s[0]), x(s[2]) - x(s[0])))
-                               : norm(cross(x(s[2]) - x(s[0]), x(s[3]) - x(s[1]))));
+  for (const Segment& s : segments) sum += face_area(s, x);
   return sum;
 }
 

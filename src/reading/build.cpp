@@ -9,6 +9,7 @@
 #include "reading/builder/builder.hpp"
 #include "reading/builder/mirrored_files.hpp"
 #include "reading/builder/passes.hpp"
+#include "reading/cards/fabric_leakage.hpp"
 #include "reading/describe.hpp"
 #include "reading/mesh/brick_clusters.hpp"
 #include "reading/mesh/interpolation_spotwelds.hpp"
@@ -123,6 +124,7 @@ model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsuppo
   b.defer(Phase::checks, release_driven_bodies);
   b.defer(Phase::checks, check_relaxation);
   b.defer(Phase::checks, check_units);
+  b.defer(Phase::checks, report_unused_leakage);
   b.defer(Phase::checks, check_initial_velocities);
   for (const deck::Block& block : deck.blocks) read_block(b, block, summary);
 

@@ -8,6 +8,7 @@ import sys
 import time
 import unittest
 
+from fabric_bag import pillow
 from few_elements import card, curve
 from lap_joint import deck as lap_joint
 from nugget_command import SOURCE
@@ -57,6 +58,26 @@ class ExplicitRanks(RepeatedRuns):
             self.over(2, "run", model, "-o", f"lanes{lanes}", "--quiet", lanes=lanes)
             self.assertEqual(self.json(f"lanes{lanes}/summary.json")["lanes"], lanes)
             self.assertEqual(self.bits(f"lanes{lanes}"), reference)
+
+    def test_a_bag_whose_contact_covers_porous_fabric(self):
+        """Threads by Green's strain; a floor that covers what leaks. Sabotage: a rank that knows of its own contact forces only, so that each has a gas of
+        its own."""
+        text = pillow(8, form=12, end=3e-3)
+        form, places = card(0, "", "", "", "", 12), ((-50, -50), (250, -50), (250, 250), (-50, 250))
+        floor = "*PART\nfloor\n" + card(2, 2, 2) + "*SECTION_SHELL\n" + card(2, 2) + card(1, 1, 1, 1) + "*MAT_RIGID\n" + card(2, 1e-9, 1000, 0.3) + card(1, 7, 7)
+        floor += "\n*NODE\n" + "".join(f"{k:8}{x:16.6f}{y:16.6f}{-8.0:16.6f}\n" for k, (x, y) in enumerate(places, 9001))
+        floor += "*ELEMENT_SHELL\n" + "".join(f"{v:8}" for v in (9001, 2, 9001, 9002, 9003, 9004)) + "\n"
+        floor += "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n" + card(0) + card(0.1) + card("")
+        leaked = {}
+        for option in (1, 2):
+            deck = text.replace(form, card(0, 0.02, 0.5, "", "", 12, option)).replace("*END\n", floor + "*END\n")
+            if option == 2:
+                self.compare_ranks(deck)
+            else:
+                self.nugget("run", self.write(deck), "-o", "one", "--quiet")
+            leaked[option] = float(re.search(r"gas 7: a mass of (\S+) has leaked through fabric", self.log("one"))[1])
+        self.assertLess(leaked[2], 0.99 * leaked[1])
+        self.assertIn("FTORQ and at porous fabric", self.log("r3_2"))
 
     def log(self, folder):
         return self.read(f"{folder}/run.log")
@@ -179,7 +200,7 @@ class ExplicitRanks(RepeatedRuns):
                 self.compare_ranks(deck, "--until", "1.0e-4", ranks=((3, 1),))
                 self.assertIn("elements and nodes are shared out", self.log("r3_1"))
         said = self.nugget("check", self.write(cases["edges"]), "-n", 2, "-o", "partition").stdout
-        self.assertIn(" nodes for it: contact of edges, glue and FTORQ, rigid bodies\n", said)
+        self.assertIn(" nodes for it: contact of edges, glue, FTORQ and at porous fabric, rigid bodies\n", said)
 
     def test_shells_that_fail_in_contact(self):
         """Every rank must know which shells are deleted: they leave the surface. Sabotage: deletions that are not passed on."""

@@ -75,11 +75,20 @@ class Membranes(CommandTest):
         fabric = lambda *third: ("*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0, "", 0.2) + card(20.0, "", "", 1) + card(*third)  # noqa: E731
                                  + card("") + card(""))
         self.refused(sheet(elform=2, law=fabric(0)), "*MAT_FABRIC is a law of membranes, but the shells have ELFORM 2", "write ELFORM 9 or 5")
-        self.refused(sheet(law=fabric(0, "", "", "", "", 14)), "formulation 14 of the fabric (stress by curves")
-        self.refused(sheet(law=fabric(0, "", "", "", "", 12)), "formulation 12 of the fabric (strains of Green")
-        self.refused(sheet(law=fabric(0, 0.5, 1.0, "", "", 0, 1)), "fvopt = 1", "gas that leaks through the fabric is not built")
-        self.refused(sheet(law=fabric(0, "", "", "", "", 0, -1)), "fvopt = -1", "gas that leaks through the fabric is not built")
-        self.refused(sheet(more="*MAT_ADD_AIRBAG_POROSITY_LEAKAGE\n" + card(1, 0.5, 1.0, "", 1)), "*MAT_ADD_AIRBAG_POROSITY_LEAKAGE fvopt = 1")
+        self.refused(sheet(law=fabric(0, "", "", "", "", 24)), "formulation 24 of the fabric (nominal stress over nominal strain")
+        self.refused(sheet(law=fabric(0, "", "", "", "", 7)), "there is no such formulation of the fabric")
+        by_curves = lambda curves, *more: sheet(law=fabric(0, "", "", "", "", 14) + card(*curves), more="".join(more))  # noqa: E731
+        straight, falling = curve(11, (0.0, 0.0), (0.2, 100.0)), curve(12, (0.0, 0.0), (0.1, 20.0), (0.2, 10.0))
+        self.refused(by_curves((11,)), "lca = 11: curve 11 is not defined")
+        self.refused(by_curves((12,), falling), "lca = 12: curve 12: the stress falls after the strain 0.1")
+        self.refused(by_curves((0, 13), curve(13, (0.0, 1.0), (0.1, 20.0))), "lcb = 13: curve 13: it does not begin at 0, 0")
+        self.refused(by_curves((11, 0, 0, 14), straight, curve(14, (0.0, 0.0), (0.1, 90.0), (0.2, 100.0))), "lcua = 14: curve 14 gives more energy back than loading")
+        self.refused(by_curves((0, 0, 0, 0, 0, 0, 0.5)), "*MAT_FABRIC rl = 0.5")
+        self.refused(sheet(law=fabric(0, "", "", "", "", -14) + card("") + card("", "", 0.2)), "*MAT_FABRIC h = 0.2")
+        self.refused(sheet(law=fabric(0, 0.5, 1.0, "", "", 0, 5)), "fvopt = 5: leakage as through a porous medium is not built: its formula is not public")
+        self.refused(sheet(law=fabric(0, "", "", "", "", 0, -1)), "fvopt = -1: leakage by the gaps between the threads (FVOPT below 0) is not built")
+        self.refused(sheet(more="*MAT_ADD_AIRBAG_POROSITY_LEAKAGE\n" + card(1, 0.5, 1.0, "", 6)), "*MAT_ADD_AIRBAG_POROSITY_LEAKAGE fvopt = 6")
+        self.refused(sheet(more="*MAT_ADD_AIRBAG_POROSITY_LEAKAGE\n" + card(9, 0.5, 1.0, "", 1)), "*MAT_ADD_AIRBAG_POROSITY_LEAKAGE mid = 9")
         self.refused(sheet(law="*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0) + card(0) + card(0) + card("") + card("")), "needs its shear modulus")
         self.refused(sheet().replace(part(1), "*PART_COMPOSITE\nlayers\n" + card(1, 9) + card(1, 0.2, 0, "", 1, 0.3)),
                      "membranes (ELFORM 9) with layers of different materials are not built")
@@ -111,13 +120,42 @@ class Membranes(CommandTest):
         self.assertAlmostEqual(steps[-2] / steps[0], 1 / math.sqrt(1 + 1.3 * math.log(1.5)), delta=3e-3)
 
     def test_leakage_of_the_fabric(self):
-        """OPT asks for it: refused where FLC and FAC are given, else nothing leaks."""
+        """OPT asks for it. What is there, what flowed in and what leaked by run.log add up, and so do the flows of abstat. Sabotage: a mass that
+        leaks and is not taken from the gas."""
         with_opt = pillow(4).replace(card(AMBIENT, DENSITY, 1.0), card(AMBIENT, DENSITY, 1.0, "", "", "", 1))
-        self.write(with_opt)
-        self.nugget("check", "model.k")
-        leaking = with_opt.replace(card(0, "", "", "", "", 0), card(0, 0.5, 1.0, "", "", 0))
+        _, told = self.abstat(with_opt)
+        self.assertIn("opt = 1: nothing leaks: no fabric of this gas has FLC and FAC", told)
+        tight = self.text_states()[1]
+        form = card(0, "", "", "", "", 0)
+        leaking = with_opt.replace(form, card(0, 0.02, 0.5, "", "", 0))
         self.assertNotEqual(leaking, with_opt)
-        self.refused(leaking, "opt = 1", "gas that leaks through the fabric is not built, and that of model.k:")
+        _, told = self.abstat(leaking)
+        self.assertRegex(told, r"gas leaks through 32 shells of fabric with an area of 8\d{4}")
+        first, last = self.text_states()
+        leaked = float(re.search(r"gas 7: a mass of (\S+) has leaked through fabric and 0 has left otherwise", (self.folder / "run.log").read_text())[1])
+        self.assertGreater(leaked, 0.05 * tight["total_mass"])
+        inflow = tight["total_mass"] - first["total_mass"]
+        self.assertAlmostEqual(last["total_mass"] + leaked, first["total_mass"] + inflow, delta=1e-3 * inflow)
+        flows = [s["dm_dt_out"][0] for s in self.states("abstat")]
+        self.assertAlmostEqual(1e-4 * (sum(flows) - 0.5 * flows[-1]), leaked, delta=0.08 * leaked)  # rows of single steps
+        # Faces by segments, each begun at another of its nodes.
+        shells = [list(map(int, line.split()))[2:] for line in leaking[leaking.index("*ELEMENT_SHELL\n"):].split("\n") if re.fullmatch(r"( *\d+){6}", line)]
+        segments = "*SET_SEGMENT\n" + card(2) + "".join(card(*q[i % 4:], *q[:i % 4]) for i, q in enumerate(shells))
+        self.abstat(leaking.replace("*AIRBAG_WANG_NEFSKE_ID\n" + card(7) + card(1, 1), segments + "*AIRBAG_WANG_NEFSKE_ID\n" + card(7) + card(2, 0)))
+        self.assertAlmostEqual(self.text_states()[1]["total_mass"], last["total_mass"], delta=1e-9 * last["total_mass"])
+        # The fields of the fabric count before OPT; those of *MAT_ADD_AIRBAG_POROSITY_LEAKAGE before both.
+        same, _ = self.abstat(pillow(4).replace(form, card(0, 0.02, 0.5, "", "", 0, 1)))
+        again, _ = self.abstat(with_opt.replace(form, card(0, 0.5, 0.5, "", "", 0, 3)).replace("*SET_PART_LIST", "*MAT_ADD_AIRBAG_POROSITY_LEAKAGE\n"
+                                                                                                   + card(1, 0.02, 0.5, "", 1) + "*SET_PART_LIST"))
+        self.assertEqual(again, same)
+
+    def test_leakage_that_no_gas_obeys(self):
+        """Of the gases only that of Wang and Nefske leaks through fabric."""
+        text = pillow(4).replace(card(0, "", "", "", "", 0), card(0, 0.02, 0.5, "", "", 0, 2))
+        start, end = text.index("*AIRBAG_WANG_NEFSKE_ID"), text.index("*DEFINE_CURVE")
+        simple = "*AIRBAG_SIMPLE_AIRBAG_MODEL_ID\n" + card(7) + card(1, 1) + card("7.175E+08", "1.0045E+09", 400, 3, "", "", AMBIENT, DENSITY) + card("")
+        self.write(text[:start] + simple + text[end:])
+        self.assertIn("fvopt = 2: nothing leaks: no *AIRBAG_WANG_NEFSKE has shells of this material", self.nugget("check", "model.k").stderr)
 
     def test_linear_analyses_have_no_membranes(self):
         """Nothing holds them across their plane."""

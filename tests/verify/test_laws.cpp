@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "specimen.hpp"
 
@@ -23,8 +24,9 @@ struct Pulled {
   Specimen specimen;
   int first = 1, last = 4;
 
-  /// `strain`, `rate`: true strain and its rate [1/s] at the end.
-  Pulled(const std::string& material, double strain, double rate, Of of = Of::all)
+  /// `strain`, `rate`: true strain and its rate [1/s] at the end; `back`: that to which it goes back from there, with
+  /// the same speed.
+  Pulled(const std::string& material, double strain, double rate, Of of = Of::all, std::optional<double> back = {})
       : first(of == Of::bricks ? 3 : 1), last(of == Of::shells ? 2 : 4) {
     Specimen& s = specimen;
     s.text(material);
@@ -49,10 +51,15 @@ struct Pulled {
     s.node_set(2, front).card("BOUNDARY_SPC_SET", {2, 0, 0, 1});
     if (first == 1) s.node_set(3, shell_nodes).card("BOUNDARY_SPC_SET", {3, 0, 0, 0, 1, 1, 1, 1});
     if (last == 4) s.node_set(4, bottom).card("BOUNDARY_SPC_SET", {4, 0, 0, 0, 1});
-    s.node_set(5, right).text(constant_curve(99));
-    const double length = std::exp(strain), speed = rate * length;
+    const double length = std::exp(strain), speed = rate * length, there = (length - 1.0) / speed;
+    const double end = there + (back ? (length - std::exp(*back)) / speed : 0.0);
+    s.node_set(5, right);
+    if (back)
+      s.text(curve(99, {{0.0, 1.0}, {there, 1.0}, {1.0001 * there, -1.0}, {1.0, -1.0}}));
+    else
+      s.text(constant_curve(99));
     s.card("BOUNDARY_PRESCRIBED_MOTION_SET", {5, 1, 0, 99, speed});
-    s.card("CONTROL_TERMINATION", {(length - 1.0) / speed}).card("CONTROL_SHELL", {0, 0, 0, 1});
+    s.card("CONTROL_TERMINATION", {end}).card("CONTROL_SHELL", {0, 0, 0, 1});
   }
 };
 
@@ -392,6 +399,12 @@ TEST(Laws, RubberAndFoam) {
         "MAT_181 by a test of straight pieces",
         Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10}}) + test, strain, std::copysign(20.0, strain)),
         strain, std::exp(strain) * force / 10.0, 0.01, "laws");
+  // On its way back from 1.6 to 1.2 of the length, by HU and SHAPE. Area under the curve of nominal stress: 0.31 at
+  // 0.6, 0.05 at 0.2.
+  expect_stress("MAT_181 HU 0.3 SHAPE 0.5, on its way back",
+                Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10}, {0, 0.3, 0.5}}) + test, std::log(1.6),
+                       20.0, Of::all, std::log(1.2)),
+                std::log(1.2), 1.2 * 0.5 * (0.3 + 0.7 * std::sqrt(0.05 / 0.31)), 0.01, "laws");
   const std::string foam_curve = curve(7, {{0.0, 0.0}, {0.05, 0.1}, {0.5, 0.15}, {0.9, 0.95}});
   expect_stress("MAT_057",
                 Pulled(mat("057", {{1, 5e-11, 2.0, 7}, {1.0, 0, 1.0}}) + foam_curve, std::log(0.4), -20.0, Of::bricks),

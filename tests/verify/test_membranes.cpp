@@ -339,6 +339,59 @@ TEST(Membranes, FabricPushedTogether) {
   }
 }
 
+/// A square of fabric of FORM 12 or 14, all of whose nodes move along x in proportion to x, drawn to the stretch
+/// `first` and on, or back, to `last`, at half the time and at the end; its stresses then.
+std::array<std::array<double, 6>, 2> drawn_along_a(const std::string& fabric, int elform, double first, double last) {
+  constexpr double side = 100.0, t = 0.3, end = 0.01;
+  Specimen s;
+  s.text(fabric).text("*SECTION_SHELL\n" + fields({1, 1.0 * elform}) + fields({t, t, t, t}));
+  s.card("CONTROL_TERMINATION", {end}).part(1, 1, 1);
+  s.text(curve(1, {{0.0, 0.0}, {0.4 * end, first - 1.0}, {0.6 * end, first - 1.0}, {end, last - 1.0}}));
+  const Grid grid = s.shells(1, {}, {side, side, 0}, 2, 3);
+  s.node_set(1, grid.all()).card("BOUNDARY_SPC_SET", {1, 0, 0, 1, 1});
+  s.node_set(2, grid.across(0)).card("BOUNDARY_SPC_SET", {2, 0, 1, 0, 0});
+  for (int i = 1; i <= 2; ++i)
+    for (const int node : grid.across(i))
+      s.card("BOUNDARY_PRESCRIBED_MOTION_NODE", {1.0 * node, 1, 2, 1, 0.5 * i * side});
+  Experiment experiment(s.deck());
+  std::array<std::array<double, 6>, 2> stress{};
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    stress[now.state.time < 0.6 * end ? 0 : 1] = shell_layer(experiment, now, 3, 0).stress;
+  });
+  return stress;
+}
+
+// A thread drawn to l has the stress l S(E) over the cross-section of now, E = (l^2 - 1)/2, with its curve; back it
+// goes by its curve of unloading, shifted until that meets where it turned. Linear (FORM 12): S_a = C E, S_b = PRBA
+// S_a. Sabotages: E = l - 1, the curves of a and b exchanged, unloading along the curve of loading.
+TEST(Membranes, FabricByCurvesOfItsThreads) {
+  constexpr double density = 1e-9, nu = 0.2, young_a = 400.0, young_b = 250.0;
+  const auto fabric = [&](double form, double poisson, double curve_card) {
+    std::string text = "*MAT_FABRIC\n" + fields({1, density, young_a, young_b, 0, poisson}) + fields({20.0}) +
+                       fields({0, 0, 0, 0, 0, form}) + fields({}) + fields({});
+    if (curve_card == 0.0) return text;
+    return text + fields({11, 0, 0, 12}) + curve(11, {{0.0, 0.0}, {0.1, 10.0}, {0.3, 110.0}}) +
+           curve(12, {{0.0, 0.0}, {0.1, 5.0}, {0.25, 110.0}});
+  };
+  const auto stretch = [](double e) { return std::sqrt(1.0 + 2.0 * e); };
+  for (const int elform : {5, 9}) {
+    const auto name = [&](const char* what) { return fmt::format("{}, ELFORM {}: stress [MPa]", what, elform); };
+    // 60 stand at 0.1 + 55/700 on the way back, which so is shifted by 0.2 less that.
+    const double shift = 0.1 - 55.0 / 700.0;
+    const auto back = drawn_along_a(fabric(14, 0.0, 1), elform, stretch(0.2), stretch(0.15));
+    expect_reference("membranes", name("FORM 14 drawn along a thread"), back[0][0], 60.0 * stretch(0.2), 1e-6);
+    expect_reference("membranes", name("FORM 14 on its way back"), back[1][0],
+                     (5.0 + 700.0 * (0.05 - shift)) * stretch(0.15), 1e-6);
+    const auto further = drawn_along_a(fabric(14, 0.0, 1), elform, stretch(0.2), stretch(0.25));
+    expect_reference("membranes", name("FORM 14 drawn further"), further[1][0], 85.0 * stretch(0.25), 1e-6);
+    EXPECT_NEAR(further[1][1], 0.0, 1e-9);
+    const auto linear = drawn_along_a(fabric(12, nu, 0), elform, 1.1, 1.2);
+    const double sa = young_a / (1.0 - nu * nu * young_a / young_b) * 0.22;
+    expect_reference("membranes", name("FORM 12 drawn along a thread"), linear[1][0], sa * 1.2, 1e-6);
+    expect_reference("membranes", name("FORM 12 across it"), linear[1][1], nu * sa / 1.2, 1e-6);
+  }
+}
+
 // A ball of fabric, blown up by hot gas against the air outside. With the stretch l its walls hold p - pe = 2 s t/(r
 // l), s = E/(1 - nu) ln l, and store 8 pi r^2 t E/(1 - nu) (l^2/2 ln l - l^2/4 + 1/4); the gas keeps its energy, what
 // flows in brings its enthalpy, and loses what the walls store and what the air outside takes, pe (V - V0). Sabotage:

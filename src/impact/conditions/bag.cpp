@@ -9,6 +9,7 @@ namespace {
 
 using model::ControlVolume;
 using model::FlowingGas;
+using model::PorousFabric;
 
 /// Per mass.
 double enthalpy(const FlowingGas& gas, double temperature) {
@@ -53,31 +54,52 @@ Bag bag_at_start(const ControlVolume& source, double volume) {
   return bag;
 }
 
-double outflow(const ControlVolume& source, const std::vector<Curve>& curves, double pressure, double temperature,
-               double time, bool popped, double vent_area) {
+Outflow outflow(const ControlVolume& source, const std::vector<Curve>& curves, double pressure, double temperature,
+                double time, bool popped, const Openings& openings) {
   const FlowingGas& gas = source.flowing;
-  if (!(pressure > source.ambient)) return 0.0;
+  if (!(pressure > source.ambient)) return {};
   const auto by_curve = [&](double value, model::Index curve, double at) {
     return curve == model::none ? value : curves[curve].clamped(at);
   };
   const auto opening_of = [&](const model::Vent& vent) {
     const double shape = by_curve(vent.shape, vent.shape_curve, pressure);
-    const double area = vent.faces.empty() ? by_curve(vent.area, vent.area_curve, pressure) : vent_area;
+    const double area = vent.faces.empty() ? by_curve(vent.area, vent.area_curve, pressure) : openings.vent;
     return by_curve(shape, vent.shape_over_time, time) * area;
   };
   const bool by_flow = gas.outflow_curve != model::none;
   const double given = by_flow && popped ? curves[gas.outflow_curve].clamped(pressure - source.ambient) : 0.0;
   const double opening = (by_flow || !popped ? 0.0 : opening_of(gas.vent)) + opening_of(gas.leak);
-  if (opening == 0.0) return given;
+  const double density = pressure / (gas.constant * temperature);
+  double fabric_orifice = 0.0, fabric_flow = 0.0;  // open area of the one kind, mass flow of the others
+  for (std::size_t i = 0; i < gas.fabric.size(); ++i) {
+    const PorousFabric& fabric = gas.fabric[i];
+    const Openings::Faces& faces = openings.fabric[i];
+    const double share = by_curve(fabric.share, fabric.share_curve, pressure);
+    double open =
+        by_curve(fabric.leakage, fabric.leakage_curve, time) * share * faces.now;  // a flow of volume with 7, 8
+    if (fabric.by_stretch) {
+      const auto& [x0, x1, x2, x3] = *fabric.by_stretch;
+      const double q = source.ambient / pressure;
+      open = std::max(0.0, (x0 + x2 * q) * faces.at_start + (x1 + x3 * q) * faces.now);
+    }
+    switch (fabric.flow) {
+      case PorousFabric::Flow::orifice: fabric_orifice += open; break;
+      case PorousFabric::Flow::pressure:
+        fabric_flow += open * std::sqrt(2.0 * density * (pressure - source.ambient));
+        break;
+      case PorousFabric::Flow::velocity: fabric_flow += open * density; break;
+    }
+  }
+  if (opening == 0.0 && fabric_orifice == 0.0) return {given, fabric_flow};
   const double k = heat_ratio(gas, temperature);
   const double ratio = std::max(source.ambient / pressure, std::pow(2.0 / (k + 1.0), k / (k - 1.0)));
-  const double density = pressure / (gas.constant * temperature);
   const double flow = k / (k - 1.0) * (std::pow(ratio, 2.0 / k) - std::pow(ratio, (k + 1.0) / k));
-  return given + opening * std::sqrt(2.0 * pressure * density * flow);
+  const double of_area = std::sqrt(2.0 * pressure * density * flow);
+  return {given + opening * of_area, fabric_flow + fabric_orifice * of_area};
 }
 
 void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& curves, double volume,
-             const Curve* inflow, bool open, double time, double dt, double vent_area) {
+             const Curve* inflow, bool open, double time, double dt, const Openings& openings) {
   if (!(volume > 0.0)) return;
   const FlowingGas& gas = source.flowing;
   const Bag before = bag;
@@ -89,6 +111,7 @@ void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& cu
                                         ? gas.inflow_temperature
                                         : curves[gas.inflow_temperature_curve].clamped(time - 0.5 * dt);
   double out = 0.0;
+  Outflow flow;
   // Each pass is nearer by the share of the gas that moves within the step.
   constexpr int passes = 4;
   for (int pass = 0; pass < passes; ++pass) {
@@ -103,13 +126,16 @@ void advance(Bag& bag, const ControlVolume& source, const std::vector<Curve>& cu
     }
     // No more than what is above the ambient pressure: a small volume with a large vent.
     const double left = std::pow(source.ambient / bag.pressure, 1.0 / heat_ratio(gas, bag.temperature));
-    out = std::min(dt * impact::outflow(source, curves, pressure, temperature, time - 0.5 * dt, bag.popped, vent_area),
-                   bag.mass * (1.0 - left));
+    flow = impact::outflow(source, curves, pressure, temperature, time - 0.5 * dt, bag.popped, openings);
+    out = std::min(dt * flow.sum(), bag.mass * (1.0 - left));
     bag.mass -= out;
     bag.energy -= out * enthalpy(gas, temperature);
     set_pressure(bag, gas);
   }
   bag.outflow = dt > 0.0 ? out / dt : 0.0;
+  if (!(out > 0.0)) return;
+  bag.leaked += out * (flow.leaked / flow.sum());
+  bag.vented += out * (flow.vented / flow.sum());
 }
 
 }  // namespace nugget::impact

@@ -44,6 +44,12 @@ void Loads::update_masses() {
   });
 }
 
+void Loads::find_covered(const std::function<bool(int)>& presses) {
+  for_each(*this, [&](auto& load) {
+    if constexpr (requires { load.find_covered(presses); }) load.find_covered(presses);
+  });
+}
+
 void Loads::archive(Archive& a) {
   std::apply([&](auto&... list) { a(list...); }, loads_);
   a(work_);

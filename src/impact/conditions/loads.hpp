@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -32,6 +33,8 @@ class Loads {
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   /// To be called when masses have changed.
   void update_masses();
+  /// Before `apply`: what contact covers of the faces through which gas leaks, see ActingLoad<ControlVolume>.
+  void find_covered(const std::function<bool(int)>& presses);
 
   /// Those of one kind, in the order of the model.
   template <class Load>

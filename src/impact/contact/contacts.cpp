@@ -30,6 +30,11 @@ void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Find
 }  // namespace
 
 Contacts::Contacts(const system::System& system, std::span<const Row> x, Findings& findings) {
+  // Every rank has the gas, and looks at what contact covers of its fabric.
+  const auto covered = [](const model::PorousFabric& fabric) { return fabric.covered_by_contact; };
+  const bool looked_at = std::ranges::any_of(system.model.control_volumes, [&](const model::ControlVolume& volume) {
+    return std::ranges::any_of(volume.flowing.fabric, covered);
+  });
   for (const model::Contact& card : system.model.contacts) {
     if (card.ties_what_touches())
       findings.error(card.place, '*' + card.keyword,
@@ -47,6 +52,7 @@ Contacts::Contacts(const system::System& system, std::span<const Row> x, Finding
     }
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, x);
     control_.push_back(card.control);
+    if (looked_at) contacts_.back().look_everywhere();
     if (card.glue) report_tiebreak(card, *contacts_.back().glue(), findings);
   }
   const auto is_transducer = [](const model::Contact& card) { return card.kind == model::Contact::Kind::transducer; };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,11 @@ class Contacts {
   void surface_changed();
 
   const std::vector<contact::PenaltyContact>& all() const { return contacts_; }
+  /// Whether some contact presses or holds a node, by its position.
+  bool presses(int node) const {
+    return std::any_of(contacts_.begin(), contacts_.end(),
+                       [node](const contact::PenaltyContact& c) { return c.presses(node); });
+  }
   /// How many nodes the glue of each contact held and lost, a line each.
   std::vector<std::string> glue_summary(const system::System& system) const;
 

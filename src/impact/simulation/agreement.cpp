@@ -55,7 +55,7 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
     whole.every_node |= looks_everywhere;
   };
   const auto looks_everywhere = [](const contact::PenaltyContact& contact) { return contact.looks_everywhere(); };
-  add(std::ranges::any_of(c.contacts.all(), looks_everywhere), "contact of edges, glue and FTORQ");
+  add(std::ranges::any_of(c.contacts.all(), looks_everywhere), "contact of edges, glue, FTORQ and at porous fabric");
   add(!c.interiors.all().empty(), "interior contact");
   add(!system_.bodies.empty(), "rigid bodies");
   add(!system_.springs.empty(), "ties by springs");

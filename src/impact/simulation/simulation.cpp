@@ -92,6 +92,8 @@ void Simulation::find_steps_at_rest() {
 std::vector<std::string> Simulation::events() const {
   std::vector<std::string> lines = components_.contacts.glue_summary(system_);
   for (std::string& line : components_.contacts.drop_summary(system_)) lines.push_back(std::move(line));
+  for (std::string& line : leakage_summary(components_.loads.of<model::ControlVolume>()))
+    lines.push_back(std::move(line));
   std::map<model::Index, std::array<std::size_t, 2>> of_part;  // deleted, and all elements
   for (const auto& group : system_.groups) {
     const model::Part& part = system_.model.parts[group->part];
@@ -563,6 +565,7 @@ void Simulation::applied_forces() {
   components_.tie_forces.apply(state_);
   components_.joints.apply(state_);
   components_.belts.apply(state_);
+  components_.loads.find_covered([this](int node) { return components_.contacts.presses(node); });
   components_.loads.apply(state_, state_.dt);
   components_.damping.apply(state_, state_.dt);
 }

@@ -51,6 +51,26 @@ void take_out_deleted(const MaskOf<R>& alive, NodalForces<R, N>& out) {
   for (Vec3<R>& f : out.f) f = select(alive, f, Vec3<R>{});
 }
 
+/// Where the law wants to know how fast the material turns in its plane beside the element's axes: the field, else 0.
+template <class Law>
+int spin_field(const LawKernel<Law>& law) {
+  if constexpr (requires { law.spin_field(); }) return law.spin_field();
+  return 0;
+}
+
+/// How fast the frame of the diagonals turns, in its own axes: about its normal by the mean of what both do, about the
+/// others so that the normal stays across both. `x`, `v`: places and velocities in the frame [1/time].
+template <class R>
+Vec3<R> spin_of_frame(const Differences<R>& x, const Differences<R>& v) {
+  const Vec3<R>&a = x.d13, &b = x.d24, &va = v.d13, &vb = v.d24;
+  const R about =
+      0.5 * ((a.x * va.y - a.y * va.x) / (a.x * a.x + a.y * a.y) + (b.x * vb.y - b.y * vb.x) / (b.x * b.x + b.y * b.y));
+  const R over = 1.0 / (a.x * b.y - a.y * b.x);
+  // The normal's rate p, q: p a.x + q a.y = -va.z, and so for b.
+  const R p = over * (a.y * vb.z - b.y * va.z), q = over * (b.x * va.z - a.x * vb.z);
+  return {-q, p, about};
+}
+
 /// Hourglass patterns of a membrane of one point, in its frame: their rates, or forces on them.
 template <class R>
 struct MembranePatterns {
@@ -128,6 +148,10 @@ NodalForces<R, 4> membrane_cycle(const ShellProperties& shell, const LawKernel<L
   }
 
   const ShellLayout layout = shell_layout(shell, law);
+  if (const int field = spin_field(law); field > 0) {
+    const Differences<R> x = Differences<R>(middle).in(mid.frame);
+    store_field(state + layout.history_of(0) * lanes<R>, field, 0.5 * (vyx - vxy) - spin_of_frame(x, v).z);
+  }
   const R share = tangent_share<R>(law, layout, state);
   MembranePatterns<R> q = resist_patterns(shell, law, mid, rate, dt, share, state);
   ShellResultants<R> n = advance_layers(shell, law, layout, d, dt, state, alive);
@@ -214,6 +238,8 @@ NodalForces<R, 4> full_membrane_cycle(const ShellProperties& shell, const LawKer
   ShellResultants<R> n[full_shell_columns];
   ThicknessStrain<R> thinning;
   R trace = R(0.0);
+  const int field = spin_field(law);
+  const Vec3<R> frame_spin = field > 0 ? spin_of_frame(mid.x, v) : Vec3<R>{};
   for (int p = 0; p < full_shell_columns; ++p) {
     const TangentPlane<R> plane(mid, place_xi[p], place_eta[p]);
     const Vec3<R> v_xi = along_xi(v, place_eta[p]), v_eta = along_eta(v, place_xi[p]);
@@ -224,6 +250,14 @@ NodalForces<R, 4> full_membrane_cycle(const ShellProperties& shell, const LawKer
     d.xx = dot(v1, plane.e1);
     d.yy = dot(v2, plane.e2);
     d.xy = dot(v1, plane.e2) + dot(v2, plane.e1);
+    if (field > 0) {
+      const Vec3<R> normal = cross(plane.e1, plane.e2);
+      // What is left of its rate beside the frame turns e1 and e2 as well, as these go with it by the shortest way.
+      const Vec3<R> rate = -(dot(v1, normal) * plane.e1 + dot(v2, normal) * plane.e2) - cross(frame_spin, normal);
+      const R turned = (normal.y * rate.x - normal.x * rate.y) / (1.0 + normal.z);
+      store_field(state + layout.history_of(0, p) * lanes<R>, field,
+                  0.5 * (dot(v1, plane.e2) - dot(v2, plane.e1)) - dot(frame_spin, normal) - turned);
+    }
     if (any(!alive)) d = select(alive, d, ShellRates<R>{});
     trace += 0.25 * (d.xx + d.yy);
     const Column<R> column = advance_column(shell, law, d, t, dt, state + layout.layer(0, p) * lanes<R>);
@@ -269,6 +303,9 @@ NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties& shell, const La
   d.xx = mid.dx(v21.x);
   d.yy = mid.dy(v31.y, vyx);
   d.xy = mid.dy(v31.x, d.xx) + vyx;
+  // Its axes turn with its first side: what turns beside them is (v_y,x - v_x,y)/2 - v_y,x.
+  if (const int field = spin_field(law); field > 0)
+    store_field(state + shell_layout(shell, law).history_of(0) * lanes<R>, field, -0.5 * d.xy);
   if (any(!alive)) d = select(alive, d, ShellRates<R>{});
   ShellResultants<R> n = advance_layers(shell, law, shell_layout(shell, law), d, dt, state, alive);
   if (compresses_viscously<R>(shell)) {

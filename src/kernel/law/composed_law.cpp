@@ -144,6 +144,12 @@ LawKernel<ComposedLaw>::LawKernel(const ComposedLaw& law)
       lost_(parts_->flow_history()),
       pressure_(lost_ + parts_->failure.history()),
       history_(pressure_ + (parts_->pressure ? EquationOfStateKernel::size + 1 : 0)),
+      spin_field_(std::visit(
+          [](const auto& flow) {
+            if constexpr (requires { flow.spin_field(); }) return flow.spin_field();
+            return 0;
+          },
+          parts_->flow)),
       points_to_delete_(law.components->points_to_delete),
       deletion_step_(law.components->deletion_step),
       step_share_(std::visit(

@@ -36,6 +36,8 @@ class LawKernel<ComposedLaw> {
   /// Where the history of a point holds the size of its element, which is set before the first step: the root of a
   /// shell's area, the cube root of a solid's volume [length]; 0: nowhere.
   int size_field() const;
+  /// Where a membrane writes into the history of a point by how fast its material turns beside its axes; 0: nowhere.
+  int spin_field() const { return spin_field_; }
   /// `history(i)`: the i-th number of a point's history.
   DamageNumbers damage(const std::function<double(int)>& history) const;
   template <class R>
@@ -75,6 +77,7 @@ class LawKernel<ComposedLaw> {
   ElasticConstants elastic_;
   std::shared_ptr<const Parts> parts_;
   int lost_, pressure_, history_;  ///< where in the history stand what a point has lost, and its pressure; its size
+  int spin_field_;
   double points_to_delete_, deletion_step_, step_share_;
   bool can_fail_, layers_stiffen_;
 };

@@ -15,17 +15,6 @@ SheetModuli sheet_moduli(double young_a, double young_b, double poisson_ba, doub
   return {over * young_a, over * young_b, over * poisson_ba * young_a, share * shear};
 }
 
-SheetModuli of_fabric(const Fabric& law) {
-  return sheet_moduli(law.young_a, law.young_b, law.poisson_ba, law.shear_ab, 1.0 - law.liner_share);
-}
-
-SheetModuli of_liner(const Fabric& law) {
-  const double shear = law.liner_young / (2.0 * (1.0 + law.liner_poisson));
-  return law.liner_share > 0.0
-             ? sheet_moduli(law.liner_young, law.liner_young, law.liner_poisson, shear, law.liner_share)
-             : SheetModuli{};
-}
-
 using Direction = Wrinkling::Direction;
 
 /// What follows is computed in a lane of a batch: GCC 12 makes vfmaddsub of neighbouring sums and differences of
@@ -100,8 +89,17 @@ Direction direction_of_least(const AxesTensor& stress) {
 
 }  // namespace
 
+SheetModuli Fabric::fabric_moduli() const {
+  return sheet_moduli(young_a, young_b, poisson_ba, shear_ab, 1.0 - liner_share);
+}
+
+SheetModuli Fabric::liner_moduli() const {
+  const double shear = liner_young / (2.0 * (1.0 + liner_poisson));
+  return liner_share > 0.0 ? sheet_moduli(liner_young, liner_young, liner_poisson, shear, liner_share) : SheetModuli{};
+}
+
 double Fabric::wave_modulus() const {
-  const SheetModuli f = of_fabric(*this), l = of_liner(*this);
+  const SheetModuli f = fabric_moduli(), l = liner_moduli();
   return fastest_wave_modulus({{{f.aa + l.aa, f.ab + l.ab, 0.0}, {f.ab + l.ab, f.bb + l.bb, 0.0}, {0.0, 0.0, 0.0}}},
                               f.shear + l.shear, 0.0, 0.0);
 }
@@ -183,8 +181,8 @@ AxesTensor Wrinkling::stress(const AxesTensor& strain) const {
 
 LawKernel<Fabric>::LawKernel(const Fabric& law)
     : axes_(law.axes),
-      fabric_(of_fabric(law)),
-      liner_(of_liner(law)),
+      fabric_(law.fabric_moduli()),
+      liner_(law.liner_moduli()),
       wrinkling_(fabric_),
       no_compression_(law.no_compression),
       has_liner_(law.liner_share > 0.0),

@@ -8,6 +8,20 @@
 
 namespace nugget::kernel {
 
+/// Normal and shear components along the axes a, b of a layer: stress [stress], or strain with engineering shear [1].
+struct AxesTensor {
+  double a = 0.0, b = 0.0, ab = 0.0;
+};
+
+/// Moduli of orthotropic plane stress [stress]: stress_a = aa strain_a + ab strain_b, ..., stress_ab = shear strain_ab.
+struct SheetModuli {
+  double aa = 0.0, bb = 0.0, ab = 0.0, shear = 0.0;
+
+  AxesTensor times(const AxesTensor& strain) const {
+    return {aa * strain.a + ab * strain.b, ab * strain.a + bb * strain.b, shear * strain.ab};
+  }
+};
+
 /// Woven fabric of membranes (MAT_034, FORM 0 and 1): orthotropic elasticity from the total strain, which is the sum of
 /// the strain increments in axes that turn with the element: strain_a = stress_a/EA - PRBA stress_b/EB and so on, shear
 /// by GAB. Without compression (CSE 1) it wrinkles: see Wrinkling. A liner (LRATIO) is isotropic and carries
@@ -27,20 +41,7 @@ struct Fabric {
 
   /// Modulus of the fastest wave in the plane of fabric and liner [stress].
   double wave_modulus() const;
-};
-
-/// Normal and shear components along the axes a, b of a layer: stress [stress], or strain with engineering shear [1].
-struct AxesTensor {
-  double a = 0.0, b = 0.0, ab = 0.0;
-};
-
-/// Moduli of orthotropic plane stress [stress]: stress_a = aa strain_a + ab strain_b, ..., stress_ab = shear strain_ab.
-struct SheetModuli {
-  double aa = 0.0, bb = 0.0, ab = 0.0, shear = 0.0;
-
-  AxesTensor times(const AxesTensor& strain) const {
-    return {aa * strain.a + ab * strain.b, ab * strain.a + bb * strain.b, shear * strain.ab};
-  }
+  SheetModuli fabric_moduli() const, liner_moduli() const;  ///< times their shares of the thickness
 };
 
 /// A sheet that carries no compression: taut, its stress is elastic where that has no principal value below 0; slack,

@@ -55,6 +55,11 @@ bool for_bricks(const LawComponents& law);
 bool for_beams(const LawComponents& law);
 bool has_plastic_strain(const Flow& flow);
 
+/// A law of membranes only, which keep their thickness.
+inline bool is_fabric(const Flow& flow) {
+  return std::holds_alternative<Fabric>(flow) || std::holds_alternative<WovenFabric>(flow);
+}
+
 /// Material axes of a flow at the start; null: it has none.
 inline MaterialAxes* axes_of(Flow& flow) {
   return std::visit(

@@ -19,6 +19,7 @@
 #include "kernel/law/rubber.hpp"
 #include "kernel/law/viscoelastic.hpp"
 #include "kernel/law/viscoplastic.hpp"
+#include "kernel/law/woven_fabric.hpp"
 
 namespace nugget::kernel {
 
@@ -44,6 +45,7 @@ using Flow = std::variant<  //
     Orthotropic,            //
     CompositeLayer,         //
     Fabric,                 //
+    WovenFabric,            //
     AnisotropicSheet,       //
     Honeycomb,              //
     Fluid>;

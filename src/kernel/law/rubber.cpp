@@ -83,6 +83,12 @@ PointUpdate RubberPoint<Energy>::update(const Tensor&, const Tensor& d, double d
   stretch(e, d, dt);
   store(h, e);
   PointUpdate now = energy_.at(e);
+  if constexpr (requires { energy_.unloads(); })
+    if (energy_.unloads()) {
+      const Tensor part = deviator(now.stress);
+      const double kept = energy_.share_kept(e, h[most_energy()]);
+      now.stress = now.stress + (kept - 1.0) * part;
+    }
   now.stress = now.stress + overstress_.advance(d, dt, h.subspan(Tensor::size));
   now.wave_modulus += overstress_.wave_modulus();
   now.plane_modulus += overstress_.wave_modulus();
@@ -166,7 +172,8 @@ double f_of_test(const Curve& test, double log_stretch) {
 
 }  // namespace
 
-TabulatedEnergy::TabulatedEnergy(const TabulatedRubber& law) : E_(law.E), nu_(law.nu), bulk_(law.bulk) {
+TabulatedEnergy::TabulatedEnergy(const TabulatedRubber& law)
+    : E_(law.E), nu_(law.nu), bulk_(law.bulk), kept_(law.kept), shape_(law.shape) {
   // As far as the test, and as its lateral stretches, in steps of a thousandth.
   constexpr double step = 1e-3, least = -2.5, most = 2.5;
   const double low = std::max(std::log1p(std::max(law.test.x.front(), -0.95)), least),
@@ -177,6 +184,34 @@ TabulatedEnergy::TabulatedEnergy(const TabulatedRubber& law) : E_(law.E), nu_(la
   spacing_ = step;
   const auto count = static_cast<int>(below + above) + 1;
   for (int i = 0; i < count; ++i) f_.push_back(f_of_test(law.test, (i - below) * step));
+  energy_.assign(f_.size(), 0.0);
+  const auto zero = static_cast<std::size_t>(below);
+  for (std::size_t i = zero; i + 1 < f_.size(); ++i) energy_[i + 1] = energy_[i] + 0.5 * step * (f_[i] + f_[i + 1]);
+  for (std::size_t i = zero; i > 0; --i) energy_[i - 1] = energy_[i] - 0.5 * step * (f_[i - 1] + f_[i]);
+}
+
+double TabulatedEnergy::integral(double log_stretch) const {
+  const double place = (log_stretch - first_) / spacing_;
+  const auto last = static_cast<int>(f_.size()) - 2;
+  const int i = place <= 0.0 ? 0 : std::min(static_cast<int>(std::min(place, 1e6)), last);
+  const double part = place - i;
+  return energy_[i] + spacing_ * part * (f_[i] + 0.5 * part * (f_[i + 1] - f_[i]));
+}
+
+double TabulatedEnergy::share_kept(const Tensor& e, double& most) const {
+  double energy = 0.0;
+  if (small(e)) {
+    const Tensor d = deviator(e);  // a strain is half of b - 1
+    energy = 0.25 * E_ / (1.0 + nu_) *
+             (0.5 * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) + d.xy * d.xy + d.yz * d.yz + d.zx * d.zx);
+  } else {
+    const Tensor b = plus(e, 1.0);
+    const Principal axes = principal_axes(b);
+    const double log_volume = std::log(determinant(b)) / 6.0;
+    for (const double square : axes.value) energy += integral(0.5 * std::log(square) - log_volume);
+  }
+  most = std::max(most, energy);
+  return energy < most ? kept_ + (1.0 - kept_) * std::pow(std::max(energy, 0.0) / most, shape_) : 1.0;
 }
 
 TabulatedEnergy::Value TabulatedEnergy::value(double log_stretch) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -37,6 +38,14 @@ enum class Phase {
   bodies,      ///< rigid bodies
   conditions,  ///< SPCs, motions, loads, initial velocities, walls, contacts, requests
   checks,      ///< what only the whole model shows
+};
+
+struct LeakageFields;
+/// What gas leaks by through shells of a material, without their faces.
+struct FabricLeakage {
+  PorousFabric fabric;
+  std::shared_ptr<const LeakageFields> fields;
+  bool used = false;  ///< some gas asks for it
 };
 
 /// Ids of one name space: user id to index, and where it was defined (for duplicates).
@@ -149,8 +158,7 @@ class Builder {
   std::vector<CompositePart> composite_parts;
   /// By material: what its law asks of the parts that have it, and of their cards.
   std::map<Index, std::function<void(Builder&, const Part&, const deck::RowOf<PartCard>&)>> part_checks;
-  /// FLC of the first *MAT_FABRIC through which gas could leak (FLC and FAC); none: a keyword that is empty.
-  deck::Entry leaking_fabric;
+  std::map<Index, FabricLeakage> leakage;  ///< by material: what gas leaks by; known after Phase::parts
 
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;

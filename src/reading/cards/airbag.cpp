@@ -10,6 +10,7 @@
 
 #include "model/segments.hpp"
 #include "reading/builder/common_cards.hpp"
+#include "reading/cards/fabric_leakage.hpp"
 #include "reading/cards/families.hpp"
 
 namespace nugget::reading {
@@ -156,8 +157,8 @@ const CardOf<AmbienceCard> ambience_card{
     {&AmbienceCard::pover, real("pover", dimension::stress, 0, at_least(0), "pressure above PE at the start")},
     {&AmbienceCard::ppop,
      real("ppop", dimension::stress, 0, at_least(0), "pressure above PE at which the vent opens for good")},
-    {&AmbienceCard::opt, integer("opt", 0, between(0, 8),
-                                 "above 0: CP23 and AP23 are those of the fabric, by FLC and FAC, which must be 0")},
+    {&AmbienceCard::opt,
+     integer("opt", 0, between(0, 8), "above 0: FVOPT of fabric that has none, in the place of CP23 and AP23")},
     integer("knkdn", 0, only(0), "curve of jets"),
 };
 const Card inflator_model_card{{
@@ -250,8 +251,28 @@ bool turn_faces(Builder& b, const RowOf<VolumeCard>& row, ControlVolume& volume)
   return true;
 }
 
+/// What of the faces leaks; a note on it.
+void find_leaking_fabric(Builder& b, const deck::Entry& option, ControlVolume& volume) {
+  std::vector<PorousFabric>& fabric = volume.flowing.fabric;
+  fabric = leaking_faces(b, volume.segments, option);
+  if (fabric.empty()) {
+    if (option.value != 0.0)
+      option.report(b.findings, Severity::note, "nothing leaks: no fabric of this gas has FLC and FAC");
+    return;
+  }
+  std::size_t faces = 0;
+  double area = 0.0;
+  for (const PorousFabric& f : fabric) {
+    faces += f.faces.size();
+    area += surface_area(f.faces, [&](Index n) { return b.model.nodes.x[n]; });
+  }
+  b.findings.note(volume.place, '*' + volume.keyword,
+                  fmt::format("gas leaks through {} shells of fabric with an area of {:.6g}", faces, area));
+}
+
 /// Finds the surface, its openings and its volume at the start.
-void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) {
+/// `option`: OPT of a gas that leaks through fabric.
+void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume, const deck::Entry* option = nullptr) {
   volume.segments = faces(b, row);
   if (volume.segments.empty()) return;
   if (!turn_faces(b, row, volume)) return;
@@ -274,6 +295,7 @@ void add_volume(Builder& b, const RowOf<VolumeCard>& row, ControlVolume volume) 
     return refuse(b, row[&VolumeCard::sid], "the faces enclose no volume at the start",
                   "give a bag that is not quite flat, with normals that point outwards");
   volume.share = share_pressure(b.model, volume.segments);
+  if (option != nullptr) find_leaking_fabric(b, *option, volume);
   volume.openings = std::move(border.openings);
   if (row->mwd != 0.0)
     row[&VolumeCard::mwd].report(b.findings, Severity::warning, "not obeyed: the surface is not damped",
@@ -488,17 +510,12 @@ void take_area_of_part(Builder& b, const RowOf<HolesCard>& holes, Vent& vent) {
   if (vent.faces.empty()) refuse(b, field, fmt::format("part {:g} has no shells", -holes->a23));
 }
 
-/// With OPT the fabric leaks in the place of CP23 and AP23 (keyword manual): none of it may.
-void check_leakage(Builder& b, const RowOf<AmbienceCard>& outside, const RowOf<HolesCard>& holes) {
-  if (!b.leaking_fabric.keyword.empty())
-    return refuse(b, outside[&AmbienceCard::opt],
-                  fmt::format("gas that leaks through the fabric is not built, and that of {}:{} does (FLC, FAC)",
-                              b.leaking_fabric.place.file, b.leaking_fabric.place.line),
-                  "write OPT 0, and CP23 and AP23 of the whole bag");
+/// With OPT the fabric leaks in the place of CP23 and AP23 (keyword manual).
+void report_fields_without_effect(Builder& b, const RowOf<HolesCard>& holes) {
   for (double HolesCard::*const field : {&HolesCard::cp23, &HolesCard::ap23})
     if (holes[field].value != 0.0)
-      holes[field].report(b.findings, Severity::warning,
-                          "no effect: with OPT the fabric leaks in its place, and none does", "write OPT 0");
+      holes[field].report(b.findings, Severity::warning, "no effect: with OPT the fabric leaks in its place",
+                          "write OPT 0, or leave it blank");
 }
 
 /// As those of the simple airbag, which has them in other fields.
@@ -588,12 +605,13 @@ void read_wang_nefske(Builder& builder, const Block& block, const Options& optio
       if (outside->opt == 0)
         find_vent(b, holes, &H::cp23, &H::lccp23, &H::ap23, &H::lcap23, flowing.leak);
       else
-        check_leakage(b, outside, holes);
+        report_fields_without_effect(b, holes);
       expect_no_backflow(b, inflator[&InflatorCard::lcmt], flowing.inflow_curve);
       expect_no_backflow(b, inflator[&InflatorCard::lct], flowing.inflow_temperature_curve);
       expect_no_backflow(b, outside[&AmbienceCard::lcefr], flowing.outflow_curve);
       note_gas(b, row, volume);
-      add_volume(b, row, std::move(volume));
+      const deck::Entry option = outside[&AmbienceCard::opt];
+      add_volume(b, row, std::move(volume), &option);
     });
   }
 }

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
+#include "reading/cards/fabric_leakage.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
 
@@ -19,10 +22,35 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 using kernel::Fabric;
+using kernel::WovenFabric;
+
+constexpr auto leakage_flc =
+    or_negative(real("flc", dimension::number, 0, any_value,
+                     "share of the area that leaks, times FAC; below 0: -FLC is a curve of it over time. With X0: X2"),
+                IdSpace::function);
+constexpr auto leakage_fac =
+    or_negative(real("fac", dimension::number, 0, any_value,
+                     "the same; below 0: -FAC is a curve of it, with FVOPT 7 and 8 of the velocity of the gas "
+                     "[length/time], over the absolute pressure. With X0: X3"),
+                IdSpace::function);
+constexpr auto leakage_ela =
+    or_negative(real("ela", dimension::number, 0, any_value,
+                     "with FVOPT 2, 4, 8: share of what contact covers that leaks all the same; below 0: -ELA is a "
+                     "curve of it over time"),
+                IdSpace::function);
+constexpr auto leakage_option =
+    real("fvopt", dimension::number, 0, any_value,
+         "how gas leaks: 0 by OPT of the gas; 1, 2 as through a vent, 3, 4 by the pressure, 7, 8 with a velocity; even "
+         "ones: less where contact covers the fabric");
+constexpr auto leakage_x0 =
+    real("x0", dimension::number, 0, any_value, "above 0: the leaking area is A0 (X0 + X1 A/A0 + (X2 + X3 A/A0) PE/p)");
+constexpr auto leakage_x1 = real("x1", dimension::number, 0, any_value, "see X0");
 
 /// All cards of *MAT_FABRIC.
 struct FabricCards : MaterialCard, Fabric, AxesCards {
-  double prab = 0, cse = 0, flc = 0, fac = 0, lnrc = 0, form = 0, fvopt = 0, beta = 0;
+  double prab = 0, cse = 0, flc = 0, fac = 0, ela = 0, lnrc = 0, form = 0, fvopt = 0, x0 = 0, x1 = 0, beta = 0;
+  int a0ref = 0;
+  int lca = 0, lcb = 0, lcab = 0, lcua = 0, lcub = 0, lcuab = 0;
 };
 const CardOf<FabricCards> moduli_of_fabric_card{
     {&MaterialCard::mid, material_id},
@@ -51,28 +79,26 @@ const CardOf<FabricCards> shear_and_liner_card{
 
 const CardOf<FabricCards> form_card{
     {&AxesCards::aopt, aopt::option},
-    {&FabricCards::flc, real("flc", dimension::number, 0, any_value,
-                             "leakage, for gases that ask for it by OPT: none of those that are built")},
-    {&FabricCards::fac, real("fac", dimension::number, 0, any_value, "the same")},
-    real("ela", dimension::number, 0, any_value, "the same, of fabric that touches something"),
+    {&FabricCards::flc, leakage_flc},
+    {&FabricCards::fac, leakage_fac},
+    {&FabricCards::ela, leakage_ela},
     {&FabricCards::lnrc, real("lnrc", dimension::number, 0, only(0), "liner until the reference geometry is reached")},
     {&FabricCards::form, real("form", dimension::number, 0, any_value,
-                              "0 and 1: linear, axes that turn with the element; 2, 3, 4, 12, 13, 14, -14, 24 are not "
-                              "built")},
-    {&FabricCards::fvopt, real("fvopt", dimension::number, 0, any_value,
-                               "venting through the fabric; not built where FLC and FAC are given")},
+                              "0 and 1: linear, axes that turn with the element; 12 (2, 3, 13): linear in Green's "
+                              "strain along the threads; 14 (4, -14): by curves of it; 24 is not built")},
+    {&FabricCards::fvopt, leakage_option},
     real("tsrfac", dimension::number, 0, only(0), "stresses of a reference geometry"),
 };
 
 const CardOf<FabricCards> fabric_axes_card{
     unused(),
     real("rgbrth", dimension::time, 0, only(0), "birth of a reference geometry"),
-    integer("a0ref", 0, any_value, "area by which fabric leaks; no effect without leakage"),
+    {&FabricCards::a0ref, integer("a0ref", 0, any_value, "with X0: 0, the area A0 is that at the start")},
     {&AxesCards::a1, aopt::a1},
     {&AxesCards::a2, aopt::a2},
     {&AxesCards::a3, aopt::a3},
-    real("x0", dimension::number, 0, any_value, "coefficient of leakage; no effect without it"),
-    real("x1", dimension::number, 0, any_value, "the same"),
+    {&FabricCards::x0, leakage_x0},
+    {&FabricCards::x1, leakage_x1},
 };
 
 const CardOf<FabricCards> fabric_angle_card{
@@ -86,19 +112,42 @@ const CardOf<FabricCards> fabric_angle_card{
     integer("isrefg", 0, only(0), "stresses of a reference geometry"),
 };
 
+const CardOf<FabricCards> thread_curves_card{
+    {&FabricCards::lca,
+     id("lca", IdSpace::function, 0, "curve: second Piola-Kirchhoff stress over Green's strain along a; 0: EA")},
+    {&FabricCards::lcb, id("lcb", IdSpace::function, 0, "the same along b; 0: EB")},
+    {&FabricCards::lcab,
+     id("lcab", IdSpace::function, 0, "the same of the shear, over twice Green's strain ab, for both signs; 0: GAB")},
+    {&FabricCards::lcua,
+     id("lcua", IdSpace::function, 0, "curve of unloading and reloading along a; 0: that of loading")},
+    {&FabricCards::lcub, id("lcub", IdSpace::function, 0, "the same along b")},
+    {&FabricCards::lcuab, id("lcuab", IdSpace::function, 0, "the same of the shear")},
+    real("rl", dimension::number, 0, only(0), "0: reloading by the curve of unloading"),
+};
+const Card coating_card{{
+    integer("lcaa", 0, only(0), "curve of a under strain in both directions"),
+    integer("lcbb", 0, only(0), "curve of b under strain in both directions"),
+    real("h", dimension::number, 0, only(0), "hysteresis"),
+    real("dt", dimension::time, 0, only(0), "averaging of strain rates"),
+    unused(),
+    real("ecoat", dimension::stress, 0, only(0), "Young's modulus of a coating"),
+    real("scoat", dimension::stress, 0, only(0), "yield stress of a coating"),
+    real("tcoat", dimension::length, 0, only(0), "thickness of a coating"),
+}};
+
 /// *MAT_ADD_AIRBAG_POROSITY_LEAKAGE: these fields for any law.
 struct LeakageCard {
-  double flc = 0, fac = 0, fvopt = 0;
+  int mid = 0;
+  double flc = 0, fac = 0, ela = 0, fvopt = 0, x0 = 0, x1 = 0;
 };
 const CardOf<LeakageCard> leakage_card{
-    material_id,
-    {&LeakageCard::flc, real("flc", dimension::number, 0, any_value, "share that leaks, with FAC; 0: nothing leaks")},
-    {&LeakageCard::fac, real("fac", dimension::number, 0, any_value, "the same")},
-    real("ela", dimension::number, 0, any_value, "the same, of fabric that touches something"),
-    {&LeakageCard::fvopt, real("fvopt", dimension::number, 0, any_value,
-                               "venting through the fabric; not built where FLC and FAC are given")},
-    real("x0", dimension::number, 0, any_value, "coefficient of leakage; no effect without it"),
-    real("x1", dimension::number, 0, any_value, "the same"),
+    {&LeakageCard::mid, id("mid", IdSpace::material, required, "material whose shells leak")},
+    {&LeakageCard::flc, leakage_flc},
+    {&LeakageCard::fac, leakage_fac},
+    {&LeakageCard::ela, leakage_ela},
+    {&LeakageCard::fvopt, leakage_option},
+    {&LeakageCard::x0, leakage_x0},
+    {&LeakageCard::x1, leakage_x1},
 };
 
 /// Refuses what would make another material of it.
@@ -122,17 +171,95 @@ void check_moduli(Builder& b, const RowOf<FabricCards>& moduli, const RowOf<Fabr
     refuse(b, shear[&Fabric::liner_young], "the liner has no stiffness", "give EL, or LRATIO 0");
 }
 
-/// The share of a fabric that leaks is FLC times FAC, so nothing leaks where one of them is 0.
-template <class Row, class Option, class Share>
-void check_leakage(Builder& b, const Row& row, Option option, Share flc, Share fac) {
-  const bool leaks = row[flc].value != 0.0 && row[fac].value != 0.0;
-  const double fvopt = row[option].value;
-  if (fvopt < 0.0 || (leaks && fvopt != 0.0))
-    refuse(b, row[option], "gas that leaks through the fabric is not built",
-           "leave it 0, and let the gas out by a vent of its *AIRBAG_ card");
-  else if (fvopt != 0.0)
-    row[option].report(b.findings, Severity::note, "nothing leaks through this fabric: FLC or FAC is 0");
-  if (leaks && b.leaking_fabric.keyword.empty()) b.leaking_fabric = row[flc];
+bool moves_curve_numbers(const Block& block) {
+  return block.transform != nullptr && block.transform->id_offset[static_cast<std::size_t>(IdSpace::function)] != 0;
+}
+
+/// How stress follows strain (FORM).
+enum class FabricForm {
+  sum,     ///< sum of strain increments
+  green,   ///< Green's strain
+  curves,  ///< the same, with curves
+  none     ///< refused
+};
+FabricForm formulation_of(Builder& b, const deck::Entry& field) {
+  const double form = field.value;
+  const auto is = [form](std::initializer_list<double> some) { return std::ranges::find(some, form) != some.end(); };
+  if (is({0, 1})) return FabricForm::sum;
+  if (is({2, 3, 13, 4}))
+    field.report(
+        b.findings, Severity::note,
+        fmt::format("computed as FORM {}: threads that shear are followed there as well", form == 4.0 ? 14 : 12));
+  if (is({2, 3, 12, 13})) return FabricForm::green;
+  if (is({4, 14, -14})) return FabricForm::curves;
+  refuse(b, field,
+         form == 24.0
+             ? "formulation 24 of the fabric (nominal stress over nominal strain, coupled by Poisson's ratio) is "
+               "not built"
+             : "there is no such formulation of the fabric",
+         form == 24.0 ? "write FORM 14 with curves of the second Piola-Kirchhoff stress over Green's strain"
+                      : "write 0, 12 or 14");
+  return FabricForm::none;
+}
+
+/// A curve of a thread, by the field of its id; nothing where there is none. `whole` is cleared where it cannot be one.
+std::optional<Curve> thread_curve(Builder& b, const deck::Entry& field, bool rises, bool& whole) {
+  if (field.value == 0.0) return {};
+  const auto refuse_curve = [&](std::string_view text, std::string_view remedy) {
+    refuse(b, field, fmt::format("curve {}: {}", field.integer(), text), remedy);
+    whole = false;
+    return std::optional<Curve>{};
+  };
+  if (b.tables.find(field.integer()) != none)
+    return refuse_curve("tables over the strain rate are not built", "give the curve of one rate");
+  const Index found = b.curve(field);
+  if (found == none) {
+    whole = false;
+    return {};
+  }
+  const Curve& curve = b.model.curves[found];
+  if (curve.x.size() < 2) return refuse_curve("one point is no curve", "give at least two");
+  if (curve.x.front() > 0.0 || curve.x.back() <= 0.0 || std::abs(curve.clamped(0.0)) > 1e-9 * std::abs(curve.y.back()))
+    return refuse_curve("it does not begin at 0, 0", "let the stress be 0 without strain, and rise with it");
+  for (std::size_t i = 0; i + 1 < curve.y.size(); ++i)
+    if (curve.y[i + 1] < curve.y[i] || (rises && !(curve.y[i + 1] > curve.y[i])))
+      return refuse_curve(fmt::format("the stress {} after the strain {:g}",
+                                      curve.y[i + 1] < curve.y[i] ? "falls" : "does not rise", curve.x[i]),
+                          rises ? "the way back must rise everywhere" : "give a curve that does not fall");
+  return curve;
+}
+
+/// Takes the curves over once all are known.
+void take_thread_curves(Builder& builder, const WovenFabric& woven, Index material, const deck::Entry& poisson,
+                        const RowOf<FabricCards>& row) {
+  using F = FabricCards;
+  constexpr std::array loading{&F::lca, &F::lcb, &F::lcab}, unloading{&F::lcua, &F::lcub, &F::lcuab};
+  const auto given = [&](int F::*field) { return row[field].value != 0.0; };
+  if (std::ranges::none_of(loading, given) && std::ranges::none_of(unloading, given)) return;
+  if (poisson.value != 0.0)
+    poisson.report(builder.findings, Severity::warning,
+                   "not obeyed: the threads of FORM 14 follow their curves and are not coupled", "write 0");
+  builder.defer(Phase::parts, [=](Builder& b) {
+    WovenFabric law = woven;
+    law.by_curves = true;
+    const std::array moduli{law.young_a, law.young_b, law.shear_ab};
+    for (std::size_t k = 0; k < 3; ++k) {
+      bool whole = true;
+      std::optional<Curve> there = thread_curve(b, row[loading[k]], false, whole);
+      const std::optional<Curve> back = thread_curve(b, row[unloading[k]], true, whole);
+      if (!whole) return;
+      if (!there && !back) continue;
+      if (!there) there = Curve{.id = 0, .x = {0.0, 1.0}, .y = {0.0, moduli[k]}};
+      law.curves[k].emplace(*there, back);
+      if (const std::optional<double> strain = law.curves[k]->gives_energy())
+        return refuse(
+            b, row[unloading[k]],
+            fmt::format("curve {} gives more energy back than loading to the strain {:.4g} took", back->id, *strain),
+            "give a curve that lies below that of loading, or is steeper");
+    }
+    law.E = law.wave_modulus() * (1.0 - law.nu * law.nu);
+    b.model.materials[material].law = kernel::composed_law({law});
+  });
 }
 
 void read_leakage(Builder& b, const Block& block, const Options& options) {
@@ -140,7 +267,17 @@ void read_leakage(Builder& b, const Block& block, const Options& options) {
   read_title(cursor, options);
   const auto row = cursor.read(leakage_card);
   expect_end(b, cursor);
-  check_leakage(b, row, &LeakageCard::fvopt, &LeakageCard::flc, &LeakageCard::fac);
+  using L = LeakageCard;
+  add_leakage(b,
+              {row[&L::flc],
+               row[&L::fac],
+               row[&L::ela],
+               row[&L::fvopt],
+               row[&L::x0],
+               row[&L::x1],
+               {},
+               moves_curve_numbers(block)},
+              none, row[&L::mid]);
 }
 
 void read_fabric(Builder& b, const Block& block, const Options& options) {
@@ -150,15 +287,7 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
   const auto moduli = cursor.read(moduli_of_fabric_card, cards);
   const auto shear = cursor.read(shear_and_liner_card, cards);
   const auto form = cursor.read(form_card, cards);
-  const bool linear = cards.form == 0.0 || cards.form == 1.0;
-  if (!linear)
-    refuse(b, form[&FabricCards::form],
-           fmt::format("formulation {:g} of the fabric ({}) is not built", cards.form,
-                       cards.form == 4.0 || std::abs(cards.form) == 14.0 || cards.form == 24.0
-                           ? "stress by curves over strain along threads that shear"
-                           : "strains of Green and Lagrange, or threads that shear"),
-           "write FORM 0 with EA, EB, PRBA and GAB");
-  check_leakage(b, form, &FabricCards::fvopt, &FabricCards::flc, &FabricCards::fac);
+  const FabricForm formulation = formulation_of(b, form[&FabricCards::form]);
   Fabric law = cards;
   law.no_compression = cards.cse == 1.0;
   if (cards.cse != 0.0 && !law.no_compression)
@@ -173,16 +302,35 @@ void read_fabric(Builder& b, const Block& block, const Options& options) {
     law.young_b = law.young_a;
   }
   check_moduli(b, moduli, shear, law);
-  if (linear && cards.fvopt >= 0.0) {  // else more cards follow
+  std::optional<RowOf<FabricCards>> axes_row, curves_row;
+  if (formulation != FabricForm::none && cards.fvopt >= 0.0) {  // else more cards follow
     const auto first = cursor.read(fabric_axes_card, cards);
     const auto second = cursor.read(fabric_angle_card, cards);
+    if (formulation == FabricForm::curves) curves_row = cursor.read(thread_curves_card, cards);
+    if (cards.form == -14.0) cursor.read(coating_card);
     expect_end(b, cursor);
     law.axes = material_axes(b, block, cards, form[&AxesCards::aopt], first[&AxesCards::a1], second[&AxesCards::v1]);
+    axes_row = first;
     law.axes.angle = hand(block) * cards.beta * (std::numbers::pi / 180.0);
   }
   law.nu = std::clamp(law.poisson_ba, 0.0, 0.45);
   law.E = law.wave_modulus() * (1.0 - law.nu * law.nu);
-  const Index material = add_material(b, moduli, std::move(title), "MAT_FABRIC", kernel::composed_law({law}));
+  const WovenFabric woven{law, false, {}};
+  const Index material =
+      add_material(b, moduli, std::move(title), "MAT_FABRIC",
+                   formulation == FabricForm::sum ? kernel::composed_law({law}) : kernel::composed_law({woven}));
+  if (curves_row) take_thread_curves(b, woven, material, moduli[&Fabric::poisson_ba], *curves_row);
+  LeakageFields leakage{.flc = form[&FabricCards::flc],
+                        .fac = form[&FabricCards::fac],
+                        .ela = form[&FabricCards::ela],
+                        .fvopt = form[&FabricCards::fvopt],
+                        .moves_curve_numbers = moves_curve_numbers(block)};
+  if (axes_row) {
+    leakage.x0 = (*axes_row)[&FabricCards::x0];
+    leakage.x1 = (*axes_row)[&FabricCards::x1];
+    leakage.a0ref = (*axes_row)[&FabricCards::a0ref];
+  }
+  add_leakage(b, leakage, material, moduli[&MaterialCard::mid]);
   take_axes_of_system(b, form[&AxesCards::aopt], material);
   b.part_checks[material] = [](Builder& later, const Part& part, const RowOf<PartCard>& row) {
     if (part.kind != ElementKind::shell || part.section == none) return;
@@ -205,7 +353,9 @@ std::vector<Keyword> fabric_material_keywords() {
                       {"", &shear_and_liner_card},
                       {"", &form_card},
                       {"", &fabric_axes_card},
-                      {"", &fabric_angle_card}},
+                      {"", &fabric_angle_card},
+                      {"if FORM = 4, 14 or -14", &thread_curves_card},
+                      {"if FORM = -14", &coating_card}},
            .read = read_fabric},
           {.name = "MAT_ADD_AIRBAG_POROSITY_LEAKAGE",
            .options = {"TITLE"},

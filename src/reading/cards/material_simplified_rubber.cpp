@@ -20,7 +20,7 @@ using deck::RowOf;
 
 struct TestCards : MaterialCard {
   int lcunld = 0;
-  double km = 0, mu = 0, g = 0, sigf = 0, sgl = 0, sw = 0, st = 0;
+  double km = 0, mu = 0, g = 0, sigf = 0, sgl = 0, sw = 0, st = 0, hu = 1, shape = 1;
   int lcid = 0;
 };
 const CardOf<TestCards> rubber_card{
@@ -51,8 +51,10 @@ const CardOf<TestCards> test_card{
 };
 const CardOf<TestCards> unloading_card{
     {&TestCards::lcunld, id("lcunld", IdSpace::function, 0, "curve of unloading: not built")},
-    real("hu", dimension::number, 1, only(1), "share of the stress that unloading keeps: 1, all"),
-    real("shape", dimension::number, 0, any_value, "of unloading with HU below 1: no effect"),
+    {&TestCards::hu, real("hu", dimension::number, 1, between(0, 1),
+                          "share of the deviatoric stress that unloading keeps in the end: 1, all")},
+    {&TestCards::shape, real("shape", dimension::number, 1, above_zero(),
+                             "power of the share of the energy by which unloading goes there")},
     real("stol", dimension::number, 0, any_value, "tolerance of a check of the curve: no effect"),
     real("visco", dimension::number, 0, only(0), "viscous terms: not built"),
     real("hisout", dimension::number, 0, any_value, "of extra history variables: no effect"),
@@ -102,6 +104,8 @@ void set_simplified_rubber(Builder& b, Index material, const TestCards& cards, c
                   fmt::format("the bulk modulus is below two thirds of the shear modulus of the test, {:.4g}", shear),
                   "give some hundred times the shear modulus");
   flow.damping = cards.mu;
+  flow.kept = cards.hu;
+  flow.shape = cards.shape;
   if (cards.g > 0.0 && cards.sigf > 0.0) {
     flow.overstress.friction_shear = cards.g;
     flow.overstress.friction_limit = cards.sigf;

@@ -442,7 +442,7 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
     refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of solids, but the part has shells", material.keyword),
            "give it the law of a sheet");
   const kernel::LawKernel<kernel::ComposedLaw> made(*law);
-  const bool gets_thinner = made.layers_stiffen() && !std::holds_alternative<kernel::Fabric>(law->components->flow);
+  const bool gets_thinner = made.layers_stiffen() && !is_fabric(law->components->flow);
   if (part.kind == ElementKind::shell && gets_thinner && b.model.control.thickness_update == 0)
     row[&PartCard::mid].report(
         b.findings, Severity::warning,

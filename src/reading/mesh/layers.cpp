@@ -45,7 +45,7 @@ class Laws {
     if (const auto found = laws_.find(material); found != laws_.end()) return found->second;
     const Material& m = material_at(b_, material);
     std::optional<kernel::LawComponents> made = components_of(m.law);
-    if (!made || !for_shells(*made) || std::holds_alternative<kernel::Fabric>(made->flow)) {
+    if (!made || !for_shells(*made) || is_fabric(made->flow)) {
       refuse(b_, layer.id, fmt::format("*{} is not a law of a shell's layers", m.keyword),
              "give the layer the law of a sheet, e.g. *MAT_ELASTIC");
       return {};

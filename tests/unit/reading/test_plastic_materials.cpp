@@ -377,7 +377,10 @@ TEST(SoftMaterials, RubberByATest) {
   const std::string card = "1.0,1.0,1.0,5\n";
   EXPECT_DOUBLE_EQ(flow<kernel::TabulatedRubber>(of("20,5,2,5\n", test)).damping, 0.1);
   EXPECT_TRUE(of("20,5,2,5,,,,0.3\n", test).error("only 0 is supported", "pr/beta"));
-  EXPECT_TRUE(of("20,5,2,5\n6,0.5\n", test).error("only 1 is supported", "hu"));
+  EXPECT_DOUBLE_EQ(flow<kernel::TabulatedRubber>(of("20,5,2,5\n0,0.5,2\n", test)).kept, 0.5);
+  EXPECT_DOUBLE_EQ(flow<kernel::TabulatedRubber>(of("20,5,2,5\n0,0.5,2\n", test)).shape, 2.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::TabulatedRubber>(of("20,5,2,5\n0,0.5\n", test)).shape, 1.0);
+  EXPECT_EQ(of("20,5,2,5\n0,1.5\n", test).findings.errors(), 1);
   EXPECT_TRUE(of("20,5,2,5\n6,1.0\n", test).error("unloading by a curve of its own", "lcunld"));
   EXPECT_TRUE(of("20,5,2,5\n0,1.0,0,0,1\n", test).error("only 0 is supported", "visco"));
   EXPECT_TRUE(of("20,5,2,-5\n", test).error("a table of damage is not built", "lc/tbid"));
