@@ -35,7 +35,7 @@ class PenaltyContact {
     if (!edges_) return;
     for (const int node : edges_->nodes()) visit(node);
   }
-  /// Whether all of several ranks must follow all its nodes: glue and edges are computed by each of them.
+  /// Lets all of several ranks follow all its nodes, as glue and edges do, which are computed by each of them.
   void look_everywhere() { surface_.look_everywhere(); }
   bool looks_everywhere() const { return surface_.looks_everywhere(); }
   /// Elements of the surface were deleted.
