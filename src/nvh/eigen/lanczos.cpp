@@ -180,7 +180,6 @@ bool worth_a_look(std::size_t size, std::size_t want) {
 
 /// The pairs, of whose vectors this rank has its rows.
 Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const std::function<void(int)>& progress) {
-  const KeptMemory kept;
   const std::size_t n = a.size();
   std::size_t want = std::min(wanted.count, n);
   const std::size_t width = std::min<std::size_t>({n, 8, std::max<std::size_t>(want, 2)});
@@ -189,7 +188,9 @@ Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const st
   const std::size_t most_wanted = sides > 0 ? std::min(n, 2 * std::max(want, sides)) : want;
   const auto room = [&] { return std::min(n, (sides > 0 ? 3 : 2) * want + 8 * width); };  // restarts cost solutions
   Basis basis(a, std::min(n, 3 * most_wanted + 8 * width) + width);
-  basis.expect(room() + width);
+  // Pairs on both sides: some more may have to be sought, and a basis that moves needs its memory twice.
+  basis.expect(room() + width + (sides > 0 ? want : 0));
+  const KeptMemory kept;  // not for the basis: its pages go back at the end
   Eigenpairs found;
 
   Columns w(a.rows(), width);
