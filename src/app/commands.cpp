@@ -27,6 +27,8 @@
 #include "app/statics.hpp"
 #include "app/subcycling.hpp"
 #include "app/weld_drop_runs.hpp"
+#include "base/free_room.hpp"
+#include "base/large_arrays.hpp"
 #include "base/parallel.hpp"
 #include "base/peak_memory.hpp"
 #include "impact/recording/result_files.hpp"
@@ -547,6 +549,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
 /// `from` as of run_explicit.
 ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
   use_threads(arguments.threads);
+  give_large_arrays_back();
   JoinedRun joined(arguments.over_ranks ? rank_team() : nullptr, arguments.load_case);
   Findings findings;
   PreparedDeck p = prepare(arguments, findings);
@@ -579,9 +582,12 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
 /// A rank of a run that another one leads: computes its share and writes nothing.
 ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   use_threads(arguments.threads);
+  give_large_arrays_back();
   JoinedRun joined(rank_team(), arguments.load_case);
   Findings findings;
   PreparedDeck p = prepare(arguments, findings);
+  free_room(p.audit);  // for those who write
+  free_room(p.welds);
   if (!p.has_text || analysis_of(p.model) != Analysis::explicit_dynamics || !p.is_tied) return ExitCode::normal;
   system::System system(p.model, p.ties, findings);
   impact::Simulation simulation(system, findings);
