@@ -140,7 +140,9 @@ void SurfaceContact::forget_lists() {
     std::ranges::fill(block.next_check_travel, 0.0);
     block.asleep_until = 0.0;
   }
-  active_nodes_.clear();
+  free_room(active_nodes_);
+  free_room(searched_at_);
+  free_room(seen_at_);
   searched_ = false;
   searches_ = 0;
 }
@@ -231,7 +233,9 @@ void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parce
   for (const int place : answered_[rank]) forces_.carry(place, whole, parcel);
   for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i) {
     const std::span<const int> adding = share_->adding(active_nodes_[i]);
-    if (!adding.empty() && adding.front() == rank) parcel(&seen_at_[i], 1);
+    if (adding.empty() || adding.front() != rank) continue;
+    parcel(&searched_at_[i], 1);
+    parcel(&seen_at_[i], 1);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "base/archive.hpp"
 #include "base/bvh.hpp"
 #include "base/row.hpp"
+#include "base/zeroed.hpp"
 #include "contact/contact_energies.hpp"
 #include "contact/nodal_forces.hpp"
 #include "contact/step.hpp"
@@ -314,6 +315,8 @@ class SurfaceContact {
   void take_share(const SharedNodes& shared);
   Box over_all_ranks(const Box& own) const;
   void list_followed_nodes();
+  /// Coordinates of active_nodes_, over several ranks of those that this one follows.
+  ZeroedVector<Vec3d> places_of_active_nodes(std::span<const Row> x) const;
   void ask_for_ghosts();
   void list_active_blocks();
   bool moved_too_far(std::span<const Row> x);
@@ -399,10 +402,11 @@ class SurfaceContact {
 
   NodalForces forces_;              // on all nodes of segments and all tracked nodes
   std::vector<int> active_nodes_;   // those of them with active segments at the last search
-  std::vector<Vec3d> searched_at_;  // coordinates of active_nodes_ then
+  // Coordinates of active_nodes_ then; over several ranks of those that this one follows.
+  ZeroedVector<Vec3d> searched_at_;
   bool searched_ = false;
   long searches_ = 0;
-  std::vector<Vec3d> seen_at_;  // coordinates of active_nodes_ in the cycle before
+  ZeroedVector<Vec3d> seen_at_;  // the same in the cycle before
   double travelled_ = 0.0;      // by how much two points can have approached each other since the start, at most
   double searched_when_ = 0.0;  // travelled_ at the last search
   std::vector<Box> moved_;      // displacements of active_nodes_, by group of nodes

@@ -179,6 +179,7 @@ void Simulation::report_ranks() {
   own.waiting = waiting;
   own.busy = seconds - waiting;
   own.peak_memory = peak_memory();
+  for (const auto& group : system_.groups) own.states += group->size() - group->elsewhere();
   rank_reports_ = gather(*ranks_, own);
   if (!on_first_rank()) return;
   const auto shares = system_.share()->partition().shares(system_, followed_by_all());
@@ -272,6 +273,10 @@ int Simulation::first_not_finite() const {
 bool Simulation::results_due(Recorder& recorder) const {
   if (on_first_rank()) return recorder.due(state_);
   return state_.time + state_.dt > next_marks_.any + 1e-9 * state_.dt;
+}
+
+bool Simulation::shows_elements(bool last) const {
+  return elements_due() || (last && (next_marks_.elements || system_.model.implicit.after_run));
 }
 
 bool Simulation::elements_due() const {

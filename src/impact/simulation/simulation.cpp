@@ -167,9 +167,10 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
       system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
       const bool energies = balance || runs_away();
-      collect(last || elements_due() ? system::Carried::results
-              : energies             ? system::Carried::energies
-                                     : system::Carried::histories);
+      collect(shows_elements(last) ? system::Carried::results
+              : last               ? system::Carried::end
+              : energies           ? system::Carried::energies
+                                   : system::Carried::histories);
       if (on_first_rank() && energies) {
         update_energy_balance();
         if (record) masses_ = system_.masses();
@@ -177,6 +178,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     }
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
+    if (ranks_ != nullptr && on_first_rank() && (record || balance) && !last && elements_due())
+      system_.leave_to_others();
     if (record || balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
       if (progress) report_progress(progress, end_time);
@@ -248,7 +251,7 @@ void Simulation::write_checkpoint_if_due(const Options& options) {
   if (!restart_file_due_) return;
   collect(system::Carried::whole);
   if (options.write_checkpoint) options.write_checkpoint();
-  if (ranks_ != nullptr) system_.leave_steps_to_others();
+  if (ranks_ != nullptr) system_.leave_to_others();
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
 }
 

@@ -51,7 +51,9 @@ class Simulation {
 
   /// What a rank of the run did; of a run by one process there is none.
   struct RankReport {
-    std::size_t elements = 0, nodes = 0, shared_nodes = 0, neighbours = 0;
+    std::size_t elements = 0;  ///< that it computes
+    std::size_t states = 0;    ///< elements whose states it holds
+    std::size_t nodes = 0, shared_nodes = 0, neighbours = 0;
     double cost = 0.0;     ///< of its elements, over the mean of all ranks, as expected by system::element_cost
     double contact = 0.0;  ///< of what its nodes cost in contact, likewise; 0: there is none
     double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
@@ -106,6 +108,8 @@ class Simulation {
   bool runs_away() const;
   /// Whether what is due looks at elements; in one process they are there anyway.
   bool elements_due() const;
+  /// Whether what is written looks at states of elements, or, where the run ends, what follows it.
+  bool shows_elements(bool last) const;
   /// After a balance of energies, which the first rank makes: what others must know of it.
   void pass_on_balance(const Recorder& recorder);
   /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
