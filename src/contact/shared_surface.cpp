@@ -54,7 +54,7 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
                                        : static_cast<int>(rank_of_block_.size() % at(count)));
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (!computes(b)) blocks_[b].clear_hits();
+    if (!computes(b)) leave(blocks_[b]);
   std::vector<char> left_out;
   others_add_.clear();
   answered_.assign(at(count), {});
@@ -70,6 +70,17 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
   forces_.leave_out(std::move(left_out));
   list_followed_nodes();
   if (searched_) ask_for_ghosts();
+}
+
+/// What another rank looks at: it comes back with `carry`.
+void SurfaceContact::leave(Block& block) {
+  block.clear_hits();
+  free_room(block.first);
+  free_room(block.next_check_travel);
+  free_room(block.deep);
+  free_room(block.pairs);
+  free_room(block.touches);
+  free_room(block.free);
 }
 
 void SurfaceContact::list_followed_nodes() {

@@ -119,7 +119,9 @@ class SurfaceContact {
   };
 
   /// `x`: initial coordinates, for stiffness and search margin.
-  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x);
+  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x) : SurfaceContact(setup, x, nullptr) {}
+  /// Sets the segments of the setup free as soon as it has its own.
+  SurfaceContact(SurfaceContactSetup&& setup, std::span<const Row> x) : SurfaceContact(setup, x, &setup.segments) {}
 
   /// Adds the contact forces at the end of a step to `force`, by node. Sign: forces that act on the nodes (an external
   /// force; the solver's a = (force - internal)/m).
@@ -294,6 +296,8 @@ class SurfaceContact {
     void clear_hits();
     void archive(Archive& a);
   };
+  /// `given`: null, or those of the setup.
+  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, std::vector<Segment>* given);
   static constexpr double side_change_cosine = 0.5;  // cosine from the side that is remembered, over an edge
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
   friend std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup&, std::span<const Row>);
@@ -313,6 +317,7 @@ class SurfaceContact {
   }
 
   void take_share(const SharedNodes& shared);
+  static void leave(Block& block);
   Box over_all_ranks(const Box& own) const;
   void list_followed_nodes();
   /// Coordinates of active_nodes_, over several ranks of those that this one follows.

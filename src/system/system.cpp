@@ -379,6 +379,7 @@ void System::forget_start(model::Model& m) {
     free_room(*named);  // for those who move nodes and merge shells
   free_room(carried_mass_);
   free_room(carried_inertia_);
+  free_room(constraint_source_);  // for messages of a deck that is refused
   start_is_forgotten_ = true;
 }
 

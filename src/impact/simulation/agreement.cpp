@@ -166,6 +166,9 @@ void Simulation::share_out(Ranks& ranks) {
   shared_out_at_ = elapsed();
   system_.share_out(ranks, on_first_rank() ? partition(ranks.count()) : system::Partition(system_, ranks.count()),
                     followed_by_all());
+  for (system::Rows* rows : {&state_.v, &state_.w, &state_.f, &state_.m}) system_.share()->forget_others(*rows);
+  // Here, where there is room for it.
+  if (on_first_rank()) shares_ = system_.share()->partition().shares(system_, followed_by_all());
 }
 
 void Simulation::report_ranks() {
@@ -182,10 +185,9 @@ void Simulation::report_ranks() {
   for (const auto& group : system_.groups) own.states += group->size() - group->elsewhere();
   rank_reports_ = gather(*ranks_, own);
   if (!on_first_rank()) return;
-  const auto shares = system_.share()->partition().shares(system_, followed_by_all());
-  for (std::size_t r = 0; r < shares.size(); ++r) {
+  for (std::size_t r = 0; r < shares_.size(); ++r) {
     RankReport& report = rank_reports_[r];
-    const system::Partition::Share& share = shares[r];
+    const system::Partition::Share& share = shares_[r];
     report.elements = share.elements;
     report.nodes = share.nodes;
     report.shared_nodes = share.shared_nodes;
@@ -201,13 +203,17 @@ void Simulation::collect(system::Carried what) {
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
   system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {
     for (const int k : of.share.reported_by(of.rank)) {
-      if (what == system::Carried::histories || step_change_of_node_.empty()) break;
-      // A run goes on from what is booked; a balance shows what was done up to now.
-      double booked = step_change_of_node_[k];
-      if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
-      parcel(&booked, 1);
-      if (parcel.reading()) step_change_of_node_[k] = booked;
-      if (what == system::Carried::whole) parcel(&inverse_inertia_[k], 1);
+      if (what == system::Carried::histories) break;
+      if (!step_change_of_node_.empty()) {
+        // A run goes on from what is booked; a balance shows what was done up to now.
+        double booked = step_change_of_node_[k];
+        if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
+        parcel(&booked, 1);
+        if (parcel.reading()) step_change_of_node_[k] = booked;
+      }
+      if (what != system::Carried::whole) continue;
+      parcel(&inverse_mass_[k], 1);
+      parcel(&inverse_inertia_[k], 1);
     }
     if (what == system::Carried::results)
       for (const model::CrossSection& section : system_.model.requests.cross_sections)

@@ -420,14 +420,17 @@ void Simulation::update_mass_bounds() {
 void Simulation::update_inverse_mass() {
   dependent_.resize(system_.all_nodes());
   for (std::size_t k = 0; k < system_.all_nodes(); ++k) dependent_[k] = system_.map.dependent(static_cast<int>(k));
-  inverse_mass_.assign(system_.nodes, 0.0);
-  inverse_inertia_.assign(system_.nodes, 0.0);
+  inverse_mass_.resize(system_.nodes);
+  inverse_inertia_.resize(system_.nodes);
   contact_mass_.assign(system_.all_nodes(), 0.0);
-  for (std::size_t k = 0; k < system_.nodes; ++k) {
-    if (system_.mass[k] > 0.0) inverse_mass_[k] = 1.0 / system_.mass[k];
-    if (system_.inertia[k] > 0.0) inverse_inertia_[k] = 1.0 / system_.inertia[k];
+  system_.for_each_node(4096, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) {
+      inverse_mass_[k] = system_.mass[k] > 0.0 ? 1.0 / system_.mass[k] : 0.0;
+      inverse_inertia_[k] = system_.inertia[k] > 0.0 ? 1.0 / system_.inertia[k] : 0.0;
+    }
+  });
+  for (std::size_t k = 0; k < system_.nodes; ++k)
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
-  }
   set_rigid_contact_mass(system_, contact_mass_);
   components_.loads.update_masses();
 }

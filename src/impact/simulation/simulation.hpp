@@ -179,7 +179,7 @@ class Simulation {
   std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
   std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
   std::vector<unsigned char> dependent_;               ///< by node
-  std::vector<double> inverse_mass_, inverse_inertia_;
+  ZeroedVector<double> inverse_mass_, inverse_inertia_;  ///< by node; over several ranks of those that it follows
   system::Rows v_before_, w_before_;
   system::Rows v_period_, w_period_;  ///< in sub-cycling: velocities and spins after those of the last period
   std::vector<Row> contact_forces_;   ///< in sub-cycling, where contacts have theirs not in each cycle
@@ -189,6 +189,7 @@ class Simulation {
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
   bool restart_file_due_ = false;
   std::vector<RankReport> rank_reports_;
+  std::vector<system::Partition::Share> shares_;  ///< of the ranks, as they were shared out; on the first one
   Ranks::Traffic traffic_before_;
   long cycle_before_ = 0;       ///< when ranks began
   Ranks* ranks_ = nullptr;      ///< null: one process
@@ -201,7 +202,7 @@ class Simulation {
   bool unstable_ = false;      ///< energy_is_made at the last cycle that is a multiple of 100
   Relaxation relaxation_;
   double step_change_ = 0.0;                 ///< Energy::step_change so far, but for what nodes and supports add
-  std::vector<double> step_change_of_node_;  ///< this, with what their forces at t(n) add
+  ZeroedVector<double> step_change_of_node_;  ///< this, with what their forces at t(n) add
   double largest_input_ = 0.0;               ///< of the energy balances so far: what was there and put in, its size
   double power_on_change_ = 0.0;  ///< forces at t(n), but on free nodes, times what they change in velocities
 
