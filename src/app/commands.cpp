@@ -112,8 +112,8 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.ranks = nvh::ranks();
   for (const impact::Simulation::RankReport& r : run.rank_reports())
     s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.states), static_cast<long>(r.nodes),
-                      static_cast<long>(r.shared_nodes), static_cast<long>(r.neighbours), r.cost, r.contact, r.messages, r.bytes, r.busy, r.waiting,
-                      r.peak_memory});
+                      static_cast<long>(r.shared_nodes), static_cast<long>(r.neighbours), r.cost, r.contact, r.messages,
+                      r.bytes, r.busy, r.waiting, r.peak_memory});
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);

@@ -134,7 +134,7 @@ class NodalForces {
   std::vector<unsigned char> side_;
   std::vector<Part> parts_;
   ZeroedVector<double> work_, friction_work_;  // so far, by place; the latter empty where there is no friction
-  std::vector<char> left_out_;                // by place; empty: none
+  std::vector<char> left_out_;                 // by place; empty: none
 };
 
 }  // namespace nugget::contact

@@ -405,16 +405,16 @@ class SurfaceContact {
   unsigned pressing_ = 0;  // sides whose segments press any node
   double margin_ = 0.0;
 
-  NodalForces forces_;              // on all nodes of segments and all tracked nodes
-  std::vector<int> active_nodes_;   // those of them with active segments at the last search
+  NodalForces forces_;             // on all nodes of segments and all tracked nodes
+  std::vector<int> active_nodes_;  // those of them with active segments at the last search
   // Coordinates of active_nodes_ then; over several ranks of those that this one follows.
   ZeroedVector<Vec3d> searched_at_;
   bool searched_ = false;
   long searches_ = 0;
   ZeroedVector<Vec3d> seen_at_;  // the same in the cycle before
-  double travelled_ = 0.0;      // by how much two points can have approached each other since the start, at most
-  double searched_when_ = 0.0;  // travelled_ at the last search
-  std::vector<Box> moved_;      // displacements of active_nodes_, by group of nodes
+  double travelled_ = 0.0;       // by how much two points can have approached each other since the start, at most
+  double searched_when_ = 0.0;   // travelled_ at the last search
+  std::vector<Box> moved_;       // displacements of active_nodes_, by group of nodes
   std::vector<Block> blocks_;
   std::vector<int> active_blocks_;            // blocks that have pairs and that this process looks at
   std::vector<std::vector<Source>> sources_;  // of forces, by part of the nodes

@@ -634,9 +634,9 @@ void System::archive(Archive& a) {
   a(mass, inertia, own_mass, own_inertia_, map, bodies, slots_, subcycles_);
   if (!single_slots_.empty()) a(single_slots_);
   a.built(model, ties, brick_joints, weld_stacks, nodes, node_of, model_node, body_of, springs, shell_location,
-          solid_location, beam_location, discrete_location, start_, start_is_forgotten_, elements_have_started_, carried_mass_,
-          carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_, gather_, blocks_,
-          periods_, share_, computed_, deleted_, deletions_seen_, steps_of_others_, reported_below);
+          solid_location, beam_location, discrete_location, start_, start_is_forgotten_, elements_have_started_,
+          carried_mass_, carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_,
+          gather_, blocks_, periods_, share_, computed_, deleted_, deletions_seen_, steps_of_others_, reported_below);
   a.section("elements");
   a(groups);
 }

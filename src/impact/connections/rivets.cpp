@@ -116,8 +116,7 @@ double Rivets::length_error(const Rivet& rivet, const system::State& state, doub
 }
 
 /// Solves |r + F b| = L for the smaller |F|: r the line after the step, b how it moves with a unit of tension.
-void Rivets::pull(Rivet& rivet, system::State& state, double velocity_interval,
-                  std::span<const double> inverse_mass) {
+void Rivets::pull(Rivet& rivet, system::State& state, double velocity_interval, std::span<const double> inverse_mass) {
   const Vec3d now = vec(state.x[rivet.node[1]]) - vec(state.x[rivet.node[0]]);
   const Vec3d n = unit(now);
   const Vec3d r = line_after(rivet.node, rivet.mobility, state, velocity_interval, inverse_mass);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/archive.hpp"

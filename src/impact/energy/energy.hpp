@@ -63,10 +63,21 @@ struct Energy {
 /// Share of the time from t(n-1/2) to t(n+1/2) that lies before t(n): 1/2 at a constant step, 0 at the start.
 double share_before_now(const system::State& state);
 
+/// What the energy of a node goes by, where its velocities are on another rank.
+struct NodalMotion {
+  double linear = 0.0, angular = 0.0;  ///< v(n-1/2) . v and w(n-1/2) . w, the second as the energy at t(n) wants it
+  Vec3d velocity;                      ///< at t(n)
+};
+/// Of node k; arguments as of kinetic_energy.
+NodalMotion nodal_motion(const system::State& state, std::span<const Row> v_before, std::span<const Row> w_before,
+                         std::size_t k);
+
 /// Kinetic energy of all nodes at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2)
 /// (docs/decisions/0002): `before` are the velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).
+/// `of_others`: by node, the motion of those that this rank does not follow; empty: all velocities are here.
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before);
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before,
+                      std::span<const NodalMotion> of_others = {});
 
 /// Adds up the elements' energies: internal, hourglass, bulk viscosity, eroded and eroded kinetic of `energy`, and all
 /// of `parts` (size: number of parts). A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the
@@ -74,7 +85,7 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 /// `lumped`, so that the parts' kinetic energies, eroded ones too, and theirs are `kinetic_energy`.
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
-                      std::vector<PartEnergy>& parts);
+                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others = {});
 
 /// Momentum over mass of all `parts` and of what belongs to none [velocity]; 0 where there is no mass.
 Vec3d mean_velocity(const Energy& energy, const std::vector<PartEnergy>& parts);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "base/peak_memory.hpp"
 #include "impact/simulation/simulation.hpp"
@@ -199,11 +200,21 @@ void Simulation::report_ranks() {
 
 void Simulation::collect(system::Carried what) {
   std::vector<system::Rows*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
+  const bool sums_only = what == system::Carried::energies || what == system::Carried::end;
   if (what == system::Carried::histories) rows.clear();  // all follow the nodes that histories show
+  if (sums_only) rows = {&state_.x};
+  free_room(motion_of_others_);
+  if (sums_only && ranks_ != nullptr && on_first_rank()) motion_of_others_.resize(system_.nodes);
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
   system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {
     for (const int k : of.share.reported_by(of.rank)) {
       if (what == system::Carried::histories) break;
+      if (sums_only) {
+        NodalMotion of_node;
+        if (!parcel.reading()) of_node = nodal_motion(state_, v_before_, w_before_, at(k));
+        parcel(&of_node, 1);
+        if (parcel.reading()) motion_of_others_[k] = of_node;
+      }
       if (!step_change_of_node_.empty()) {
         // A run goes on from what is booked; a balance shows what was done up to now.
         double booked = step_change_of_node_[k];

@@ -13,11 +13,13 @@
 #include <map>
 #include <utility>
 
+#include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/contact/contact_setup.hpp"
 #include "impact/simulation/ends.hpp"
 #include "model/bond.hpp"
+#include "system/share.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::impact {
@@ -174,12 +176,15 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       if (on_first_rank() && energies) {
         update_energy_balance();
         if (record) masses_ = system_.masses();
+        free_room(motion_of_others_);
       }
     }
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
-    if (ranks_ != nullptr && on_first_rank() && (record || balance) && !last && elements_due())
+    if (ranks_ != nullptr && on_first_rank() && (record || balance) && !last && elements_due()) {
       system_.leave_to_others();
+      for (system::Rows* rows : {&state_.v, &state_.w, &v_before_, &w_before_}) system_.share()->forget_others(*rows);
+    }
     if (record || balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
       if (progress) report_progress(progress, end_time);
@@ -590,8 +595,9 @@ void Simulation::transfer_dependent_forces() {
 
 void Simulation::update_energy_balance() {
   const Energy before = energy_;
-  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
-  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;
+  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_, motion_of_others_);
+  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_, motion_of_others_) -
+                    energy_.eroded_kinetic;
   energy_.contact = energy_.wall = energy_.external = energy_.damping = 0.0;
   components_.for_each([&](const auto& component) {
     if constexpr (requires { component.add_energy(energy_); }) component.add_energy(energy_);
@@ -629,7 +635,8 @@ void Simulation::archive(Archive& a) {
   a.built(contact_forces_, run_end_);
   a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
           momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
-          rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
+          rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_, shares_,
+          motion_of_others_);
 }
 
 }  // namespace nugget::impact

@@ -176,14 +176,15 @@ class Simulation {
   system::System& system_;
   system::State state_;
   Components components_;
-  std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
-  std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
-  std::vector<unsigned char> dependent_;               ///< by node
+  std::vector<system::SpringGroup*> stopped_springs_;    ///< those with stops
+  std::vector<double> contact_mass_;                     ///< by node, dependent nodes with what they had of their own
+  std::vector<unsigned char> dependent_;                 ///< by node
   ZeroedVector<double> inverse_mass_, inverse_inertia_;  ///< by node; over several ranks of those that it follows
   system::Rows v_before_, w_before_;
-  system::Rows v_period_, w_period_;  ///< in sub-cycling: velocities and spins after those of the last period
-  std::vector<Row> contact_forces_;   ///< in sub-cycling, where contacts have theirs not in each cycle
-  double run_end_ = 0.0;              ///< where the period that begins ends the run: its time; else 0
+  ZeroedVector<NodalMotion> motion_of_others_;  ///< by node, on the first of several ranks while it adds up energies
+  system::Rows v_period_, w_period_;            ///< in sub-cycling: velocities and spins after those of the last period
+  std::vector<Row> contact_forces_;             ///< in sub-cycling, where contacts have theirs not in each cycle
+  double run_end_ = 0.0;                        ///< where the period that begins ends the run: its time; else 0
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
@@ -201,9 +202,9 @@ class Simulation {
   bool gives_energy_ = false;  ///< a part or the contacts do so, by the last balance
   bool unstable_ = false;      ///< energy_is_made at the last cycle that is a multiple of 100
   Relaxation relaxation_;
-  double step_change_ = 0.0;                 ///< Energy::step_change so far, but for what nodes and supports add
+  double step_change_ = 0.0;                  ///< Energy::step_change so far, but for what nodes and supports add
   ZeroedVector<double> step_change_of_node_;  ///< this, with what their forces at t(n) add
-  double largest_input_ = 0.0;               ///< of the energy balances so far: what was there and put in, its size
+  double largest_input_ = 0.0;                ///< of the energy balances so far: what was there and put in, its size
   double power_on_change_ = 0.0;  ///< forces at t(n), but on free nodes, times what they change in velocities
 
   Energy energy_;
