@@ -12,12 +12,6 @@ namespace {
 
 constexpr std::size_t sums_of = 1024;  // elements or nodes: fixed, so that sums do not depend on the number of threads
 
-/// Share of the way from t(n-1/2) to t(n+1/2) at which the second velocity of the product v(n-1/2) . v stands, so that
-/// the energy fits the work booked until t(n), 1/2 F . v(n-1/2) dt(n-1): 1 at a constant step, 0 at the start.
-double share_of_interval(const system::State& state) {
-  return 2.0 * share_before_now(state);
-}
-
 Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
   return before + share * (after - before);
 }
@@ -36,9 +30,13 @@ struct Carried {
   Vec3d momentum;
 };
 
-NodalMotion motion_of(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                      std::span<const Row> w_before, std::span<const NodalMotion> of_others, std::size_t k) {
-  return of_others.empty() || system.follows(k) ? nodal_motion(state, v_before, w_before, k) : of_others[k];
+/// Inlined: called for each corner of each element.
+[[gnu::always_inline]] inline NodalMotion motion_of(const system::System& system, const system::State& state,
+                                                    std::span<const Row> v_before, std::span<const Row> w_before,
+                                                    std::span<const NodalMotion> of_others, std::size_t k,
+                                                    double share) {
+  if (!of_others.empty() && !system.follows(k)) return of_others[k];
+  return nodal_motion(state, v_before, w_before, k, share);
 }
 
 /// What hands nodal masses to parts: kinetic energy and momentum.
@@ -103,12 +101,12 @@ struct Carrier {
       if (!system.map.rotations(node)) sum.by_inertia = by_own_spin(k);
       return sum;
     }
-    const NodalMotion motion = motion_of(system, state, v_before, w_before, of_others, k);
+    const NodalMotion motion = motion_of(system, state, v_before, w_before, of_others, k, share);
     return {1.0, 0.5 * motion.linear, 0.5 * motion.angular, motion.velocity};
   }
 
   double by_own_spin(std::size_t k) const {
-    return 0.5 * motion_of(system, state, v_before, w_before, of_others, k).angular;
+    return 0.5 * motion_of(system, state, v_before, w_before, of_others, k, share).angular;
   }
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {
@@ -178,17 +176,13 @@ PartEnergy& PartEnergy::operator+=(const PartEnergy& other) {
   return *this;
 }
 
+double share_of_interval(const system::State& state) {
+  return 2.0 * share_before_now(state);
+}
+
 double share_before_now(const system::State& state) {
   const double both = state.dt_previous + state.dt;
   return both > 0.0 ? state.dt_previous / both : 0.5;
-}
-
-NodalMotion nodal_motion(const system::State& state, std::span<const Row> v_before, std::span<const Row> w_before,
-                         std::size_t k) {
-  const double share = share_of_interval(state);
-  const Vec3d before = vec(v_before[k]), after = vec(state.v[k]), spin = vec(w_before[k]);
-  return {dot(before, between(before, after, share)), dot(spin, between(spin, vec(state.w[k]), share)),
-          between(before, after, 0.5 * share)};
 }
 
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
@@ -196,7 +190,7 @@ double kinetic_energy(const system::System& system, const system::State& state, 
                       std::span<const NodalMotion> of_others) {
   const double share = share_of_interval(state);
   double sum = ordered_sum(system.nodes, [&](std::size_t k) {
-    const NodalMotion motion = motion_of(system, state, v_before, w_before, of_others, k);
+    const NodalMotion motion = motion_of(system, state, v_before, w_before, of_others, k, share);
     return 0.5 * system.mass[k] * motion.linear + 0.5 * system.inertia[k] * motion.angular;
   });
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {

@@ -68,9 +68,19 @@ struct NodalMotion {
   double linear = 0.0, angular = 0.0;  ///< v(n-1/2) . v and w(n-1/2) . w, the second as the energy at t(n) wants it
   Vec3d velocity;                      ///< at t(n)
 };
-/// Of node k; arguments as of kinetic_energy.
-NodalMotion nodal_motion(const system::State& state, std::span<const Row> v_before, std::span<const Row> w_before,
-                         std::size_t k);
+/// Of node k; `share`: share_of_interval, all else as of kinetic_energy.
+inline NodalMotion nodal_motion(const system::State& state, std::span<const Row> v_before,
+                                std::span<const Row> w_before, std::size_t k, double share) {
+  const auto between = [](const Vec3d& before, const Vec3d& after, double part) {
+    return before + part * (after - before);
+  };
+  const Vec3d before = vec(v_before[k]), after = vec(state.v[k]), spin = vec(w_before[k]);
+  return {dot(before, between(before, after, share)), dot(spin, between(spin, vec(state.w[k]), share)),
+          between(before, after, 0.5 * share)};
+}
+/// Share of the way from t(n-1/2) to t(n+1/2) at which the second velocity of the product v(n-1/2) . v stands, so that
+/// the energy fits the work booked until t(n), 1/2 F . v(n-1/2) dt(n-1): 1 at a constant step, 0 at the start.
+double share_of_interval(const system::State& state);
 
 /// Kinetic energy of all nodes at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2)
 /// (docs/decisions/0002): `before` are the velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).

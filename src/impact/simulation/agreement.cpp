@@ -203,6 +203,7 @@ void Simulation::collect(system::Carried what) {
   const bool sums_only = what == system::Carried::energies || what == system::Carried::end;
   if (what == system::Carried::histories) rows.clear();  // all follow the nodes that histories show
   if (sums_only) rows = {&state_.x};
+  const double share = share_of_interval(state_);
   free_room(motion_of_others_);
   if (sums_only && ranks_ != nullptr && on_first_rank()) motion_of_others_.resize(system_.nodes);
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
@@ -211,7 +212,7 @@ void Simulation::collect(system::Carried what) {
       if (what == system::Carried::histories) break;
       if (sums_only) {
         NodalMotion of_node;
-        if (!parcel.reading()) of_node = nodal_motion(state_, v_before_, w_before_, at(k));
+        if (!parcel.reading()) of_node = nodal_motion(state_, v_before_, w_before_, at(k), share);
         parcel(&of_node, 1);
         if (parcel.reading()) motion_of_others_[k] = of_node;
       }

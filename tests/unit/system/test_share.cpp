@@ -187,7 +187,7 @@ class ToNowhere final : public Archive {
   void bytes(void*, std::size_t) override {}
 };
 
-// Sabotage: `leave` that leaves nothing, groups that start whole, energies that go by states of others.
+// Sabotage: `leave` that leaves nothing; energies that are not those of the element.
 TEST(Share, ARankHasTheStatesOfItsShareOnly) {
   Sheet alone;
   alone.move();
@@ -216,13 +216,14 @@ TEST(Share, ARankHasTheStatesOfItsShareOnly) {
         },
         [](int, Sheet& sheet) {
           sheet.system.leave_to_others();
+          EXPECT_GT(sheet.system.elements_elsewhere(), side * side / 3);  // on the first rank as well
           sheet.system.collect(Carried::energies, {}, [](const System::Computed&, Parcel&) {});
         });
     EXPECT_EQ(here, side * side);
   }
 }
 
-// What others do to elements that are elsewhere. Sabotage: `alive` and `mass_scale` by states that are not there.
+// What others do to elements that are elsewhere. Sabotage: `leave` that leaves nothing.
 TEST(Share, WhatHappensToElementsElsewhereIsKnown) {
   over_ranks(
       2, false,
