@@ -27,6 +27,8 @@
 #include "app/statics.hpp"
 #include "app/subcycling.hpp"
 #include "app/weld_drop_runs.hpp"
+#include "base/free_room.hpp"
+#include "base/large_arrays.hpp"
 #include "base/parallel.hpp"
 #include "base/peak_memory.hpp"
 #include "impact/recording/result_files.hpp"
@@ -109,9 +111,9 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.threads = threads();
   s.ranks = nvh::ranks();
   for (const impact::Simulation::RankReport& r : run.rank_reports())
-    s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.nodes), static_cast<long>(r.shared_nodes),
-                      static_cast<long>(r.neighbours), r.cost, r.contact, r.messages, r.bytes, r.busy, r.waiting,
-                      r.peak_memory});
+    s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.states), static_cast<long>(r.nodes),
+                      static_cast<long>(r.shared_nodes), static_cast<long>(r.neighbours), r.cost, r.contact, r.messages,
+                      r.bytes, r.busy, r.waiting, r.peak_memory});
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);
@@ -467,6 +469,12 @@ JoinedRun::Ready ready(const PreparedDeck& p, const Findings& findings) {
   return {findings.errors() == 0, p.deck_checksum, output::checksum_of_program(), system::elements_at_a_time()};
 }
 
+/// Several ranks give elements their states when they have been shared out; those of a restart file are read whole.
+system::System::ElementsStart elements_start(const JoinedRun& joined, const output::RestartReader* from) {
+  using Start = system::System::ElementsStart;
+  return joined.ranks() != nullptr && from == nullptr ? Start::with_share : Start::at_once;
+}
+
 /// `from`: the restart file of a run that is resumed; null: a new one.
 ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, PreparedDeck p, Findings& findings,
                       output::RestartReader* from, JoinedRun& joined) {
@@ -475,7 +483,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   std::optional<system::System> system;
   std::optional<impact::Simulation> simulation;
   // Faults of ties, of the system and of what acts in it are reported together.
-  make_system(p, system, findings);
+  make_system(p, system, findings, elements_start(joined, from));
   if (system) simulation.emplace(*system, findings);
   if (system) check_subcycling(*simulation, findings);
   if (system && p.model.control.single_precision) say_what_stays_double(*system, findings);
@@ -547,6 +555,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
 /// `from` as of run_explicit.
 ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output::RestartReader* from) {
   use_threads(arguments.threads);
+  give_large_arrays_back();
   JoinedRun joined(arguments.over_ranks ? rank_team() : nullptr, arguments.load_case);
   Findings findings;
   PreparedDeck p = prepare(arguments, findings);
@@ -579,11 +588,14 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
 /// A rank of a run that another one leads: computes its share and writes nothing.
 ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   use_threads(arguments.threads);
+  give_large_arrays_back();
   JoinedRun joined(rank_team(), arguments.load_case);
   Findings findings;
   PreparedDeck p = prepare(arguments, findings);
+  free_room(p.audit);  // for those who write
+  free_room(p.welds);
   if (!p.has_text || analysis_of(p.model) != Analysis::explicit_dynamics || !p.is_tied) return ExitCode::normal;
-  system::System system(p.model, p.ties, findings);
+  system::System system(p.model, p.ties, findings, {}, elements_start(joined, from));
   impact::Simulation simulation(system, findings);
   std::string why;
   if (!joined.agree(ready(p, findings), why)) return ExitCode::normal;

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/clock.hpp"
@@ -126,7 +127,8 @@ void warn_of_other_units(const model::Model& model, Findings& findings) {
 PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   PreparedDeck p;
   Clock clock;
-  const deck::Deck deck = deck::read(arguments.deck, findings, arguments.load_case);
+  std::optional<deck::Deck> text = deck::read(arguments.deck, findings, arguments.load_case);
+  const deck::Deck& deck = *text;
   p.has_text = deck.bytes > 0;
   p.deck_checksum = deck::checksum(deck);
   for (const std::string& file : deck.files)
@@ -139,6 +141,7 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
   }
   p.model = reading::build(deck, findings, arguments.skip_unsupported, library);
   if (p.model.coarsen.on && findings.errors() == 0) coarsen(p, deck, arguments.skip_unsupported, findings);
+  text.reset();  // what follows takes as much
   if (library) note_unused_library(p.model, findings);
   p.model.units = arguments.units;
   warn_of_other_units(p.model, findings);

@@ -9,15 +9,16 @@
 
 namespace nugget::app {
 
-void make_system(const PreparedDeck& p, std::optional<system::System>& system, Findings& findings) {
+void make_system(const PreparedDeck& p, std::optional<system::System>& system, Findings& findings,
+                 system::System::ElementsStart start) {
   if (!p.is_tied) return;
-  system.emplace(p.model, p.ties, findings);
+  system.emplace(p.model, p.ties, findings, system::ElementPeriods{}, start);
   const model::Subcycling& asked = p.model.control.subcycling;
   if (!asked.on() || findings.errors() > 0) return;
   system->compute_at_rest();
   const system::ElementPeriods periods = system::periods_by_step(*system, asked.ratio);
   Findings once_more;  // those of this model have been reported
-  system.emplace(p.model, p.ties, once_more, periods);
+  system.emplace(p.model, p.ties, once_more, periods, start);
 }
 
 void check_subcycling(const impact::Simulation& simulation, Findings& findings) {

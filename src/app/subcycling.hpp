@@ -14,7 +14,8 @@ namespace nugget::app {
 
 /// The system of a deck for a run: with sub-cycling, where the deck or --subcycle asks for it. Leaves `system` empty
 /// where its nodes are not tied.
-void make_system(const PreparedDeck& deck, std::optional<system::System>& system, Findings& findings);
+void make_system(const PreparedDeck& deck, std::optional<system::System>& system, Findings& findings,
+                 system::System::ElementsStart start = system::System::ElementsStart::at_once);
 
 /// With sub-cycling: an error for each thing of the deck whose forces or failure it would change, all at once; a note
 /// where all elements have the same period.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <cstddef>
 #include <cstring>
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace nugget {
+
+/// Arrays of this size [bytes] and more take pages of their own.
+inline constexpr std::size_t zeroed_by_pages = std::size_t{1} << 16;
 
 /// Memory that is 0 to begin with and, where it is long, takes room in the machine only where something is written, a
 /// page at a time: for arrays of which a rank of several needs its share. Aligned to lines of the cache. A vector may
@@ -42,11 +46,21 @@ struct Zeroed {
   friend bool operator==(const Zeroed&, const Zeroed&) { return true; }
 
  private:
-  static constexpr std::size_t long_array = std::size_t{1} << 20;
   static constexpr std::align_val_t line{64};
+  static constexpr std::size_t long_array = zeroed_by_pages;
 };
 
 template <class T>
 using ZeroedVector = std::vector<T, Zeroed<T>>;
+
+/// Values [begin, end) are not asked for until they are written again: pages that they fill take no room any more.
+template <class T>
+void forget(ZeroedVector<T>& list, std::size_t begin, std::size_t end) {
+  if (list.capacity() * sizeof(T) < zeroed_by_pages || begin >= end) return;
+  static const std::size_t page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  auto* const first = reinterpret_cast<std::byte*>(list.data());
+  const std::size_t from = (begin * sizeof(T) + page - 1) / page * page, to = end * sizeof(T) / page * page;
+  if (from < to) ::madvise(first + from, to - from, MADV_DONTNEED);
+}
 
 }  // namespace nugget

@@ -11,6 +11,7 @@
 #include "base/archive.hpp"
 #include "base/index.hpp"
 #include "base/row.hpp"
+#include "base/zeroed.hpp"
 #include "system/parcel.hpp"
 
 namespace nugget::contact {
@@ -138,8 +139,8 @@ class NodalForces {
   std::vector<int> index_;  // by node: its place in nodes_
   std::vector<unsigned char> side_;
   std::vector<Part> parts_;
-  std::vector<double> work_, friction_work_;  // so far, by place; the latter empty where there is no friction
-  std::vector<char> left_out_;                // by place; empty: none
+  ZeroedVector<double> work_, friction_work_;  // so far, by place; the latter empty where there is no friction
+  std::vector<char> left_out_;                 // by place; empty: none
 };
 
 }  // namespace nugget::contact

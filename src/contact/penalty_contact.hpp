@@ -57,10 +57,10 @@ class PenaltyContact {
  private:
   Vec3d with_edges_and_glue(Vec3d sum) const;
 
+  bool can_expose_faces_ = false;  // deleted elements expose faces or edges
   SurfaceContact surface_;
   std::optional<EdgeContact> edges_;
   std::unique_ptr<Glue> glue_;
-  bool can_expose_faces_ = false;  // deleted elements expose faces or edges
 };
 
 }  // namespace nugget::contact

@@ -54,7 +54,7 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
                                        : static_cast<int>(rank_of_block_.size() % at(count)));
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b)
-    if (!computes(b)) blocks_[b].clear_hits();
+    if (!computes(b)) leave(blocks_[b]);
   std::vector<char> left_out;
   others_add_.clear();
   answered_.assign(at(count), {});
@@ -70,6 +70,17 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
   forces_.leave_out(std::move(left_out));
   list_followed_nodes();
   if (searched_) ask_for_ghosts();
+}
+
+/// What another rank looks at: it comes back with `carry`.
+void SurfaceContact::leave(Block& block) {
+  block.clear_hits();
+  free_room(block.first);
+  free_room(block.next_check_travel);
+  free_room(block.deep);
+  free_room(block.pairs);
+  free_room(block.touches);
+  free_room(block.free);
 }
 
 void SurfaceContact::list_followed_nodes() {
@@ -140,7 +151,9 @@ void SurfaceContact::forget_lists() {
     std::ranges::fill(block.next_check_travel, 0.0);
     block.asleep_until = 0.0;
   }
-  active_nodes_.clear();
+  free_room(active_nodes_);
+  free_room(searched_at_);
+  free_room(seen_at_);
   searched_ = false;
   searches_ = 0;
 }
@@ -231,7 +244,9 @@ void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parce
   for (const int place : answered_[rank]) forces_.carry(place, whole, parcel);
   for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i) {
     const std::span<const int> adding = share_->adding(active_nodes_[i]);
-    if (!adding.empty() && adding.front() == rank) parcel(&seen_at_[i], 1);
+    if (adding.empty() || adding.front() != rank) continue;
+    parcel(&searched_at_[i], 1);
+    parcel(&seen_at_[i], 1);
   }
 }
 

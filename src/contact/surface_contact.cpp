@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "contact/surface_nodes.hpp"
@@ -24,7 +25,7 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
 
 }  // namespace
 
-SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x)
+SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, std::vector<Segment>* given)
     : law_(setup.law),
       deepest_allowed_(setup.deepest),
       birth_(setup.birth),
@@ -51,6 +52,11 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     faces_.push_back(face);
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
   }
+  assign_sides(forces_, around_, setup.segments);
+  // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
+  margin_ = 0.25 * mean_edge(setup.segments, x);
+  if (given != nullptr) free_room(*given);
+
   stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   nodes_.reserve(setup.nodes.size());
   std::vector<int> kinds;
@@ -75,11 +81,7 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     pressing_ |= t.against;
     if (t.stays_active) stays_active_[t.node] = 1;
   }
-  assign_sides(forces_, around_, setup.segments);
   looks_everywhere_ = law_.balances_friction;  // couples look at places of all corners
-
-  // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
-  margin_ = 0.25 * mean_edge(setup.segments, x);
 
   const int tracked = static_cast<int>(nodes_.size());
   blocks_.reserve((nodes_.size() + nodes_per_block - 1) / nodes_per_block);

@@ -9,6 +9,7 @@
 #include "base/archive.hpp"
 #include "base/bvh.hpp"
 #include "base/row.hpp"
+#include "base/zeroed.hpp"
 #include "contact/contact_energies.hpp"
 #include "contact/nodal_forces.hpp"
 #include "contact/step.hpp"
@@ -118,7 +119,9 @@ class SurfaceContact {
   };
 
   /// `x`: initial coordinates, for stiffness and search margin.
-  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x);
+  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x) : SurfaceContact(setup, x, nullptr) {}
+  /// Sets the segments of the setup free as soon as it has its own.
+  SurfaceContact(SurfaceContactSetup&& setup, std::span<const Row> x) : SurfaceContact(setup, x, &setup.segments) {}
 
   /// Adds the contact forces at the end of a step to `force`, by node. Sign: forces that act on the nodes (an external
   /// force; the solver's a = (force - internal)/m).
@@ -294,6 +297,8 @@ class SurfaceContact {
     void clear_hits();
     void archive(Archive& a);
   };
+  /// `given`: null, or those of the setup.
+  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, std::vector<Segment>* given);
   static constexpr double side_change_cosine = 0.5;  // cosine from the side that is remembered, over an edge
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
   friend std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup&, std::span<const Row>);
@@ -313,8 +318,11 @@ class SurfaceContact {
   }
 
   void take_share(const SharedNodes& shared);
+  static void leave(Block& block);
   Box over_all_ranks(const Box& own) const;
   void list_followed_nodes();
+  /// Coordinates of active_nodes_, over several ranks of those that this one follows.
+  ZeroedVector<Vec3d> places_of_active_nodes(std::span<const Row> x) const;
   void ask_for_ghosts();
   void list_active_blocks();
   bool moved_too_far(std::span<const Row> x);
@@ -398,15 +406,16 @@ class SurfaceContact {
   unsigned pressing_ = 0;  // sides whose segments press any node
   double margin_ = 0.0;
 
-  NodalForces forces_;              // on all nodes of segments and all tracked nodes
-  std::vector<int> active_nodes_;   // those of them with active segments at the last search
-  std::vector<Vec3d> searched_at_;  // coordinates of active_nodes_ then
+  NodalForces forces_;             // on all nodes of segments and all tracked nodes
+  std::vector<int> active_nodes_;  // those of them with active segments at the last search
+  // Coordinates of active_nodes_ then; over several ranks of those that this one follows.
+  ZeroedVector<Vec3d> searched_at_;
   bool searched_ = false;
   long searches_ = 0;
-  std::vector<Vec3d> seen_at_;  // coordinates of active_nodes_ in the cycle before
-  double travelled_ = 0.0;      // by how much two points can have approached each other since the start, at most
-  double searched_when_ = 0.0;  // travelled_ at the last search
-  std::vector<Box> moved_;      // displacements of active_nodes_, by group of nodes
+  ZeroedVector<Vec3d> seen_at_;  // the same in the cycle before
+  double travelled_ = 0.0;       // by how much two points can have approached each other since the start, at most
+  double searched_when_ = 0.0;   // travelled_ at the last search
+  std::vector<Box> moved_;       // displacements of active_nodes_, by group of nodes
   std::vector<Block> blocks_;
   std::vector<int> active_blocks_;            // blocks that have pairs and that this process looks at
   std::vector<std::vector<Source>> sources_;  // of forces, by part of the nodes

@@ -62,13 +62,10 @@ void SurfaceContact::search(const Step& step) {
   const std::span<const unsigned char> element_alive = step.element_alive;
   active_nodes_.clear();
   active_nodes_.reserve(forces_.nodes().size());
-  searched_at_.clear();
-  searched_at_.reserve(forces_.nodes().size());
-  for (int n : forces_.nodes()) {
-    if (!node_alive(n, element_alive) || !finite(x[n])) continue;
-    active_nodes_.push_back(n);
-    searched_at_.push_back(vec(x[n]));
-  }
+  for (int n : forces_.nodes())
+    if (node_alive(n, element_alive) && finite(x[n])) active_nodes_.push_back(n);
+  if (share_ != nullptr) list_followed_nodes();
+  searched_at_ = places_of_active_nodes(x);
   free_room(seen_at_);  // the tree takes more
 
   const Box within = box_of_own_blocks(x);
@@ -90,14 +87,20 @@ void SurfaceContact::search(const Step& step) {
   };
   parallel_for(blocks_.size(), 4, list);
   tree.reset();
-  seen_at_ = searched_at_;
-  if (share_ != nullptr) {
-    list_followed_nodes();
-    ask_for_ghosts();
-  }
+  seen_at_ = places_of_active_nodes(x);
+  if (share_ != nullptr) ask_for_ghosts();
   searched_ = true;
   searched_when_ = travelled_;
   ++searches_;
+}
+
+ZeroedVector<Vec3d> SurfaceContact::places_of_active_nodes(std::span<const Row> x) const {
+  ZeroedVector<Vec3d> places(active_nodes_.size());
+  const auto put = [&](std::size_t i) { places[i] = vec(x[active_nodes_[i]]); };
+  if (share_ != nullptr)
+    for (const int i : followed_) put(at(i));
+  for (std::size_t i = 0; share_ == nullptr && i < places.size(); ++i) put(i);
+  return places;
 }
 
 /// Makes the lists of the nodes of a block anew; what their pairs remember goes on.

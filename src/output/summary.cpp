@@ -144,6 +144,7 @@ Json to_json(const Summary& s) {
   json["ranks"] = s.ranks;
   for (const Summary::Rank& r : s.rank)
     json["rank"].push_back({{"elements", r.elements},
+                            {"states", r.states},
                             {"nodes", r.nodes},
                             {"shared_nodes", r.shared_nodes},
                             {"neighbours", r.neighbours},

@@ -151,7 +151,9 @@ struct Summary {
   int threads = 0, ranks = 1;
   /// A rank of an explicit run over several.
   struct Rank {
-    long elements = 0, nodes = 0, shared_nodes = 0, neighbours = 0;
+    long elements = 0;  ///< that it computed
+    long states = 0;    ///< elements whose states it held at the end
+    long nodes = 0, shared_nodes = 0, neighbours = 0;
     double expected_load = 0.0;          ///< of elements, over the mean of all
     double expected_contact_load = 0.0;  ///< of contact, likewise; 0 where there is none
     double messages = 0.0, bytes = 0.0;  ///< sent, a cycle

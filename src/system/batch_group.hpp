@@ -12,16 +12,17 @@
 #include "base/denormals.hpp"
 #include "base/index.hpp"
 #include "base/row.hpp"
+#include "base/zeroed.hpp"
 #include "system/archive_by_element.hpp"
 #include "system/before_cycle.hpp"
 #include "system/element_group.hpp"
+#include "system/elements_elsewhere.hpp"
 #include "system/imposed_stress.hpp"
 #include "system/inviscid.hpp"
 #include "system/joined_beams.hpp"
+#include "system/lane_forces.hpp"
 
 namespace nugget::system {
-
-using AlignedReals = std::vector<double, Aligned<double>>;
 
 /// Walks the blocks of one kind of element: gathers nodal rows into lanes, calls the kernel, books the work of the
 /// nodal forces as internal energy, and writes the forces into slots. What is particular to a kind of element comes
@@ -62,18 +63,20 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   static constexpr int rows = Element::rotational ? 2 : 1;
   /// A step that moves nothing; of floats one after which strains are still normal numbers, whatever the units.
   static constexpr double no_step = single ? 0x1p-40 : 0x1p-100;
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
   static constexpr std::size_t blocks_ahead = 2;  ///< for whose nodes the memory is asked
   static constexpr bool is_weld = requires(Element & kernel) { kernel.freeze_yield(nullptr, 0); };
   static constexpr bool is_joined = requires { Element::most_state; };
+  static constexpr bool stays_here = is_weld || is_joined;  ///< on every rank: welds are looked at by others
   /// Its kernel's own derivative is not exact.
   static constexpr bool has_own_stiffness =
       requires(const Element& kernel, double (*field)(int), std::array<Vec3d, corners> x, std::span<double> k) {
     kernel.stiffness(field, x, k);
   };
 
-  /// `connectivity`: system nodes of each element.
+  /// `connectivity`: system nodes of each element. `starts_later`: states come with `start`, unless these are welds.
   BatchGroup(Element kernel, model::ElementKind k, model::Index p, std::vector<model::Index> elements,
-             const std::vector<ElementNodes>& connectivity, std::span<const Vec3d> x)
+             const std::vector<ElementNodes>& connectivity, std::span<const Vec3d> x, bool starts_later = false)
       : kernel_(std::move(kernel)), inviscid_(without_viscosity(kernel_)) {
     kind = k;
     part = p;
@@ -82,11 +85,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     rotational = Element::rotational;
     const std::size_t count = blocks() * width;
     nodes_.resize(count * corners);
-    state_.assign(count * at(state_size()), N(0.0));
-    std::vector<double> one;  // of an element in double precision, of which in single the numbers are rounded
-    if (single) one.resize(at(kernel_.state_size()) * native_width);
-    energy_.assign(count, 0.0);
-    step_.assign(count, std::numeric_limits<double>::infinity());
+    state_.resize(count * at(state_size()));
+    energy_.resize(count);
+    step_.resize(count);
     mass_.resize(size());
     inertia_.resize(size());
     for (std::size_t e = 0; e < count; ++e) {
@@ -98,20 +99,36 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
         nodes_[node_index(e, a)] = node;
         place[a] = x[node];
       }
-      if constexpr (single) {
-        kernel_.start(one.data(), 0, element[own], place);
-        for (int i = 0; i < kernel_.state_size(); ++i) put_field(e, i, one[at(i * native_width)]);
-      } else {
-        kernel_.start(state(e), lane(e), element[own], place);
-      }
-      if (e >= size()) {
-        put_field(e, Element::Layout::alive, 0.0);
-      } else {
-        mass_[e] = kernel_.mass(element[own], place);
-        inertia_[e] = kernel_.nodal_inertia(element[own], place);
-      }
+      if (e >= size()) continue;
+      mass_[e] = kernel_.mass(element[own], place);
+      inertia_[e] = kernel_.nodal_inertia(element[own], place);
+    }
+    starts_later = starts_later && !stays_here;
+    for (std::size_t e = 0; starts_later && e < size(); ++e) elsewhere_.put(e, size(), true, 1.0);
+    for (std::size_t b = 0; !starts_later && b < blocks(); ++b) start(b, [&x](int node) { return x[node]; });
+  }
+
+  void start(const std::function<Vec3d(int)>& place, const std::function<bool(std::size_t)>& here) override {
+    for (std::size_t b = blocks(); b-- > 0;) {  // blocks of padding go with the last element, which is then still there
+      if (!elsewhere_.has(std::min(b * width, size() - 1)) || !here(b)) continue;
+      elsewhere_.take_out(b * width, (b + 1) * width);
+      start(b, place);
     }
   }
+  void leave(const std::function<bool(std::size_t)>& here) override {
+    if (stays_here) return;
+    for (std::size_t b = 0, end; b < blocks(); b = end) {
+      for (end = b + 1; end < blocks() && here(end) == here(b);) ++end;
+      if (here(b)) continue;
+      for (std::size_t e = b * width; e < std::min(size(), end * width); ++e)
+        if (!elsewhere_.has(e)) elsewhere_.put(e, size(), alive(e), mass_scale(e));
+      forget(state_, b * width * at(state_size()), end * width * at(state_size()));
+      forget(energy_, b * width, end * width);
+      forget(step_, b * width, end * width);
+      std::fill_n(block_step.begin() + static_cast<std::ptrdiff_t>(b), end - b, unlimited);
+    }
+  }
+  std::size_t elsewhere() const override { return elsewhere_.count(); }
 
   std::size_t blocks() const override { return (size() + widest_width - 1) / widest_width * widest_width / width; }
   std::size_t widest() const override { return widest_width; }
@@ -129,7 +146,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
                   })
       kernel_.before_cycle(
           now, [this](std::size_t e) { return alive(e); },
-          [this](std::size_t e, int i, double value) { put_field(e, i, value); });
+          [this](std::size_t e, int i, double value) {
+            if (!elsewhere_.has(e)) put_field(e, i, value);
+          });
   }
 
   void joint_trial([[maybe_unused]] std::size_t e, [[maybe_unused]] const State& now,
@@ -169,7 +188,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       if constexpr (can_take_stress) {
         if (!imposed_.empty()) impose(b, motion, out);
       }
-      if constexpr (requires { out.volume; }) zero_forces_of_inverted(out);
+      if constexpr (requires { out.volume; }) zero_forces_of_inverted<R, Element::rotational>(out);
       if constexpr (single) balance(out.f);
       if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < alive_before)) ++deletions;
 
@@ -219,8 +238,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       for (int i = 0; i < state_size(); ++i)
         for (int l = 0; l < width; ++l) scratch[i * width + l] = state(e)[i * width + lane(e)];
       for (int a = 0; a < corners; ++a) {
-        motion.v[a] = unit_motion(first - a * per_node);
-        if constexpr (Element::rotational) motion.w[a] = unit_motion(first - a * per_node - 3);
+        motion.v[a] = unit_motion<R, width>(first - a * per_node);
+        if constexpr (Element::rotational) motion.w[a] = unit_motion<R, width>(first - a * per_node - 3);
       }
       const auto out = inviscid_.template cycle<R>(motion, no_step, scratch.data());
       for (int l = 0; l < std::min(width, size - first); ++l)
@@ -297,6 +316,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   void store_reference_state() override {
     if (reference_kept_) return;
+    expect_all_here();
     reference_kept_ = true;
     for (int i = 0; i < state_size(); ++i) {
       const auto holds = [this, i](std::size_t b) {
@@ -316,13 +336,14 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       }
   }
   void archive(Archive& a) override {
+    expect_all_here();
     ElementGroup::archive(a);
     archive_by_element(a, state_, at(state_size()), width);
     archive_by_element(a, reference_state_, reference_fields_.size(), width);
     a(energy_, step_);
     if (a.reading())
       for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
-    a.built(kernel_, nodes_, reference_fields_, reference_kept_, inviscid_, mass_, inertia_, imposed_);
+    a.built(kernel_, nodes_, reference_fields_, reference_kept_, inviscid_, mass_, inertia_, imposed_, elsewhere_);
   }
 
   ElementNodes nodes(std::size_t e) const override {
@@ -330,59 +351,74 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     for (int a = 0; a < corners; ++a) n[a] = nodes_[node_index(e, a)];
     return n;
   }
-  bool alive(std::size_t e) const override { return field(e, Element::Layout::alive) != 0.0; }
+  bool alive(std::size_t e) const override {
+    return elsewhere_.has(e) ? elsewhere_.alive(e) : field(e, Element::Layout::alive) != 0.0;
+  }
   void remove(std::size_t e) override {
-    put_field(e, Element::Layout::alive, 0.0);
+    if (elsewhere_.has(e))
+      elsewhere_.remove(e);
+    else
+      put_field(e, Element::Layout::alive, 0.0);
     ++deletions;
   }
   void release_step(std::size_t e) override {
-    step_[e] = std::numeric_limits<double>::infinity();
+    if (elsewhere_.has(e))
+      elsewhere_.release_step(e);
+    else
+      step_[e] = unlimited;
     find_block_step(e / width);
   }
   void take_step(std::size_t e, double step) override {
-    step_[e] = step;
+    if (elsewhere_.has(e))
+      elsewhere_.take_step(e, step);
+    else
+      step_[e] = step;
     find_block_step(e / width);
   }
   void carry(std::size_t begin, std::size_t end, Carried what, Parcel& parcel) override {
     const std::size_t first = begin * width, count = (end - begin) * width;
     parcel(&energy_[first], count);
-    if (what == Carried::energies) {
-      using Layout = typename Element::Layout;
-      for (std::size_t b = begin; b < end; ++b) {
-        const auto row = [&](int i) { parcel(state(b * width) + i * width, width); };
-        row(Layout::alive);
-        row(Layout::density_scale);
-        if constexpr (Layout::hourglass_energy >= 0) row(Layout::hourglass_energy);
-        if constexpr (requires { Layout::bulk_viscosity_work; }) row(Layout::bulk_viscosity_work);
+    if (what == Carried::energies && !stays_here) {
+      for (std::size_t e = first; e < std::min(size(), first + count); ++e) {
+        ElementsElsewhere::Energies of_element;
+        if (!parcel.reading())
+          of_element = {alive(e) ? 1.0 : 0.0, mass_scale(e), hourglass_energy(e), bulk_viscosity_work(e)};
+        parcel(&of_element, 1);
+        if (parcel.reading()) elsewhere_.take(e, of_element);
       }
       return;
     }
     parcel(state(first), count * at(state_size()));
+    if (parcel.reading()) elsewhere_.take_out(first, first + count);
     if (what != Carried::whole) return;
     parcel(&step_[first], count);
     for (std::size_t b = begin; parcel.reading() && b < end; ++b) find_block_step(b);
   }
-  double stable_step(std::size_t e) const override { return step_[e]; }
+  double stable_step(std::size_t e) const override { return elsewhere_.has(e) ? elsewhere_.step(e) : step_[e]; }
   double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }
   void add_internal_energy(std::size_t e, double work) override { energy_[e] += work; }
   double hourglass_energy(std::size_t e) const override {
     if constexpr (Element::Layout::hourglass_energy < 0) return 0.0;
+    if (elsewhere_.has(e)) return elsewhere_.hourglass_energy(e);
     return field(e, Element::Layout::hourglass_energy);
   }
   double bulk_viscosity_work(std::size_t e) const override {
     if constexpr (requires { Element::Layout::bulk_viscosity_work; })
-      return field(e, Element::Layout::bulk_viscosity_work);
+      return elsewhere_.has(e) ? elsewhere_.bulk_viscosity_work(e) : field(e, Element::Layout::bulk_viscosity_work);
     else
       return 0.0;
   }
   double mass(std::size_t e) const override { return mass_[e]; }
   double nodal_inertia(std::size_t e) const override { return inertia_[e]; }
-  double mass_scale(std::size_t e) const override { return field(e, Element::Layout::density_scale); }
+  double mass_scale(std::size_t e) const override {
+    return elsewhere_.has(e) ? elsewhere_.scale(e) : field(e, Element::Layout::density_scale);
+  }
   double kept_mass_scale(double factor) const override {
     const N kept = static_cast<N>(factor);
     return kept < factor ? std::nextafter(kept, std::numeric_limits<N>::infinity()) : kept;
   }
   void scale_mass(std::size_t e, double factor) override {
+    if (elsewhere_.has(e)) return elsewhere_.scale(e, factor);
     step_[e] *= std::sqrt(factor / mass_scale(e));
     put_field(e, Element::Layout::density_scale, factor);
     find_block_step(e / width);
@@ -514,47 +550,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     else
       return gather<R>(rows_of_nodes.data(), id + a * width);
   }
-  /// Rounds forces to a grid on which their sum has all its digits, and lets the last one be minus that of the others.
-  /// The grid is that of the floats about `corners` times the largest.
-  [[gnu::always_inline]] static inline void balance(Vec3<R> (&f)[corners]) {
-    for (R Vec3<R>::*c : {&Vec3<R>::x, &Vec3<R>::y, &Vec3<R>::z}) {
-      R largest = abs(f[0].*c), sum(0.0);
-      for (int a = 1; a < corners; ++a) largest = max(largest, abs(f[a].*c));
-      const R coarse = R(corners) * largest;
-      for (int a = 0; a + 1 < corners; ++a) {
-        f[a].*c = (f[a].*c + coarse) - coarse;
-        sum += f[a].*c;
-      }
-      f[corners - 1].*c = -sum;
-    }
-  }
-  /// Lane l stands for component first + l of three: that component is 1 in its lane, everything else is 0.
-  static Vec3<R> unit_motion(int first) {
-    Vec3<R> v;
-    for (int l = 0; l < width; ++l) {
-      if (first + l == 0) set_lane(v.x, l, 1.0);
-      if (first + l == 1) set_lane(v.y, l, 1.0);
-      if (first + l == 2) set_lane(v.z, l, 1.0);
-    }
-    return v;
-  }
   std::array<Vec3d, corners> places(std::size_t e, const State& now) const {
     std::array<Vec3d, corners> x;
     for (int a = 0; a < corners; ++a) x[a] = vec(now.x[nodes_[node_index(e, a)]]);
     return x;
-  }
-  /// An inverted element has strains without meaning: it has no forces in the cycle that ends the run or deletes it,
-  /// and no step, whatever its kernel gives.
-  template <class Forces>
-  static void zero_forces_of_inverted(Forces& out) {
-    const R none(0.0);
-    const auto positive = out.volume > none;
-    if (!any(!positive)) return;
-    for (int a = 0; a < corners; ++a) {
-      out.f[a] = kernel::select(positive, out.f[a], Vec3<R>{});
-      if constexpr (Element::rotational) out.m[a] = kernel::select(positive, out.m[a], Vec3<R>{});
-    }
-    out.stable_step = select(positive, out.stable_step, none);
   }
   /// Remembers the first active element whose volume is no longer positive, whichever thread finds it.
   void note_inverted(std::size_t b, const R& volume) {
@@ -566,7 +565,33 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       }
     }
   }
+  void start(std::size_t b, const std::function<Vec3d(int)>& place_of) {
+    std::vector<double> one;  // of an element in double precision, of which in single the numbers are rounded
+    if (single) one.resize(at(kernel_.state_size()) * native_width);
+    for (std::size_t e = b * width; e < (b + 1) * width; ++e) {
+      const model::Index own = element[std::min(e, size() - 1)];
+      std::array<Vec3d, corners> place;
+      for (int a = 0; a < corners; ++a) place[a] = place_of(nodes_[node_index(e, a)]);
+      if constexpr (single) {
+        kernel_.start(one.data(), 0, own, place);
+        for (int i = 0; i < kernel_.state_size(); ++i) put_field(e, i, one[at(i * native_width)]);
+      } else {
+        kernel_.start(state(e), lane(e), own, place);
+      }
+      if (e >= size()) put_field(e, Element::Layout::alive, 0.0);
+      step_[e] = unlimited;
+    }
+  }
+  void expect_all_here() const {
+    if (elsewhere_.count() > 0) throw std::logic_error("states of elements are asked for that other ranks have");
+  }
   void find_block_step(std::size_t b) {
+    if (elsewhere_.has(b * width)) {
+      block_step[b] = unlimited;
+      for (std::size_t e = b * width; e < std::min(size(), (b + 1) * width); ++e)
+        if (!(elsewhere_.step(e) >= block_step[b])) block_step[b] = elsewhere_.step(e);
+      return;
+    }
     double smallest = step_[b * width];
     for (int l = 1; l < width; ++l) {
       const double s = step_[b * width + at(l)];
@@ -592,7 +617,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     const N* block = state(b * width);
     scratch.assign(block, block + state_size() * width);
     for (auto s = first; s != last; ++s)
-      if (alive(s->element)) put_stress(*s, scratch.data() + lane(s->element));
+      if (alive(s->element)) put_stress<width>(kernel_, *s, scratch.data() + lane(s->element));
     const auto again = kernel_.template cycle<R>(motion, no_step, scratch.data());
     for (auto s = first; s != last; ++s) {
       if (!alive(s->element)) continue;
@@ -603,36 +628,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
         if constexpr (Element::rotational) copy_lane(again.m[a], out.m[a], l);
       }
     }
-  }
-  /// `values`: field i of the element at values[i * width].
-  void put_stress(const ImposedStress& s, N* values) const {
-    const Vec3d& n = s.normal;
-    const std::array<double, 6> nn{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.z * n.x};
-    const auto along = [&](const std::array<double, 6>& stress) {
-      double sum = 0.0;
-      for (std::size_t c = 0; c < 6; ++c) sum += (c < 3 ? 1.0 : 2.0) * nn[c] * stress[c];
-      return sum;
-    };
-    const auto read = [values](int i) -> double { return values[i * width]; };
-    const auto put = [values](int i, double value) { values[i * width] = static_cast<N>(value); };
-    double mean = 0.0;
-    if (s.area > 0.0) {
-      mean = kernel_.resultants(read)[0] / s.area;
-    } else {
-      int points = 0;
-      kernel_.change_stresses(
-          read, [](int, double) {},
-          [&](std::array<double, 6>& stress) {
-            mean += along(stress);
-            ++points;
-          });
-      mean /= points;
-    }
-    kernel_.change_stresses(read, put, [&](std::array<double, 6>& stress) {
-      const double change = s.stress - (s.others == ImposedStress::Others::bending ? mean : along(stress));
-      for (std::size_t c = 0; c < 6; ++c)
-        stress[c] = s.others == ImposedStress::Others::none ? s.stress * nn[c] : stress[c] + change * nn[c];
-    });
   }
   /// Stiffness-proportional damping of a block. In the middle of the step the velocities, which are chords, of a steady
   /// turning strain nothing; at its end they would stretch, by dt/2 times the centripetal acceleration.
@@ -680,16 +675,11 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     for (std::size_t i = 0; i < fields; ++i)
       real_store(&values[reference_fields_[i] * width], real_load<R>(reference + i * width));
   }
-  static void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
-    set_lane(to.x, l, nugget::lane(from.x, l));
-    set_lane(to.y, l, nugget::lane(from.y, l));
-    set_lane(to.z, l, nugget::lane(from.z, l));
-  }
-
   Element kernel_, inviscid_;  ///< the second without viscous forces
   std::vector<int> nodes_;     ///< block by block, node by node, lane by lane
-  Numbers state_;
-  AlignedReals energy_, step_;
+  ZeroedVector<N> state_;
+  ZeroedVector<double> energy_, step_;
+  ElementsElsewhere elsewhere_;
   std::vector<int> reference_fields_;  ///< of the state, those that are not 0 in all elements free of stress
   Numbers reference_state_;            ///< their values, block by block, field by field; empty where they were not kept
   bool reference_kept_ = false;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -94,6 +95,18 @@ class ElementGroup {
   /// a group knows better.
   virtual void vibrate(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
                        std::span<Row> slots) const;
+
+  /// Gives the elements of those blocks for which `here(block)` is true their state free of stress at the places
+  /// `place(node)`, where the group was made without. Of the others is known that they are active.
+  virtual void start(const std::function<Vec3d(int)>& place, const std::function<bool(std::size_t)>& here) {
+    static_cast<void>(place);
+    static_cast<void>(here);
+  }
+  /// Sets the states of all blocks free for which `here(block)` is false: another rank computes them, and what is known
+  /// of them is what `remove`, `scale_mass`, `take_step` and `carry` say. Groups of welds keep them.
+  virtual void leave(const std::function<bool(std::size_t)>& here) { static_cast<void>(here); }
+  /// How many elements have their states elsewhere.
+  virtual std::size_t elsewhere() const { return 0; }
 
   // What is known of element e of the group.
   virtual ElementNodes nodes(std::size_t e) const = 0;

@@ -67,11 +67,14 @@ void System::add_group(const Element& element, model::ElementKind kind, std::siz
     if constexpr (requires { requires Element::single_precision; }) {
       single = model.control.single_precision;
       if (single)
-        add(std::make_unique<BatchGroup<Element, float>>(element, kind, of, chosen.element, chosen.node, start_),
+        add(std::make_unique<BatchGroup<Element, float>>(element, kind, of, chosen.element, chosen.node, start_,
+                                                         !elements_have_started_),
             period);
     }
     if (!single)
-      add(std::make_unique<BatchGroup<Element>>(element, kind, of, chosen.element, chosen.node, start_), period);
+      add(std::make_unique<BatchGroup<Element>>(element, kind, of, chosen.element, chosen.node, start_,
+                                                !elements_have_started_),
+          period);
     for (std::size_t e = 0; e < chosen.element.size(); ++e)
       locations[chosen.element[e]] = {static_cast<int>(groups.size()) - 1, static_cast<int>(e)};
   }

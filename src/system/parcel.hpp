@@ -16,6 +16,7 @@ namespace nugget::system {
 enum class Carried {
   histories,  ///< what histories of nodes and contacts show, nothing of elements
   energies,   ///< what energies are summed up from
+  end,        ///< and the states of welds and adhesives, which the end of a run reports
   results,    ///< states, for result files
   whole       ///< stable steps as well: a run could go on from it
 };

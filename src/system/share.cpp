@@ -174,20 +174,31 @@ void Share::exchange_sums(std::span<Row> force, std::span<Row> moment) {
   }
 }
 
-void Share::spread(std::span<Row> of_nodes) const {
-  const int own = ranks_.rank();
-  std::vector<std::vector<Row>> rows(at(ranks_.count()));
-  for (int r = 0; r < ranks_.count(); ++r) {
-    rows[r].resize(reported_[r].size());
-    if (r != own && !rows[r].empty()) ranks_.receive(r, std::as_writable_bytes(std::span(rows[r])));
+void Share::forget_others(Rows& of_nodes) const {
+  int begin = 0;
+  for (const Range& range : followed_) {
+    forget(of_nodes, at(begin), at(range.begin));
+    begin = range.end;
   }
-  for (std::size_t i = 0; i < rows[own].size(); ++i) rows[own][i] = of_nodes[reported_[own][i]];
-  if (!rows[own].empty())
-    for (int r = 0; r < ranks_.count(); ++r)
-      if (r != own) ranks_.send(r, std::as_bytes(std::span<const Row>(rows[own])));
-  ranks_.finish();
-  for (int r = 0; r < ranks_.count(); ++r)
-    for (std::size_t i = 0; r != own && i < rows[r].size(); ++i) of_nodes[reported_[r][i]] = rows[r][i];
+}
+
+void Share::spread(std::span<Row> of_nodes) const {
+  // One rank after the other, so that nobody holds twice what all the others have.
+  const int own = ranks_.rank();
+  std::vector<Row> rows;
+  for (int r = 0; r < ranks_.count(); ++r) {
+    if (reported_[r].empty()) continue;
+    rows.resize(reported_[r].size());
+    if (r == own) {
+      for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = of_nodes[reported_[r][i]];
+      for (int to = 0; to < ranks_.count(); ++to)
+        if (to != own) ranks_.send(to, std::as_bytes(std::span<const Row>(rows)));
+    } else {
+      ranks_.receive(r, std::as_writable_bytes(std::span(rows)));
+    }
+    ranks_.finish();
+    for (std::size_t i = 0; r != own && i < rows.size(); ++i) of_nodes[reported_[r][i]] = rows[i];
+  }
 }
 
 }  // namespace nugget::system

@@ -76,6 +76,8 @@ class Share {
   const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
   /// The rows of these nodes come to all ranks.
   void spread(std::span<Row> of_nodes) const;
+  /// Rows of nodes that this rank does not follow take no room any more, until somebody writes them.
+  void forget_others(Rows& of_nodes) const;
 
  private:
   struct Row3 {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "model/bond.hpp"
 #include "system/before_cycle.hpp"
 #include "system/share.hpp"
 #include "system/system.hpp"
@@ -29,15 +30,53 @@ void System::share_out(Ranks& ranks, Partition partition, std::span<const char> 
   computed_ = blocks_;
   std::ranges::sort(computed_);
   map.keep_to([this](int dependent) { return share_->follows(dependent); });
-  leave_steps_to_others();
+  if (!elements_have_started_) {
+    elements_have_started_ = true;
+    const auto place = [this](int node) { return ties.x[model_node[node]]; };
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      groups[g]->start(place, [this, g](std::size_t b) { return computes_block(g, b); });
+  }
+  leave_to_others();
+  keep_own_slots();
   deletions_seen_.assign(groups.size(), -1);
   deleted_.resize(groups.size());
 }
 
-void System::leave_steps_to_others() {
-  for (std::size_t g = 0; g < groups.size(); ++g)
+void System::keep_own_slots() {
+  std::vector<std::uint32_t> slots, start{0};
+  start.reserve(nodes + 1);
+  for (std::size_t k = 0; k < nodes; ++k) {
+    if (share_->adds_up(static_cast<int>(k)))
+      slots.insert(slots.end(), gather_.begin() + gather_start_[k], gather_.begin() + gather_start_[k + 1]);
+    start.push_back(static_cast<std::uint32_t>(slots.size()));
+  }
+  slots.shrink_to_fit();
+  gather_ = std::move(slots);
+  gather_start_ = std::move(start);
+}
+
+bool System::computes_block(std::size_t g, std::size_t b) const {
+  const int rank = share_->partition().of_block(static_cast<int>(g), b, groups[g]->block_width());
+  return rank == Partition::everyone || rank == share_->ranks().rank();
+}
+
+void System::leave_to_others() {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groups[g]->leave([this, g](std::size_t b) { return computes_block(g, b); });
     for (std::size_t e = 0; e < groups[g]->size(); ++e)
       if (!share_->computes(static_cast<int>(g), e)) groups[g]->release_step(e);
+  }
+}
+
+std::size_t System::elements_elsewhere() const {
+  std::size_t count = 0;
+  for (const auto& group : groups) count += group->elsewhere();
+  return count;
+}
+
+Carried System::carried_of(const ElementGroup& group, Carried what) const {
+  if (what != Carried::end) return what;
+  return group.weld || model::bond_of(model, model.parts[group.part]) ? Carried::results : Carried::energies;
 }
 
 void System::note_deleted() {
@@ -137,7 +176,7 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
       const int here = of(begin);
       while (end < blocks && of(end) == here) ++end;
       if (here == rank) {
-        group.carry(begin, end, what, parcel);
+        group.carry(begin, end, carried_of(group, what), parcel);
         if (what == Carried::whole) carry_forces(group, begin * width, end * width, parcel);
       }
       begin = end;

@@ -74,6 +74,7 @@ Vec3d System::nodal_moment(ElementLocation location, int a) const {
 }
 
 void System::internal_force(State& state) {
+  start_elements();
   if (subcycles_.on()) {
     subcycles_.internal_force(*this, state);
     return;

@@ -63,8 +63,12 @@ void fit_motion(RigidBody& body, double m, const Vec3d& linear, const Vec3d& ang
 
 System::~System() = default;
 
-System::System(const model::Model& m, const weld::Ties& t, Findings& findings, ElementPeriods periods)
-    : model(m), ties(t), periods_(std::move(periods)) {
+System::System(const model::Model& m, const weld::Ties& t, Findings& findings, ElementPeriods periods,
+               ElementsStart elements_start)
+    : model(m),
+      ties(t),
+      elements_have_started_(elements_start == ElementsStart::at_once),
+      periods_(std::move(periods)) {
   order_nodes();
   make_groups(findings);
   make_constraints(findings);
@@ -375,6 +379,7 @@ void System::forget_start(model::Model& m) {
     free_room(*named);  // for those who move nodes and merge shells
   free_room(carried_mass_);
   free_room(carried_inertia_);
+  free_room(constraint_source_);  // for messages of a deck that is refused
   start_is_forgotten_ = true;
 }
 
@@ -440,6 +445,13 @@ State System::initial_state() {
   }
   map.apply_to_velocities(0.0, state.v, state.w);
   return state;
+}
+
+void System::start_elements() {
+  if (elements_have_started_) return;
+  elements_have_started_ = true;
+  const auto place = [this](int node) { return ties.x[model_node[node]]; };
+  for (const auto& group : groups) group->start(place, [](std::size_t) { return true; });
 }
 
 void System::compute_at_rest() {
@@ -622,9 +634,9 @@ void System::archive(Archive& a) {
   a(mass, inertia, own_mass, own_inertia_, map, bodies, slots_, subcycles_);
   if (!single_slots_.empty()) a(single_slots_);
   a.built(model, ties, brick_joints, weld_stacks, nodes, node_of, model_node, body_of, springs, shell_location,
-          solid_location, beam_location, discrete_location, start_, start_is_forgotten_, carried_mass_,
-          carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_, gather_, blocks_,
-          periods_, share_, computed_, deleted_, deletions_seen_, steps_of_others_, reported_below);
+          solid_location, beam_location, discrete_location, start_, start_is_forgotten_, elements_have_started_,
+          carried_mass_, carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_,
+          gather_, blocks_, periods_, share_, computed_, deleted_, deletions_seen_, steps_of_others_, reported_below);
   a.section("elements");
   a(groups);
 }

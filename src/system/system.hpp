@@ -38,8 +38,12 @@ class Share;           // share.hpp
 /// constraint map, element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
 class System {
  public:
+  /// When elements get the states that they start with: as the system is made, or, in a run that several ranks share,
+  /// when each has its share, and then only the elements of that (docs/decisions/0133).
+  enum class ElementsStart { at_once, with_share };
   /// `periods`: of elements in sub-cycling.
-  System(const model::Model& model, const weld::Ties& ties, Findings& findings, ElementPeriods periods = {});
+  System(const model::Model& model, const weld::Ties& ties, Findings& findings, ElementPeriods periods = {},
+         ElementsStart elements_start = ElementsStart::at_once);
   ~System();
 
   const model::Model& model;
@@ -145,6 +149,10 @@ class System {
   void shorten_periods() { subcycles_.shorten(*this); }
   /// Then, when the step is chosen.
   void correct_impulses(State& state) { subcycles_.correct_impulses(*this, state); }
+  /// Gives all elements the states that they start with, where these were to come with the share.
+  void start_elements();
+  /// Elements whose states this process has not.
+  std::size_t elements_elsewhere() const;
   /// Stable steps and scaled masses of the elements where they stand.
   void compute_at_rest();
   /// Calls `body(group, begin, end)` for ranges of blocks of elements, all of all groups, side by side.
@@ -224,8 +232,9 @@ class System {
   bool computes(ElementLocation location) const;
   /// Whether elements look at places of nodes that are not their own (BeforeCycle).
   bool looks_at_neighbours() const;
-  /// Takes the steps of elements that other ranks compute out of the choice: after `collect(Carried::whole)`.
-  void leave_steps_to_others();
+  /// Sets the states of elements free that other ranks compute, and takes their steps out of the choice: after
+  /// `collect` with results or `whole`, when they have been used.
+  void leave_to_others();
 
   void archive(Archive& a);
 
@@ -285,11 +294,18 @@ class System {
   void add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations);
   void assemble_mass();
   void link_slots();
+  /// Which slots a node has, of nodes that this rank adds up only.
+  void keep_own_slots();
   /// Sets the density factor of an element and puts the change on its nodes.
   void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
 
   std::vector<Vec3d> start_;  ///< positions at time 0, by system node; empty once all is made
   bool start_is_forgotten_ = false;
+  bool elements_have_started_;
+  /// Whether this process computes block b of group g.
+  bool computes_block(std::size_t g, std::size_t b) const;
+  /// What of a group goes with that.
+  Carried carried_of(const ElementGroup& group, Carried what) const;
   std::vector<MassOnlyElement> mass_only_elements_;
   std::vector<double> own_inertia_;
   /// What makes a node dependent: a rigid body, a tie contact, an interpolation or a side of a shell of the model.

@@ -125,6 +125,7 @@ Damping::Damping(system::System& system) : system_(system), deforming_of_(system
       if (group.part != card.part) continue;
       group.damping_share = card.share;
       group.damping_time = card.time;
+      system.start_elements();
       group.store_reference_state();
       system.allocate_damping_slots();
     }

@@ -163,7 +163,7 @@ void Preloads::start(const system::State& state) {
 
 void Preloads::start(const model::InitialStress& stress, const system::System::ElementLocation& location, bool shell,
                      const system::State& state) {
-  if (location.group < 0 || stress.points.empty()) return;
+  if (location.group < 0 || stress.points.empty() || !system_.computes(location)) return;
   system::ElementGroup& group = *system_.groups[location.group];
   const std::map<double, Layer> given = by_place(stress.points);
   const std::vector<double> places = shell ? layer_places(system_.model, group) : std::vector<double>{0.0};

@@ -141,8 +141,8 @@ void LinearConstraints::solve(double velocity_interval) {
   spread(lambda_);
 }
 
-void LinearConstraints::constrain_at_start(system::State& state, const std::vector<double>& inverse_mass,
-                                           const std::vector<double>& inverse_inertia) {
+void LinearConstraints::constrain_at_start(system::State& state, std::span<const double> inverse_mass,
+                                           std::span<const double> inverse_inertia) {
   if (rows_.empty()) return;
   for (Site& s : sites_) {
     s.after = vec(s.rotation ? state.w[s.node] : state.v[s.node]);
@@ -152,8 +152,8 @@ void LinearConstraints::constrain_at_start(system::State& state, const std::vect
   for (const Site& s : sites_) add(s.rotation ? state.w[s.node] : state.v[s.node], product(s.mobility, s.force));
 }
 
-void LinearConstraints::apply(system::State& state, double velocity_interval, const std::vector<double>& inverse_mass,
-                              const std::vector<double>& inverse_inertia, const Supports& supports) {
+void LinearConstraints::apply(system::State& state, double velocity_interval, std::span<const double> inverse_mass,
+                              std::span<const double> inverse_inertia, const Supports& supports) {
   if (rows_.empty() || !(velocity_interval > 0.0)) return;
   for (Site& s : sites_) {
     const double inverse = (s.rotation ? inverse_inertia : inverse_mass)[s.node];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -22,11 +23,11 @@ class LinearConstraints {
   LinearConstraints(const system::System& system, const Supports& supports, Findings& findings);
 
   /// Initial velocities that the equations allow: the nearest ones by kinetic energy.
-  void constrain_at_start(system::State& state, const std::vector<double>& inverse_mass,
-                          const std::vector<double>& inverse_inertia);
+  void constrain_at_start(system::State& state, std::span<const double> inverse_mass,
+                          std::span<const double> inverse_inertia);
   /// Adds the forces to state.f and state.m, when all loads are collected and the next step is chosen.
-  void apply(system::State& state, double velocity_interval, const std::vector<double>& inverse_mass,
-             const std::vector<double>& inverse_inertia, const Supports& supports);
+  void apply(system::State& state, double velocity_interval, std::span<const double> inverse_mass,
+             std::span<const double> inverse_inertia, const Supports& supports);
 
   std::size_t size() const { return rows_.size(); }
   bool empty() const { return rows_.empty(); }

@@ -78,7 +78,7 @@ void Rivets::find_constrained_directions(Findings& findings) {
     }
 }
 
-void Rivets::apply(system::State& state, double velocity_interval, const std::vector<double>& inverse_mass) {
+void Rivets::apply(system::State& state, double velocity_interval, std::span<const double> inverse_mass) {
   constexpr double accuracy = 1e-13;  // of the length
   constexpr int most = 200;
   for (Rivet& rivet : rivets_) {
@@ -101,7 +101,7 @@ void Rivets::apply(system::State& state, double velocity_interval, const std::ve
 
 /// The line from node 1 to node 2 when the step is over.
 static Vec3d line_after(const std::array<std::size_t, 2>& node, const std::array<Matrix, 2>& mobility,
-                        const system::State& state, double velocity_interval, const std::vector<double>& inverse_mass) {
+                        const system::State& state, double velocity_interval, std::span<const double> inverse_mass) {
   const auto step = [&](std::size_t end) {
     const std::size_t k = node[end];
     return state.dt * times(mobility[end], vec(state.v[k]) + velocity_interval * inverse_mass[k] * vec(state.f[k]));
@@ -111,13 +111,12 @@ static Vec3d line_after(const std::array<std::size_t, 2>& node, const std::array
 }
 
 double Rivets::length_error(const Rivet& rivet, const system::State& state, double velocity_interval,
-                            const std::vector<double>& inverse_mass) const {
+                            std::span<const double> inverse_mass) const {
   return std::abs(norm(line_after(rivet.node, rivet.mobility, state, velocity_interval, inverse_mass)) - rivet.length);
 }
 
 /// Solves |r + F b| = L for the smaller |F|: r the line after the step, b how it moves with a unit of tension.
-void Rivets::pull(Rivet& rivet, system::State& state, double velocity_interval,
-                  const std::vector<double>& inverse_mass) {
+void Rivets::pull(Rivet& rivet, system::State& state, double velocity_interval, std::span<const double> inverse_mass) {
   const Vec3d now = vec(state.x[rivet.node[1]]) - vec(state.x[rivet.node[0]]);
   const Vec3d n = unit(now);
   const Vec3d r = line_after(rivet.node, rivet.mobility, state, velocity_interval, inverse_mass);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ class Rivets {
 
   /// Adds the rivets' forces to state.f, when all loads are collected and the next step is chosen. `velocity_interval`:
   /// k above.
-  void apply(system::State& state, double velocity_interval, const std::vector<double>& inverse_mass);
+  void apply(system::State& state, double velocity_interval, std::span<const double> inverse_mass);
 
   std::size_t size() const { return rivets_.size(); }
   const model::RigidWeld& rivet(std::size_t i) const { return *rivets_[i].source; }
@@ -55,8 +56,8 @@ class Rivets {
   void find_constrained_directions(Findings& findings);
   void end(Rivet& rivet, const system::State& state);
   double length_error(const Rivet& rivet, const system::State& state, double velocity_interval,
-                      const std::vector<double>& inverse_mass) const;
-  void pull(Rivet& rivet, system::State& state, double velocity_interval, const std::vector<double>& inverse_mass);
+                      std::span<const double> inverse_mass) const;
+  void pull(Rivet& rivet, system::State& state, double velocity_interval, std::span<const double> inverse_mass);
 
   const system::System& system_;
   std::vector<Rivet> rivets_;

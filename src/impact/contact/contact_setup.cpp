@@ -505,11 +505,13 @@ static kernel::PenaltyLaw law_of(const model::Contact& card, const FrictionKinds
 contact::SurfaceContactSetup contact_setup(const ContactMesh& mesh, const model::Contact& card) {
   contact::SurfaceContactSetup setup;
   const FrictionKinds rough(mesh.model, card);
-  Surfaces surfaces(mesh, card, rough);
-  surfaces.add(card.a, tracked);
   const bool single = card.kind == model::Contact::Kind::single_surface;
-  if (!single) surfaces.add(card.b, reference);
-  setup.segments = surfaces.take();
+  {
+    Surfaces surfaces(mesh, card, rough);
+    surfaces.add(card.a, tracked);
+    if (!single) surfaces.add(card.b, reference);
+    setup.segments = surfaces.take();
+  }
 
   if (single) {
     setup.nodes = contact::nodes_of(setup.segments);

@@ -12,12 +12,6 @@ namespace {
 
 constexpr std::size_t sums_of = 1024;  // elements or nodes: fixed, so that sums do not depend on the number of threads
 
-/// Share of the way from t(n-1/2) to t(n+1/2) at which the second velocity of the product v(n-1/2) . v stands, so that
-/// the energy fits the work booked until t(n), 1/2 F . v(n-1/2) dt(n-1): 1 at a constant step, 0 at the start.
-double share_of_interval(const system::State& state) {
-  return 2.0 * share_before_now(state);
-}
-
 Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
   return before + share * (after - before);
 }
@@ -36,17 +30,28 @@ struct Carried {
   Vec3d momentum;
 };
 
+/// Inlined: called for each corner of each element.
+[[gnu::always_inline]] inline NodalMotion motion_of(const system::System& system, const system::State& state,
+                                                    std::span<const Row> v_before, std::span<const Row> w_before,
+                                                    std::span<const NodalMotion> of_others, std::size_t k,
+                                                    double share) {
+  if (!of_others.empty() && !system.follows(k)) return of_others[k];
+  return nodal_motion(state, v_before, w_before, k, share);
+}
+
 /// What hands nodal masses to parts: kinetic energy and momentum.
 struct Carrier {
   const system::System& system;
   const system::State& state;
   std::span<const Row> v_before, w_before;
+  std::span<const NodalMotion> of_others;
   double share;
   std::vector<char> weightless;       ///< by node: its body's mass is given; empty if none is
   std::vector<char> has_no_elements;  ///< by node: has lost all its elements; empty if none was lost
 
-  Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w)
-      : system(s), state(now), v_before(v), w_before(w), share(share_of_interval(now)) {
+  Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w,
+          std::span<const NodalMotion> others)
+      : system(s), state(now), v_before(v), w_before(w), of_others(others), share(share_of_interval(now)) {
     for (const system::RigidBody& body : s.bodies) {
       const model::RigidBody& source = s.model.rigid_bodies[body.source];
       if (!source.given) continue;
@@ -96,13 +101,12 @@ struct Carrier {
       if (!system.map.rotations(node)) sum.by_inertia = by_own_spin(k);
       return sum;
     }
-    const Vec3d before = vec(v_before[k]), after = vec(state.v[k]);
-    return {1.0, 0.5 * dot(before, between(before, after, share)), by_own_spin(k), between(before, after, 0.5 * share)};
+    const NodalMotion motion = motion_of(system, state, v_before, w_before, of_others, k, share);
+    return {1.0, 0.5 * motion.linear, 0.5 * motion.angular, motion.velocity};
   }
 
   double by_own_spin(std::size_t k) const {
-    const Vec3d spin = vec(w_before[k]);
-    return 0.5 * dot(spin, between(spin, vec(state.w[k]), share));
+    return 0.5 * motion_of(system, state, v_before, w_before, of_others, k, share).angular;
   }
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {
@@ -172,18 +176,22 @@ PartEnergy& PartEnergy::operator+=(const PartEnergy& other) {
   return *this;
 }
 
+double share_of_interval(const system::State& state) {
+  return 2.0 * share_before_now(state);
+}
+
 double share_before_now(const system::State& state) {
   const double both = state.dt_previous + state.dt;
   return both > 0.0 ? state.dt_previous / both : 0.5;
 }
 
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before) {
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before,
+                      std::span<const NodalMotion> of_others) {
   const double share = share_of_interval(state);
   double sum = ordered_sum(system.nodes, [&](std::size_t k) {
-    const Vec3d v = vec(v_before[k]), w = vec(w_before[k]);
-    return 0.5 * system.mass[k] * dot(v, between(v, vec(state.v[k]), share)) +
-           0.5 * system.inertia[k] * dot(w, between(w, vec(state.w[k]), share));
+    const NodalMotion motion = motion_of(system, state, v_before, w_before, of_others, k, share);
+    return 0.5 * system.mass[k] * motion.linear + 0.5 * system.inertia[k] * motion.angular;
   });
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const system::RigidBody& body = system.bodies[b];
@@ -197,11 +205,11 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
-                      std::vector<PartEnergy>& parts) {
+                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others) {
   energy.internal = energy.hourglass = energy.bulk_viscosity = energy.eroded = energy.eroded_kinetic = 0.0;
   energy.lumped = {};
   parts.assign(system.model.parts.size(), {});
-  const Carrier carrier(system, state, v_before, w_before);
+  const Carrier carrier(system, state, v_before, w_before, of_others);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const system::RigidBody& body = system.bodies[b];
     const model::RigidBody& source = system.model.rigid_bodies[body.source];

@@ -63,10 +63,31 @@ struct Energy {
 /// Share of the time from t(n-1/2) to t(n+1/2) that lies before t(n): 1/2 at a constant step, 0 at the start.
 double share_before_now(const system::State& state);
 
+/// What the energy of a node goes by, where its velocities are on another rank.
+struct NodalMotion {
+  double linear = 0.0, angular = 0.0;  ///< v(n-1/2) . v and w(n-1/2) . w, the second as the energy at t(n) wants it
+  Vec3d velocity;                      ///< at t(n)
+};
+/// Of node k; `share`: share_of_interval, all else as of kinetic_energy.
+inline NodalMotion nodal_motion(const system::State& state, std::span<const Row> v_before,
+                                std::span<const Row> w_before, std::size_t k, double share) {
+  const auto between = [](const Vec3d& before, const Vec3d& after, double part) {
+    return before + part * (after - before);
+  };
+  const Vec3d before = vec(v_before[k]), after = vec(state.v[k]), spin = vec(w_before[k]);
+  return {dot(before, between(before, after, share)), dot(spin, between(spin, vec(state.w[k]), share)),
+          between(before, after, 0.5 * share)};
+}
+/// Share of the way from t(n-1/2) to t(n+1/2) at which the second velocity of the product v(n-1/2) . v stands, so that
+/// the energy fits the work booked until t(n), 1/2 F . v(n-1/2) dt(n-1): 1 at a constant step, 0 at the start.
+double share_of_interval(const system::State& state);
+
 /// Kinetic energy of all nodes at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2)
 /// (docs/decisions/0002): `before` are the velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).
+/// `of_others`: by node, the motion of those that this rank does not follow; empty: all velocities are here.
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before);
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before,
+                      std::span<const NodalMotion> of_others = {});
 
 /// Adds up the elements' energies: internal, hourglass, bulk viscosity, eroded and eroded kinetic of `energy`, and all
 /// of `parts` (size: number of parts). A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the
@@ -74,7 +95,7 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 /// `lumped`, so that the parts' kinetic energies, eroded ones too, and theirs are `kinetic_energy`.
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
-                      std::vector<PartEnergy>& parts);
+                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others = {});
 
 /// Momentum over mass of all `parts` and of what belongs to none [velocity]; 0 where there is no mass.
 Vec3d mean_velocity(const Energy& energy, const std::vector<PartEnergy>& parts);

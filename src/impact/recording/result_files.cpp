@@ -142,6 +142,7 @@ Recorder::Marks ResultFiles::next_marks() const {
   for (const Channel& c : channels_) {
     marks.any = std::min(marks.any, c.next);
     if (c.of_elements) marks.of_elements = std::min(marks.of_elements, c.next);
+    marks.elements |= c.of_elements;
     if (c.of_energies) marks.of_energies = std::min(marks.of_energies, c.next);
   }
   return marks;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "base/peak_memory.hpp"
 #include "impact/simulation/simulation.hpp"
@@ -166,6 +167,9 @@ void Simulation::share_out(Ranks& ranks) {
   shared_out_at_ = elapsed();
   system_.share_out(ranks, on_first_rank() ? partition(ranks.count()) : system::Partition(system_, ranks.count()),
                     followed_by_all());
+  for (system::Rows* rows : {&state_.v, &state_.w, &state_.f, &state_.m}) system_.share()->forget_others(*rows);
+  // Here, where there is room for it.
+  if (on_first_rank()) shares_ = system_.share()->partition().shares(system_, followed_by_all());
 }
 
 void Simulation::report_ranks() {
@@ -179,12 +183,12 @@ void Simulation::report_ranks() {
   own.waiting = waiting;
   own.busy = seconds - waiting;
   own.peak_memory = peak_memory();
+  for (const auto& group : system_.groups) own.states += group->size() - group->elsewhere();
   rank_reports_ = gather(*ranks_, own);
   if (!on_first_rank()) return;
-  const auto shares = system_.share()->partition().shares(system_, followed_by_all());
-  for (std::size_t r = 0; r < shares.size(); ++r) {
+  for (std::size_t r = 0; r < shares_.size(); ++r) {
     RankReport& report = rank_reports_[r];
-    const system::Partition::Share& share = shares[r];
+    const system::Partition::Share& share = shares_[r];
     report.elements = share.elements;
     report.nodes = share.nodes;
     report.shared_nodes = share.shared_nodes;
@@ -196,17 +200,32 @@ void Simulation::report_ranks() {
 
 void Simulation::collect(system::Carried what) {
   std::vector<system::Rows*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
+  const bool sums_only = what == system::Carried::energies || what == system::Carried::end;
   if (what == system::Carried::histories) rows.clear();  // all follow the nodes that histories show
+  if (sums_only) rows = {&state_.x};
+  const double share = share_of_interval(state_);
+  free_room(motion_of_others_);
+  if (sums_only && ranks_ != nullptr && on_first_rank()) motion_of_others_.resize(system_.nodes);
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
   system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {
     for (const int k : of.share.reported_by(of.rank)) {
-      if (what == system::Carried::histories || step_change_of_node_.empty()) break;
-      // A run goes on from what is booked; a balance shows what was done up to now.
-      double booked = step_change_of_node_[k];
-      if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
-      parcel(&booked, 1);
-      if (parcel.reading()) step_change_of_node_[k] = booked;
-      if (what == system::Carried::whole) parcel(&inverse_inertia_[k], 1);
+      if (what == system::Carried::histories) break;
+      if (sums_only) {
+        NodalMotion of_node;
+        if (!parcel.reading()) of_node = nodal_motion(state_, v_before_, w_before_, at(k), share);
+        parcel(&of_node, 1);
+        if (parcel.reading()) motion_of_others_[k] = of_node;
+      }
+      if (!step_change_of_node_.empty()) {
+        // A run goes on from what is booked; a balance shows what was done up to now.
+        double booked = step_change_of_node_[k];
+        if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
+        parcel(&booked, 1);
+        if (parcel.reading()) step_change_of_node_[k] = booked;
+      }
+      if (what != system::Carried::whole) continue;
+      parcel(&inverse_mass_[k], 1);
+      parcel(&inverse_inertia_[k], 1);
     }
     if (what == system::Carried::results)
       for (const model::CrossSection& section : system_.model.requests.cross_sections)
@@ -272,6 +291,10 @@ int Simulation::first_not_finite() const {
 bool Simulation::results_due(Recorder& recorder) const {
   if (on_first_rank()) return recorder.due(state_);
   return state_.time + state_.dt > next_marks_.any + 1e-9 * state_.dt;
+}
+
+bool Simulation::shows_elements(bool last) const {
+  return elements_due() || (last && (next_marks_.elements || system_.model.implicit.after_run));
 }
 
 bool Simulation::elements_due() const {

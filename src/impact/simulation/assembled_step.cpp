@@ -379,6 +379,7 @@ AssembledStep::AssembledStep(system::System& system, const Supports& supports, s
   choose_blocks(x);
   if (blocks_.empty()) return;
   link_slots();
+  system.start_elements();
   std::vector<char> chosen(system.groups.size(), 0);
   for (const Block& b : blocks_) chosen[b.group] = 1;
   for (std::size_t g = 0; g < chosen.size(); ++g)

@@ -13,11 +13,13 @@
 #include <map>
 #include <utility>
 
+#include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/contact/contact_setup.hpp"
 #include "impact/simulation/ends.hpp"
 #include "model/bond.hpp"
+#include "system/share.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::impact {
@@ -169,16 +171,22 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
       system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
       const bool energies = balance || runs_away();
-      collect(last || elements_due() ? system::Carried::results
-              : energies             ? system::Carried::energies
-                                     : system::Carried::histories);
+      collect(shows_elements(last) ? system::Carried::results
+              : last               ? system::Carried::end
+              : energies           ? system::Carried::energies
+                                   : system::Carried::histories);
       if (on_first_rank() && energies) {
         update_energy_balance();
         if (record) masses_ = system_.masses();
+        free_room(motion_of_others_);
       }
     }
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
+    if (ranks_ != nullptr && on_first_rank() && (record || balance) && !last && elements_due()) {
+      system_.leave_to_others();
+      for (system::Rows* rows : {&state_.v, &state_.w, &v_before_, &w_before_}) system_.share()->forget_others(*rows);
+    }
     if (record || balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
       if (progress) report_progress(progress, end_time);
@@ -250,7 +258,7 @@ void Simulation::write_checkpoint_if_due(const Options& options) {
   if (!restart_file_due_) return;
   collect(system::Carried::whole);
   if (options.write_checkpoint) options.write_checkpoint();
-  if (ranks_ != nullptr) system_.leave_steps_to_others();
+  if (ranks_ != nullptr) system_.leave_to_others();
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
 }
 
@@ -419,14 +427,17 @@ void Simulation::update_mass_bounds() {
 void Simulation::update_inverse_mass() {
   dependent_.resize(system_.all_nodes());
   for (std::size_t k = 0; k < system_.all_nodes(); ++k) dependent_[k] = system_.map.dependent(static_cast<int>(k));
-  inverse_mass_.assign(system_.nodes, 0.0);
-  inverse_inertia_.assign(system_.nodes, 0.0);
+  inverse_mass_.resize(system_.nodes);
+  inverse_inertia_.resize(system_.nodes);
   contact_mass_.assign(system_.all_nodes(), 0.0);
-  for (std::size_t k = 0; k < system_.nodes; ++k) {
-    if (system_.mass[k] > 0.0) inverse_mass_[k] = 1.0 / system_.mass[k];
-    if (system_.inertia[k] > 0.0) inverse_inertia_[k] = 1.0 / system_.inertia[k];
+  system_.for_each_node(4096, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) {
+      inverse_mass_[k] = system_.mass[k] > 0.0 ? 1.0 / system_.mass[k] : 0.0;
+      inverse_inertia_[k] = system_.inertia[k] > 0.0 ? 1.0 / system_.inertia[k] : 0.0;
+    }
+  });
+  for (std::size_t k = 0; k < system_.nodes; ++k)
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
-  }
   set_rigid_contact_mass(system_, contact_mass_);
   components_.loads.update_masses();
 }
@@ -587,8 +598,9 @@ void Simulation::transfer_dependent_forces() {
 
 void Simulation::update_energy_balance() {
   const Energy before = energy_;
-  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_);
-  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_) - energy_.eroded_kinetic;
+  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_, motion_of_others_);
+  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_, motion_of_others_) -
+                    energy_.eroded_kinetic;
   energy_.contact = energy_.wall = energy_.external = energy_.damping = 0.0;
   components_.for_each([&](const auto& component) {
     if constexpr (requires { component.add_energy(energy_); }) component.add_energy(energy_);
@@ -626,7 +638,8 @@ void Simulation::archive(Archive& a) {
   a.built(contact_forces_, run_end_);
   a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
           momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
-          rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_);
+          rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_, shares_,
+          motion_of_others_);
 }
 
 }  // namespace nugget::impact

@@ -51,7 +51,9 @@ class Simulation {
 
   /// What a rank of the run did; of a run by one process there is none.
   struct RankReport {
-    std::size_t elements = 0, nodes = 0, shared_nodes = 0, neighbours = 0;
+    std::size_t elements = 0;  ///< that it computes
+    std::size_t states = 0;    ///< elements whose states it holds
+    std::size_t nodes = 0, shared_nodes = 0, neighbours = 0;
     double cost = 0.0;     ///< of its elements, over the mean of all ranks, as expected by system::element_cost
     double contact = 0.0;  ///< of what its nodes cost in contact, likewise; 0: there is none
     double messages = 0.0, bytes = 0.0;  ///< sent, a cycle
@@ -106,6 +108,8 @@ class Simulation {
   bool runs_away() const;
   /// Whether what is due looks at elements; in one process they are there anyway.
   bool elements_due() const;
+  /// Whether what is written looks at states of elements, or, where the run ends, what follows it.
+  bool shows_elements(bool last) const;
   /// After a balance of energies, which the first rank makes: what others must know of it.
   void pass_on_balance(const Recorder& recorder);
   /// Velocities from t(n-1/2) to t(n+1/2), with supports and walls.
@@ -172,19 +176,21 @@ class Simulation {
   system::System& system_;
   system::State state_;
   Components components_;
-  std::vector<system::SpringGroup*> stopped_springs_;  ///< those with stops
-  std::vector<double> contact_mass_;                   ///< by node, dependent nodes with what they had of their own
-  std::vector<unsigned char> dependent_;               ///< by node
-  std::vector<double> inverse_mass_, inverse_inertia_;
+  std::vector<system::SpringGroup*> stopped_springs_;    ///< those with stops
+  std::vector<double> contact_mass_;                     ///< by node, dependent nodes with what they had of their own
+  std::vector<unsigned char> dependent_;                 ///< by node
+  ZeroedVector<double> inverse_mass_, inverse_inertia_;  ///< by node; over several ranks of those that it follows
   system::Rows v_before_, w_before_;
-  system::Rows v_period_, w_period_;  ///< in sub-cycling: velocities and spins after those of the last period
-  std::vector<Row> contact_forces_;   ///< in sub-cycling, where contacts have theirs not in each cycle
-  double run_end_ = 0.0;              ///< where the period that begins ends the run: its time; else 0
+  ZeroedVector<NodalMotion> motion_of_others_;  ///< by node, on the first of several ranks while it adds up energies
+  system::Rows v_period_, w_period_;            ///< in sub-cycling: velocities and spins after those of the last period
+  std::vector<Row> contact_forces_;             ///< in sub-cycling, where contacts have theirs not in each cycle
+  double run_end_ = 0.0;                        ///< where the period that begins ends the run: its time; else 0
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle
   bool restart_file_due_ = false;
   std::vector<RankReport> rank_reports_;
+  std::vector<system::Partition::Share> shares_;  ///< of the ranks, as they were shared out; on the first one
   Ranks::Traffic traffic_before_;
   long cycle_before_ = 0;       ///< when ranks began
   Ranks* ranks_ = nullptr;      ///< null: one process
@@ -196,9 +202,9 @@ class Simulation {
   bool gives_energy_ = false;  ///< a part or the contacts do so, by the last balance
   bool unstable_ = false;      ///< energy_is_made at the last cycle that is a multiple of 100
   Relaxation relaxation_;
-  double step_change_ = 0.0;                 ///< Energy::step_change so far, but for what nodes and supports add
-  std::vector<double> step_change_of_node_;  ///< this, with what their forces at t(n) add
-  double largest_input_ = 0.0;               ///< of the energy balances so far: what was there and put in, its size
+  double step_change_ = 0.0;                  ///< Energy::step_change so far, but for what nodes and supports add
+  ZeroedVector<double> step_change_of_node_;  ///< this, with what their forces at t(n) add
+  double largest_input_ = 0.0;                ///< of the energy balances so far: what was there and put in, its size
   double power_on_change_ = 0.0;  ///< forces at t(n), but on free nodes, times what they change in velocities
 
   Energy energy_;

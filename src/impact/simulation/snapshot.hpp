@@ -65,6 +65,7 @@ class Recorder {
     double any = std::numeric_limits<double>::infinity();
     double of_elements = any;  ///< of what looks at states or forces of elements, not only at sums and nodes
     double of_energies = any;  ///< see energies_due
+    bool elements = false;     ///< whether there is anything that looks at elements: it does so at the end
   };
   virtual Marks next_marks() const { return {}; }
   /// A state of d3plot is wanted that is not due.

@@ -78,7 +78,7 @@ void Simulation::bound_step_again() {
     return;
   collect(system::Carried::whole);
   const AssembledStep::Limit limit = assembled_step_.limit(state_, step);
-  if (ranks_ != nullptr) system_.leave_steps_to_others();
+  if (ranks_ != nullptr) system_.leave_to_others();
   const double before = step_factor_;
   if (limit.step > 0.0 && std::isfinite(limit.step))
     step_factor_ = step > bearable_share * limit.step ? default_step_scale * limit.step / step : 1.0;

@@ -610,11 +610,11 @@ Vec3d center_of_mass(Builder& builder, const RigidBody& body) {
 
 void set_motion(Model& model, const RigidBody& body, const Vec3d& center, const Vec3d& velocity, const Vec3d& spin) {
   model.initial_velocity.resize(model.nodes.size());
-  model.initial_spin.resize(model.nodes.size());
+  if (norm(spin) > 0.0 || !model.initial_spin.empty()) model.initial_spin.resize(model.nodes.size());
   for (const Index n : body.nodes) {
     const auto node = at(n);
     model.initial_velocity[node] = velocity + cross(spin, model.nodes.x[node] - center);
-    model.initial_spin[node] = spin;
+    if (!model.initial_spin.empty()) model.initial_spin[node] = spin;
   }
 }
 

@@ -135,19 +135,20 @@ class Starter {
  public:
   Starter(Builder& builder, deck::Entry field) : b_(builder), field_(std::move(field)) {
     b_.model.initial_velocity.resize(b_.model.nodes.size());
-    b_.model.initial_spin.resize(b_.model.nodes.size());
   }
 
   /// `overwrites(body)` says whether a body with given inertia takes the motion as well.
   template <class Overwrites>
   void start(const std::vector<Index>& nodes, const Motion& motion, Overwrites overwrites) {
     std::vector<Index> own, overwritten;
+    std::vector<Vec3d>& spins = b_.model.initial_spin;  // none, most of the time
+    if (norm(motion.spin) > 0.0 || !spins.empty()) spins.resize(b_.model.nodes.size());
     for (const Index node : nodes) {
       const Index body = b_.body_of_node[node];
       const bool given = body != none && b_.model.rigid_bodies[body].given;
       if (!given) {
         b_.model.initial_velocity[node] = motion.at(b_.model.nodes.x[node]);
-        b_.model.initial_spin[node] = motion.spin;
+        if (!spins.empty()) spins[at(node)] = motion.spin;
       } else {
         (overwrites(body) ? overwritten : own).push_back(body);
       }

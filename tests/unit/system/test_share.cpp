@@ -47,10 +47,10 @@ struct Sheet {
   weld::Ties ties;
   System system;
   State state;
-  explicit Sheet(const std::string& more = {})
+  explicit Sheet(const std::string& more = {}, System::ElementsStart start = System::ElementsStart::at_once)
       : model(reading::build(deck::read_text(text_of_sheet(more), findings), findings)),
         ties(weld::tie(model, findings)),
-        system(model, ties, findings),
+        system(model, ties, findings, {}, start),
         state(system.initial_state()) {}
   /// Two steps in random motion, the same in each sheet; nodes that this process does not follow get no velocity.
   void move() {
@@ -88,7 +88,7 @@ void over_ranks(
   std::vector<std::unique_ptr<ThreadRanks>> ranks;
   std::vector<Partition> partitions;  // not in the threads: METIS draws its random numbers for the whole process
   for (int r = 0; r < count; ++r) {
-    sheets[r] = std::make_unique<Sheet>();
+    sheets[r] = std::make_unique<Sheet>("", System::ElementsStart::with_share);
     ranks.push_back(std::make_unique<ThreadRanks>(messages, count, r));
     partitions.emplace_back(sheets[r]->system, count, std::span<const System::ElementLocation>());
   }
@@ -176,6 +176,77 @@ TEST(Share, TheFirstRankCollectsWhatOthersComputed) {
         EXPECT_EQ(sheet.system.nodal_force(place, 2).z, alone.system.nodal_force(place, 2).z);
       }
   });
+}
+
+/// For an archive that goes nowhere.
+class ToNowhere final : public Archive {
+ public:
+  ToNowhere() : Archive(false) {}
+
+ private:
+  void bytes(void*, std::size_t) override {}
+};
+
+// Sabotage: `leave` that leaves nothing; energies that are not those of the element.
+TEST(Share, ARankHasTheStatesOfItsShareOnly) {
+  Sheet alone;
+  alone.move();
+  for (const int count : {2, 3, 5}) {
+    std::size_t here = 0;
+    over_ranks(
+        count, false,
+        [&](int rank, Sheet& sheet) {
+          // Results had come to the first rank, which has left them again.
+          const Partition& partition = sheet.system.share()->partition();
+          std::size_t own = 0;
+          each_element(sheet.system, [&](int g, std::size_t e) { own += partition.of_element(g, e) == rank; });
+          EXPECT_EQ(side * side - sheet.system.elements_elsewhere(), own);
+          EXPECT_LE(own, side * side / at(count) + 24);
+          here += own;
+          ToNowhere file;
+          EXPECT_THROW(file(sheet.system), std::logic_error);
+          each_element(sheet.system, [&](int g, std::size_t e) {
+            const ElementGroup &one = *alone.system.groups[g], &shared = *sheet.system.groups[g];
+            EXPECT_TRUE(shared.alive(e));
+            EXPECT_EQ(shared.mass_scale(e), 1.0);
+            if (rank != 0) return;
+            EXPECT_EQ(shared.internal_energy(e), one.internal_energy(e)) << e;
+            EXPECT_EQ(shared.hourglass_energy(e), one.hourglass_energy(e)) << e;
+          });
+        },
+        [](int, Sheet& sheet) {
+          sheet.system.leave_to_others();
+          EXPECT_GT(sheet.system.elements_elsewhere(), side * side / 3);  // on the first rank as well
+          sheet.system.collect(Carried::energies, {}, [](const System::Computed&, Parcel&) {});
+        });
+    EXPECT_EQ(here, side * side);
+  }
+}
+
+// What others do to elements that are elsewhere. Sabotage: `leave` that leaves nothing.
+TEST(Share, WhatHappensToElementsElsewhereIsKnown) {
+  over_ranks(
+      2, false,
+      [](int rank, Sheet& sheet) {
+        ElementGroup& group = *sheet.system.groups[0];
+        const Partition& partition = sheet.system.share()->partition();
+        std::size_t other = 0;
+        while (partition.of_element(0, other) == rank) ++other;
+        const std::size_t block = other / group.block_width();
+        group.take_step(other, 1e-9);
+        EXPECT_EQ(group.stable_step(other), 1e-9);
+        EXPECT_EQ(group.block_step[block], 1e-9);
+        group.release_step(other);
+        EXPECT_TRUE(std::isinf(group.block_step[block]));
+        group.scale_mass(other, 2.5);
+        EXPECT_EQ(group.mass_scale(other), 2.5);
+        EXPECT_EQ(group.mass_scale(other + 1), 1.0);
+        group.remove(other);
+        EXPECT_FALSE(group.alive(other));
+        EXPECT_TRUE(group.alive(other + 1));
+        EXPECT_EQ(side * side - group.elsewhere(), sheet.system.share()->blocks().size() * group.block_width());
+      },
+      [](int, Sheet& sheet) { sheet.system.leave_to_others(); });
 }
 
 // Of a square of 24 x 24 shells two ranks share a line of 25 nodes at best, whatever the machine.
