@@ -169,7 +169,7 @@ Eigenpairs find_in_slices(Shifts& shifts, const Spectrum& s, Counted first, std:
     // Half of what is found there lies below the next shift.
     const std::size_t left = s.wanted - known.size();
     size = sizes.next(known.size());
-    const double ahead = size < left ? 0.45 * static_cast<double>(size) : 0.5 * static_cast<double>(left);
+    const double ahead = 0.45 * static_cast<double>(std::min(size, left));
     before = now;
     now.place = std::min(next_place(known, p, ahead), s.high);
     for (int tries = 0; tries < 4; ++tries) {  // nearer where there are many more between than was expected
