@@ -22,9 +22,9 @@ constexpr double tolerance = 1e-7;
 /// The growing basis V, orthonormal in M, and the projection T = V^t M A^-1 M V.
 class Basis {
  public:
-  Basis(const ShiftInvert& a, std::size_t most) : a_(a), v_(a.rows(), 0), t_(most, most) {}
-  /// Where so many vectors come, their memory is found at once; it is not touched before it is used.
-  void expect(std::size_t vectors) { v_.value.reserve(v_.rows * vectors); }
+  Basis(const ShiftInvert& a, std::size_t most) : a_(a), v_(a.rows(), 0), t_(most, most) {
+    v_.value.reserve(a.rows() * most);  // memory is not touched before it is used
+  }
 
   std::size_t size() const { return size_; }
   /// Makes w, A^-1 M times the last block, orthonormal to the basis and in itself, in the inner product of M, and drops
@@ -186,11 +186,11 @@ Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const st
   // Pairs that are wanted on one side of the shift may lie behind others that are nearer.
   const std::size_t sides = wanted.below + wanted.above;
   const std::size_t most_wanted = sides > 0 ? std::min(n, 2 * std::max(want, sides)) : want;
-  const auto room = [&] { return std::min(n, (sides > 0 ? 3 : 2) * want + 8 * width); };  // restarts cost solutions
-  Basis basis(a, std::min(n, 3 * most_wanted + 8 * width) + width);
-  // Pairs on both sides: some more may have to be sought, and a basis that moves needs its memory twice.
-  basis.expect(room() + width + (sides > 0 ? want : 0));
-  const KeptMemory kept;  // not for the basis: its pages go back at the end
+  const auto room = [&](std::size_t pairs) {  // restarts cost solutions
+    return std::min(n, (sides > 0 ? 3 : 2) * pairs + 8 * width);
+  };
+  Basis basis(a, room(most_wanted) + width);  // all at once: a basis that moves needs its memory twice
+  const KeptMemory kept;                      // not for the basis: its pages go back at the end
   Eigenpairs found;
 
   Columns w(a.rows(), width);
@@ -213,7 +213,7 @@ Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const st
     apply();
     basis.orthonormalize(w, o);
     basis.project(first, o.h);
-    const bool exhausted = w.count == 0 || basis.size() >= n, full = basis.size() + w.count > room();
+    const bool exhausted = w.count == 0 || basis.size() >= n, full = basis.size() + w.count > room(want);
     if (!exhausted && !full && !worth_a_look(basis.size(), want)) continue;
     p = ritz_pairs(basis, o.r);
     std::size_t converged = 0;
@@ -231,7 +231,6 @@ Eigenpairs find_pairs(const ShiftInvert& a, const NearestPairs& wanted, const st
       }
       if ((below >= wanted.below && above >= wanted.above) || want == most_wanted) break;
       want = std::min(want + width, most_wanted);
-      basis.expect(room() + width);
     }
     if (full) {
       if (++restarts > 60) {

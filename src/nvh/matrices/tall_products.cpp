@@ -34,11 +34,14 @@ struct Part {
 using In = Part<const double>;
 using Out = Part<double>;
 
-/// The columns that come next are asked for while those here are used: each lies on other pages, which processors do
-/// not guess.
+/// A row of registers of A columns. The columns that come `next` are asked for meanwhile: each lies on other pages,
+/// which processors do not guess.
 template <int A>
-void ask_for_next(const In& a, std::size_t r) {
-  for (int i = 0; i < A; ++i) __builtin_prefetch(a[A + i] + r);
+void load_columns(const In& a, std::size_t r, bool next, Lanes (&x)[A]) {
+  for (int i = 0; i < A; ++i) {
+    if (next) __builtin_prefetch(a[A + i] + r);
+    x[i] = load(a[i] + r);
+  }
 }
 
 /// sum += a^t b over `rows` rows, of A and B columns; `next`: whether to ask for the A columns that follow.
@@ -47,9 +50,8 @@ void add_inner(const In& a, const In& b, std::size_t rows, const Out& sum, bool 
   Lanes s[A][B];
   std::size_t r = 0;
   for (; r + width <= rows; r += width) {
-    if (next) ask_for_next<A>(a, r);
     Lanes x[A];
-    for (int i = 0; i < A; ++i) x[i] = load(a[i] + r);
+    load_columns(a, r, next, x);
     for (int j = 0; j < B; ++j) {
       const Lanes y = load(b[j] + r);
       for (int i = 0; i < A; ++i) s[i][j] += x[i] * y;
@@ -72,9 +74,8 @@ void add_columns(double alpha, const In& a, const In& f, std::size_t rows, const
     for (int i = 0; i < A; ++i) share[i][j] = alpha * f[j][i];
   std::size_t r = 0;
   for (; r + width <= rows; r += width) {
-    if (next) ask_for_next<A>(a, r);
     Lanes x[A];
-    for (int i = 0; i < A; ++i) x[i] = load(a[i] + r);
+    load_columns(a, r, next, x);
     for (int j = 0; j < B; ++j) {
       double* const to = c[j] + r;
       Lanes y = load(to);

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "driven_shell.hpp"
 #include "kernel/element/membrane.hpp"
 #include "kernel/law/law_components.hpp"
 #include "law_point.hpp"
+#include "membrane_kinds.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -163,28 +163,6 @@ TEST(WovenFabric, WaysBackThatGiveEnergy) {
   EXPECT_TRUE(ThreadCurve(straight, points({0.0, 0.1, 0.2}, {0.0, 90.0, 100.0})).gives_energy());
 }
 
-struct WovenOnePoint : OnePoint {
-  template <class R, class Law>
-  static NodalForces<R, 4> cycle(const ShellProperties& shell, const LawKernel<Law>& law,
-                                 const NodalMotion<R, 4>& nodes, double dt, double* state) {
-    return membrane_cycle<R>(shell, law, nodes, dt, state);
-  }
-};
-struct WovenFull : Full {
-  template <class R, class Law>
-  static NodalForces<R, 4> cycle(const ShellProperties& shell, const LawKernel<Law>& law,
-                                 const NodalMotion<R, 4>& nodes, double dt, double* state) {
-    return full_membrane_cycle<R>(shell, law, nodes, dt, state);
-  }
-};
-struct WovenTriangle : C0 {
-  template <class R, class Law>
-  static NodalForces<R, 3> cycle(const ShellProperties& shell, const LawKernel<Law>& law,
-                                 const NodalMotion<R, 3>& nodes, double dt, double* state) {
-    return membrane_triangle_cycle<R>(shell, law, nodes, dt, state);
-  }
-};
-
 /// Sheared along x by `g` and turned about an axis, step by step: the threads, which stood along x and y, are as long
 /// as simple shear makes them, and the stress is F S F^T/J.
 template <class Kind>
@@ -237,13 +215,13 @@ TEST(WovenFabric, SimpleShearOfElements) {
   skewed.x[2] = {9, 6, 0};
   skewed.x[3] = {-2, 4, 0};
   for (const Motion& start : {slender, skewed}) {
-    sheared_and_turned<WovenOnePoint>(start, 2e-4);
-    sheared_and_turned<WovenFull>(start, 2e-4);
+    sheared_and_turned<OnePointMembrane>(start, 2e-4);
+    sheared_and_turned<FullMembrane>(start, 2e-4);
   }
   NodalMotion<double, 3> triangle;
   triangle.x[1] = {9, 2, 0};
   triangle.x[2] = {1, 4, 0};
-  sheared_and_turned<WovenTriangle>(triangle, 2e-4);
+  sheared_and_turned<TriangleMembrane>(triangle, 2e-4);
 }
 
 // A warped element that tumbles as a rigid body: its points keep their stress.
@@ -251,7 +229,7 @@ TEST(WovenFabric, RigidTumblingOfAWarpedElement) {
   Motion start = square();
   start.x[2].z = 1.5;
   start.x[0].z = 0.5;
-  Driven<ComposedLaw, WovenFull> d(section(1), composed_law({weave()}), start);
+  Driven<ComposedLaw, FullMembrane> d(section(1), composed_law({weave()}), start);
   for (int column = 0; column < 4; ++column)
     start_layer_axes(d.state.data() + d.layout.history_of(0, column), 1, 1.0, 0.0);
   constexpr double dt = 1e-6;
@@ -332,7 +310,7 @@ TEST(WovenFabric, StepWhereItIsStretched) {
   WovenFabric law = weave();
   law.poisson_ba = 0.0;
   law.E = law.wave_modulus() * (1.0 - law.nu * law.nu);
-  Driven<ComposedLaw, WovenFull> d(section(1), composed_law({law}), square());
+  Driven<ComposedLaw, FullMembrane> d(section(1), composed_law({law}), square());
   for (int column = 0; column < 4; ++column)
     start_layer_axes(d.state.data() + d.layout.history_of(0, column), 1, 1.0, 0.0);
   EXPECT_NEAR(d.step(0.0).stable_step, 5.0 / std::sqrt(warp_modulus / steel_density), 1e-9);
