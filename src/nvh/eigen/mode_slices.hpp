@@ -21,11 +21,11 @@ struct Counted {
 };
 
 /// The lowest eigenpairs of a part of the spectrum, ascending, from several shifts one above the other (Grimes, Lewis,
-/// Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228, section 4): each finds `slice` pairs around it, and all those down
-/// to the pairs of the shift before, whose number is known from the counts at both. So the basis of Lanczos stays
-/// small, whatever the number of modes. `first` is the lowest shift, below `low` or at it, where `shifts` stand already
-/// and counted. Fills in the proof: counted and found differ where a pair could not be found. Throws
-/// Factorization::SolverError.
+/// Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228, section 4): each finds pairs around it, and all those down to the
+/// pairs of the shift before, whose number is known from the counts at both: as many as there is memory for where the
+/// last shift finds `slice` of them. So memory grows as the modes do. `first` is the lowest shift,
+/// below `low` or at it, where `shifts` stand already and counted. Fills in the proof: counted and found differ where a
+/// pair could not be found. Throws Factorization::SolverError.
 Eigenpairs find_in_slices(Shifts& shifts, const Spectrum& spectrum, Counted first, std::size_t slice,
                           Modes::Proof& proof);
 

@@ -14,7 +14,8 @@ struct ModeRequest {
   int count = 0;  ///< at most so many; 0: all between `low` and `high`, which must then be given
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   double centre = 0.0;  ///< above 0: those nearest to it
-  /// Where many more than these are wanted, they are sought from several places of the spectrum, so many at each.
+  /// Where many more than these are wanted, they are sought from several places of the spectrum, at least so many at
+  /// each.
   std::size_t slice = 128;
 };
 
