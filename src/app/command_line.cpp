@@ -90,7 +90,8 @@ CLI::Option* add_weld_tie(CLI::App* command, std::string& form) {
 }
 
 /// --as of the commands that model welds.
-void add_weld_form(CLI::App* command, nugget::weld::WeldForm& form, std::span<const nugget::weld::NamedWeldForm> forms,
+template <class Form>
+void add_weld_form(CLI::App* command, Form& form, std::span<const nugget::weld::NamedWeldForm> forms,
                    std::string_view what) {
   std::vector<std::string> names;
   for (const nugget::weld::NamedWeldForm& f : forms) names.emplace_back(f.name);
@@ -363,7 +364,9 @@ int nugget::app::command_line(int argc, char** argv) {
   CLI::App* coupon_command =
       cli.add_subcommand("coupon", "lap shear, coach peel, cross tension and KS-2 tests of a weld's card");
   coupon_command
-      ->add_option("card", coupon.card, "a *MAT_SPOTWELD with what belongs to it; sections and materials of sheets")
+      ->add_option("card", coupon.card,
+                   "a *MAT_SPOTWELD, an interpolation spot weld or a rivet, with what belongs to it; sections and "
+                   "materials of sheets")
       ->required();
   coupon_command->add_option("-o,--output", coupon.directory, "folder for decks, runs, tables, pictures and page")
       ->required();
@@ -376,7 +379,7 @@ int nugget::app::command_line(int argc, char** argv) {
   coupon_command
       ->add_option("--diameter", coupon.diameter, "of the weld (default: the card's *SECTION_BEAM, or 5 sqrt(t))")
       ->check(length);
-  add_weld_form(coupon_command, coupon.form, nugget::weld::forms_of_rpbhx(), "one beam, or 1, 4, 8 bricks");
+  add_weld_form(coupon_command, coupon.form, nugget::weld::forms_of_elements(), "one beam, or 1, 4, 8, 16 bricks");
   coupon_command
       ->add_option("--only", coupon.only, "names of coupons separated by commas, e.g. lap_shear,ks2_45 (default: all)")
       ->delimiter(',')
@@ -399,7 +402,8 @@ int nugget::app::command_line(int argc, char** argv) {
       ->check(length);
   fit_command->add_option("--diameter", fit.diameter, "of the weld (default: the card's *SECTION_BEAM, or 5 sqrt(t))")
       ->check(length);
-  add_weld_form(fit_command, fit.form, nugget::weld::forms_of_rpbhx(), "the weld as one beam, or as 1, 4, 8 bricks");
+  add_weld_form(fit_command, fit.form, nugget::weld::forms_of_elements(),
+                "the weld as one beam, or as 1, 4, 8, 16 bricks");
   fit_command->add_option("-j,--threads", fit.threads, "coupons at once (default: all cores)")->check(count);
 
   nugget::app::StudyArguments study;

@@ -108,10 +108,10 @@ struct WeldsArguments {
 
 struct CouponArguments {
   std::string card, directory;
-  std::vector<double> thickness;  ///< of the lower and the upper sheet; empty: the card's, or 1.5 mm
-  double diameter = 0.0;          ///< 0: the card's, or 5 sqrt(t)
-  weld::WeldForm form = weld::WeldForm::beam;
-  std::vector<std::string> only;  ///< names of coupons; empty: all
+  std::vector<double> thickness;       ///< of the lower and the upper sheet; empty: the card's, or 1.5 mm
+  double diameter = 0.0;               ///< 0: the card's, or 5 sqrt(t)
+  std::optional<weld::WeldForm> form;  ///< nothing: a beam
+  std::vector<std::string> only;       ///< names of coupons; empty: all
   bool only_decks = false;
   int threads = 0;
 };
@@ -120,7 +120,7 @@ struct FitArguments {
   std::string curves, card, output;
   std::vector<double> thickness;  ///< as of CouponArguments
   double diameter = 0.0;
-  weld::WeldForm form = weld::WeldForm::beam;
+  std::optional<weld::WeldForm> form;
   int threads = 0;
 };
 

@@ -19,18 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The surface by the failure function of the weld of a coupon that was read and tied.
-struct Surface {
-  const PreparedDeck& deck;
-  weld::failure::Geometry geometry;
-
-  explicit Surface(const PreparedDeck& d)
-      : deck(d), geometry(weld::failure::geometry_of(d.model, d.ties.welds.front())) {}
-  double operator()(double angle) const {
-    return weld::failure::force_at_failure(deck.model, weld::law_of(deck.model, deck.ties.welds.front()), geometry,
-                                           angle);
-  }
-};
+/// The surface by the failure function, or the law, of the weld of a coupon that was read and tied.
+double surface(const PreparedDeck& deck, double angle) {
+  const weld::Weld& weld = deck.ties.welds.front();
+  if (weld.interpolated)
+    return std::visit([&](const auto& joint) { return weld::failure::force_at_failure(joint, angle); },
+                      deck.model.interpolation_spotwelds.front().law);
+  return weld::failure::force_at_failure(deck.model, weld::law_of(deck.model, weld),
+                                         weld::failure::geometry_of(deck.model, weld), angle);
+}
 
 bool is_chosen(const CouponArguments& arguments, const weld::CouponTest& test) {
   return arguments.only.empty() ||
@@ -53,16 +50,16 @@ ExitCode test_card(const CouponArguments& arguments, const fs::path& directory) 
   }
   if (const ExitCode code = run_coupons(runs, arguments.threads); code != ExitCode::normal) return code;
 
-  const Surface surface(*prepared);
   report::CouponStudy study{arguments.card, std::move(taken.notes), taken.card.units, {}, {}, {}};
   for (int angle = 0; angle <= 90; ++angle) {
     study.angle.push_back(angle);
-    study.surface.push_back(surface(angle));
+    study.surface.push_back(surface(*prepared, angle));
   }
+  const CouponLoads loads = taken.card.weld_nodes != 0 ? CouponLoads::at_the_peak : CouponLoads::at_failure;
   for (std::size_t i = 0; i < tests.size(); ++i) {
-    report::CouponResult r = read_coupon(runs[i].folder, tests[i]);
-    r.surface = surface(r.angle);
-    r.surface_at_load = surface(r.load_angle());
+    report::CouponResult r = read_coupon(runs[i].folder, tests[i], loads);
+    r.surface = surface(*prepared, r.angle);
+    r.surface_at_load = surface(*prepared, r.load_angle());
     study.results.push_back(std::move(r));
   }
   report::write_coupon_study(".", study);

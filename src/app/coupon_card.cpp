@@ -13,6 +13,7 @@
 #include "deck/deck.hpp"
 #include "model/units.hpp"
 #include "reading/build.hpp"
+#include "reading/cards/sheet_joins.hpp"
 #include "weld/placement/deck_text.hpp"
 
 namespace nugget::app {
@@ -20,17 +21,56 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const model::Material& weld_material(const model::Model& model, const std::string& file) {
-  std::vector<const model::Material*> welds;
+/// The one weld of the card: a material, or a card of its own.
+struct OneWeld {
+  const model::Material* material = nullptr;
+  std::optional<reading::SheetJoin> join;
+};
+
+OneWeld only_weld(const model::Model& model, const std::vector<reading::SheetJoin>& joins, const std::string& file) {
+  std::vector<const model::Material*> materials;
   for (const model::Material& m : model.materials)
-    if (m.weld != model::none) welds.push_back(&m);
-  if (welds.size() == 1) return *welds.front();
-  std::string ids;
-  for (const model::Material* m : welds) ids += fmt::format("{}{}", ids.empty() ? "" : ", ", m->id);
+    if (m.weld != model::none) materials.push_back(&m);
+  if (materials.size() + joins.size() == 1)
+    return materials.empty() ? OneWeld{nullptr, joins.front()} : OneWeld{materials.front(), {}};
+  std::string list;
+  for (const model::Material* m : materials) list += fmt::format("{}{}", list.empty() ? "" : ", ", m->id);
+  for (const reading::SheetJoin& join : joins)
+    list += fmt::format("{}{} of line {}", list.empty() ? "" : ", ", join.keyword, join.place.line);
   throw CardFault(
-      fmt::format("{}: {} *MAT_SPOTWELD in it{}{}, expected one [leave in the file the weld that is to be "
+      fmt::format("{}: {} *MAT_SPOTWELD{} in it{}{}, expected one [leave in the file the weld that is to be "
                   "tested]",
-                  file, welds.size(), ids.empty() ? "" : ": ", ids));
+                  file, materials.size(),
+                  joins.empty() ? "" : fmt::format(" and {} welds or rivets that are cards of their own", joins.size()),
+                  list.empty() ? "" : ": ", list));
+}
+
+/// A weld that is a card of its own: of the parts that the coupons' sheets are, of the diameter that it has.
+void take_join(const reading::SheetJoin& join, const CouponArguments& arguments, TakenCard& taken) {
+  const auto fault = [&](const std::string& what) {
+    throw CardFault(fmt::format("{}:{}: {} {}", join.place.file, join.place.line, join.keyword, what));
+  };
+  if (std::pair<int, int>(std::minmax(join.first_part, join.second_part)) !=
+      std::pair(weld::coupon_lower, weld::coupon_upper))
+    fault(fmt::format("joins parts {} and {}, expected {} and {} [the coupons' lower and upper sheet]", join.first_part,
+                      join.second_part, weld::coupon_lower, weld::coupon_upper));
+  if (join.node_set <= 0 || !(join.diameter > 0.0))
+    fault("has no node set or no size [name a set, which the coupons bring, and give the size of the weld]");
+  if (arguments.diameter > 0.0 || arguments.form)
+    fault(fmt::format("is a weld with its own diameter, {:.4g}, and no elements [leave out --diameter and --as]",
+                      join.diameter));
+  taken.card.weld_nodes = join.node_set;
+  taken.card.diameter = join.diameter;
+  taken.notes.push_back(fmt::format("weld: {} of the card, diameter {:.4g}", join.keyword, join.diameter));
+}
+
+void check_diameter(const weld::CouponCard& card) {
+  const double d = card.diameter / card.units.millimetre;
+  if (!(d >= 2.0 && d <= 16.0))
+    throw CardFault(
+        fmt::format("a weld of {:.4g} mm: coupons are 36 to 48 mm wide, expected 2 to 16 mm [give --diameter "
+                    "in the units of the card, {}]",
+                    d, card.units.name));
 }
 
 /// Materials of sheets in the order of the file: those that are neither welds nor rigid.
@@ -107,13 +147,7 @@ void take_weld(const model::Model& model, const CouponArguments& arguments, Take
     from = "default: 5 sqrt(t) of the thinner sheet in mm";
   }
   taken.notes.push_back(fmt::format("weld: material {} of the card, diameter {:.4g} ({}), as {}", card.weld_material,
-                                    card.diameter, from, weld::named(arguments.form).words));
-  const double d = card.diameter / card.units.millimetre;
-  if (!(d >= 2.0 && d <= 16.0))
-    throw CardFault(
-        fmt::format("a weld of {:.4g} mm: coupons are 36 to 48 mm wide, expected 2 to 16 mm [give --diameter "
-                    "in the units of the card, {}]",
-                    d, card.units.name));
+                                    card.diameter, from, weld::named(card.form).words));
 }
 
 std::vector<std::string> lines_of(const std::string& file) {
@@ -186,24 +220,29 @@ TakenCard take_card(const CouponArguments& arguments, const fs::path& directory)
                     arguments.card, model.nodes.id.size(), model.parts.size()));
   TakenCard taken;
   weld::CouponCard& card = taken.card;
-  const model::Material& material = weld_material(model, arguments.card);
-  card.weld_material = material.id;
-  taken.law = model.weld_laws[material.weld];
-  taken.place = material.place;
+  const OneWeld weld = only_weld(model, reading::sheet_joins(deck), arguments.card);
   const auto units = model::units_of(model);
   if (!units)
-    throw CardFault(
-        fmt::format("{}: the units are not recognised: density and Young's modulus of no material fit a "
-                    "metal in any system [correct RO and E of the weld's material]",
-                    arguments.card));
+    throw CardFault(fmt::format(
+        "{}: the units are not recognised: density and Young's modulus of no material fit a "
+        "metal in any system [correct RO and E of {}]",
+        arguments.card, weld.join ? "the sheets' material, which is to be in the card" : "the weld's material"));
   card.units = *units;
   card.included = fs::proximate(fs::absolute(arguments.card), fs::absolute(directory)).generic_string();
-  card.form = arguments.form;
+  card.form = arguments.form.value_or(weld::WeldForm::beam);
   for (const model::Material& m : model.materials) card.used = std::max(card.used, m.id);
   for (const model::SectionShell& s : model.shell_sections) card.used = std::max(card.used, s.id);
   for (const model::SectionBeam& s : model.beam_sections) card.used = std::max(card.used, s.id);
   take_sheets(model, arguments, taken);
-  take_weld(model, arguments, taken);
+  if (weld.join) {
+    take_join(*weld.join, arguments, taken);
+  } else {
+    card.weld_material = weld.material->id;
+    taken.law = model.weld_laws[weld.material->weld];
+    taken.place = weld.material->place;
+    take_weld(model, arguments, taken);
+  }
+  check_diameter(card);
   return taken;
 }
 

@@ -65,6 +65,12 @@ double weld_number(const report::WeldRow& row, const char* column) {
   return cell == row.end() || cell->second.empty() ? 0.0 : std::strtod(cell->second.c_str(), nullptr);
 }
 
+void take_loads_at_peak(const LoadPath& path, report::CouponResult& r) {
+  const auto peak = std::max_element(path.force.begin(), path.force.end()) - path.force.begin();
+  const std::array<double, 4>& load = path.load[static_cast<std::size_t>(peak)];
+  r.axial = load[0], r.shear = load[1], r.torsion = load[2], r.bending = load[3];
+}
+
 }  // namespace
 
 std::vector<ChildRun> write_coupons(const weld::CouponCard& card, const std::vector<weld::CouponTest>& tests) {
@@ -107,7 +113,7 @@ ExitCode run_coupons(std::vector<ChildRun>& runs, int asked_threads) {
   return check_runs(runs);
 }
 
-report::CouponResult read_coupon(const fs::path& folder, const weld::CouponTest& test) {
+report::CouponResult read_coupon(const fs::path& folder, const weld::CouponTest& test, CouponLoads loads) {
   const report::RunData run = report::read_run(folder);
   if (run.welds.size() != 1)
     throw std::runtime_error(fmt::format("{}: {} welds, expected one", folder.string(), run.welds.size()));
@@ -142,6 +148,7 @@ report::CouponResult read_coupon(const fs::path& folder, const weld::CouponTest&
   if (r.force.empty()) throw std::runtime_error(fmt::format("{}: the weld failed at once", folder.string()));
   const auto peak = std::max_element(r.force.begin(), r.force.end());
   r.peak = *peak;
+  if (loads == CouponLoads::at_the_peak) take_loads_at_peak(read_load_path(folder, test), r);
   r.at = r.displacement[static_cast<std::size_t>(peak - r.force.begin())];
   return r;
 }
@@ -150,11 +157,11 @@ LoadPath read_load_path(const fs::path& folder, const weld::CouponTest& test) {
   LoadPath path;
   std::ifstream file = opened(folder / "swforc");
   for (std::string line; std::getline(file, line);) {
-    // number, axial, shear, time, failure, spotweld (beam, solid, assmy) ID, id, length, moment, torsion
-    const std::size_t label = line.find("spotweld ");  // beam, solid, assmy
+    // number, axial, shear, time, failure, what it is, ID, id, length, moment, torsion
+    const std::size_t label = line.find(" ID ");
     if (label == std::string::npos) continue;
     if (line.find("failure time=") != std::string::npos) break;
-    std::istringstream front(line), back(line.substr(line.find("ID", label) + 2));
+    std::istringstream front(line), back(line.substr(label + 4));
     double number = 0.0, axial = 0.0, shear = 0.0, id = 0.0, length = 0.0, moment = 0.0, torsion = 0.0;
     if (front >> number >> axial >> shear && back >> id >> length >> moment >> torsion)
       path.load.push_back({std::max(axial, 0.0), shear, std::abs(torsion), moment});

@@ -41,9 +41,14 @@ std::optional<PreparedDeck> prepare_coupon(const ChildRun& run);
 /// Runs them, as many at once as there are threads (0: all cores). Tells which did not end normally.
 ExitCode run_coupons(std::vector<ChildRun>& runs, int threads);
 
-/// Grip and weld over a run of a coupon, from bndout, nodout and welds.csv in its folder. Throws std::runtime_error
-/// where a file is missing or does not say it.
-report::CouponResult read_coupon(const std::filesystem::path& folder, const weld::CouponTest& test);
+/// Which loads of the weld stand beside a coupon's peak: the last ones before it failed, or, of a weld that fades until
+/// nothing is left, those at the largest force of the grip.
+enum class CouponLoads { at_failure, at_the_peak };
+
+/// Grip and weld over a run of a coupon, from bndout, nodout, welds.csv and swforc in its folder. Throws
+/// std::runtime_error where a file is missing or does not say it.
+report::CouponResult read_coupon(const std::filesystem::path& folder, const weld::CouponTest& test,
+                                 CouponLoads loads = CouponLoads::at_failure);
 
 /// Force of the grip and what the weld bore at the same time: N+ (tension), shear, torsion, bending.
 struct LoadPath {

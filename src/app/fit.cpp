@@ -33,6 +33,11 @@ std::vector<weld::CouponTest> tests_of(const std::vector<MeasuredCurve>& curves)
 
 /// The strengths to begin with: NRR, NRS = NRT, MRR, MSS = MTT.
 std::array<double, 4> strengths_of(const TakenCard& taken, const std::string& file) {
+  if (taken.card.weld_material == 0)
+    throw CardFault(
+        fmt::format("{}: strengths are found for a *MAT_SPOTWELD only [nugget coupon runs the tests of an "
+                    "interpolation spot weld or a rivet as it is]",
+                    file));
   const model::WeldLaw& law = taken.law;
   if (law.function != model::none)
     throw CardFault(fmt::format(

@@ -20,7 +20,7 @@ struct CouponResult {
   double work = 0.0;                        ///< of the grip
   bool failed = false;                      ///< the weld; else `peak` is what it bore until the end
   std::string failure_mode;
-  // In the weld when it failed, else at the end:
+  // In the weld when it failed, else at the end; of an interpolation spot weld or a rivet when the force was largest:
   double axial = 0.0, shear = 0.0, bending = 0.0, torsion = 0.0, failure_value = 0.0;
   double surface = 0.0;          ///< force that the failure function allows along `angle`, without moments
   double surface_at_load = 0.0;  ///< the same along the weld's own force

@@ -5,6 +5,7 @@
 
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
+#include "reading/cards/sheet_joins.hpp"
 
 // *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3). Layout: public keyword tables (PyDYNA).
 namespace nugget::reading {
@@ -395,7 +396,32 @@ void read_spr2(Builder& builder, const Block& block, const Options&) {
   builder.defer(Phase::conditions, [=](Builder& later) { make_rivets(later, place, shape, exponents); });
 }
 
+SheetJoin spotweld_join(const deck::Deck& deck, const Block& block, Findings& findings) {
+  Cursor cursor(deck, block, findings);
+  if (block.keyword.ends_with("_TITLE")) cursor.skip();
+  const auto card = cursor.read(spotweld_join_card);
+  return {block.starred(), card->pid1, card->pid2, card->nsid, 2.0 * card->r, card.place()};
+}
+
+SheetJoin rivet_join(const deck::Deck& deck, const Block& block, Findings& findings) {
+  Cursor cursor(deck, block, findings);
+  const auto card = cursor.read(rivet_place_card);
+  return {block.starred(), card->upid, card->lpid, card->nsid, card->d, card.place()};
+}
+
 }  // namespace
+
+std::vector<SheetJoin> sheet_joins(const deck::Deck& deck) {
+  Findings elsewhere;
+  std::vector<SheetJoin> joins;
+  for (const Block& block : deck.blocks) {
+    if (block.keyword.starts_with("CONSTRAINED_INTERPOLATION_SPOTWELD"))
+      joins.push_back(spotweld_join(deck, block, elsewhere));
+    else if (block.keyword == "CONSTRAINED_SPR2")
+      joins.push_back(rivet_join(deck, block, elsewhere));
+  }
+  return joins;
+}
 
 std::vector<Keyword> interpolation_spotweld_keywords() {
   return {{.name = "CONSTRAINED_SPR2",

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "deck/text.hpp"
+#include "model/weld_section.hpp"
 #include "weld/placement/deck_text.hpp"
 
 namespace nugget::weld {
@@ -22,6 +23,7 @@ struct Pull {
   double stroke = 0.0, speed = 0.0;
   double duration() const { return 1e-3 * stroke / (0.9 * speed); }  ///< [s]; the ramp's mean is a half
 };
+constexpr int first_weld_node = 90001;
 constexpr double ramp = 0.2;  // share of the duration in which the velocity rises
 
 Pull pull_of(const CouponTest& test) {
@@ -33,6 +35,15 @@ Pull pull_of(const CouponTest& test) {
   }
   const double normal = std::sin(test.angle * std::numbers::pi / 180.0);
   return {4.0 + 10.0 * normal, 0.4 + 0.4 * normal};
+}
+
+/// A beam, or what RPBHX of *CONTROL_SPOTWELD_BEAM puts in its place.
+bool becomes_bricks_later(WeldForm form) {
+  return named(form).bricks <= 8;
+}
+
+double square(double x) {
+  return x * x;
 }
 
 /// Mesh lines from a to b, b left out, about `size` apart.
@@ -64,20 +75,45 @@ class CouponMesh {
       case CouponKind::cross_tension: make_cross_tension(); break;
       case CouponKind::ks2: turn_ = (90.0 - test.angle) * std::numbers::pi / 180.0; make_ks2();
     }
-    nodes_ += node_line(90001, {0, 0, lower_});
-    nodes_ += node_line(90002, {0, 0, upper_});
+    if (card.weld_nodes != 0)
+      nodes_ += node_line(first_weld_node, {});
+    else if (!becomes_bricks_later(card.form))
+      add_bricks(
+          model::weld_section(named(card.form).bricks, 0.25 * std::numbers::pi * square(card.diameter / millimetre_)));
+    else
+      add_beam();
   }
 
   std::string text() const {
     return "*NODE\n$#   nid               x               y               z\n" + nodes_ +
-           "*ELEMENT_SHELL\n$#   eid     pid      n1      n2      n3      n4\n" + shells_ +
-           fmt::format("*ELEMENT_BEAM\n$#   eid     pid      n1      n2      n3\n{:8d}{:8d}{:8d}{:8d}{:8d}\n",
-                       coupon_weld_element, coupon_weld, 90001, 90002, 0);
+           "*ELEMENT_SHELL\n$#   eid     pid      n1      n2      n3      n4\n" + shells_ + weld_;
   }
   int node_of_moving_grip() const { return of_grip_; }
 
  private:
   using Place = std::function<Vec3d(double)>;
+
+  void add_beam() {
+    nodes_ += node_line(first_weld_node, {0, 0, lower_});
+    nodes_ += node_line(first_weld_node + 1, {0, 0, upper_});
+    weld_ = fmt::format("*ELEMENT_BEAM\n$#   eid     pid      n1      n2      n3\n{:8d}{:8d}{:8d}{:8d}{:8d}\n",
+                        coupon_weld_element, coupon_weld, first_weld_node, first_weld_node + 1, 0);
+  }
+
+  void add_bricks(const model::WeldSection& section) {
+    const int points = static_cast<int>(section.point.size()), below = first_weld_node, above = below + points;
+    for (int i = 0; i < points; ++i) {
+      const auto& [s, t] = section.point[static_cast<std::size_t>(i)];
+      nodes_ += node_line(below + i, {s, t, lower_}) + node_line(above + i, {s, t, upper_});
+    }
+    weld_ = "*ELEMENT_SOLID\n$#   eid     pid      n1      n2      n3      n4      n5      n6      n7      n8\n";
+    for (std::size_t e = 0; e < section.quad.size(); ++e) {
+      weld_ += fmt::format("{:8d}{:8d}", coupon_weld_element + static_cast<int>(e), coupon_weld);
+      for (const int first : {below, above})
+        for (const int k : section.quad[e]) weld_ += fmt::format("{:8d}", first + k);
+      weld_ += '\n';
+    }
+  }
 
   /// KS-2 is turned about x until the load is along z.
   std::string node_line(int id, const Vec3d& x) const {
@@ -202,7 +238,7 @@ class CouponMesh {
   }
 
   double millimetre_, lower_ = 0.0, upper_ = 0.0, size_ = 0.0, turn_ = 0.0;
-  std::string nodes_, shells_;
+  std::string nodes_, shells_, weld_;
   int last_shell_ = 0, of_grip_ = 0;
 };
 
@@ -308,6 +344,27 @@ class CouponDeck {
   }
 
   std::string weld() {
+    if (card_.weld_nodes != 0)
+      return "$ The weld of the card stands at this node.\n*SET_NODE_LIST\n$#     sid\n" + ints({card_.weld_nodes}) +
+             "$#    nid1\n" + ints({first_weld_node});
+    const bool of_bricks = !becomes_bricks_later(card_.form);
+    return (of_bricks ? bricks() : beam()) + "*SET_PART_LIST\n$#     sid\n" + ints({90001}) + "$#    pid1      pid2\n" +
+           ints({coupon_lower, coupon_upper}) + "*CONTACT_SPOTWELD_ID\n     90001weld to sheets\n" +
+           "$#   surfa     surfb  surfatyp  surfbtyp\n" + ints({coupon_weld, 90001, 3, 2}) +
+           "$#      fs\n\n$#    sfsa\n\n";
+  }
+
+  std::string bricks() {
+    const int section = ++next_;
+    return "$ Bricks of one point, held against hourglassing by assumed strains (type 6, QM = 1).\n"
+           "*SECTION_SOLID\n$#   secid    elform\n" +
+           ints({section, 1}) + "*HOURGLASS\n$#    hgid       ihq        qm\n" +
+           fmt::format("{:10d}{:10d}{:10.1f}\n", 90001, 6, 1.0) +
+           "*PART\nspot weld\n$#     pid     secid       mid     eosid      hgid\n" +
+           ints({coupon_weld, section, card_.weld_material, 0, 90001});
+  }
+
+  std::string beam() {
     std::string s;
     int section = card_.weld_section;
     if (section == 0) {
@@ -323,11 +380,7 @@ class CouponDeck {
                "$#     lct       lcs     t_ort    prtflg     t_ors     rpbhx\n",
                bricks, bricks == 1 ? "" : "s") +
            ints({0, 0, 0, 0, 0, bricks});
-    s += part("spot weld", coupon_weld, section, card_.weld_material);
-    return s + "*SET_PART_LIST\n$#     sid\n" + ints({90001}) + "$#    pid1      pid2\n" +
-           ints({coupon_lower, coupon_upper}) + "*CONTACT_SPOTWELD_ID\n     90001weld to sheets\n" +
-           "$#   surfa     surfb  surfatyp  surfbtyp\n" + ints({coupon_weld, 90001, 3, 2}) +
-           "$#      fs\n\n$#    sfsa\n\n";
+    return s + part("spot weld", coupon_weld, section, card_.weld_material);
   }
 
   /// Codes of *MAT_RIGID: what is held of the translations of the moving grip. The machine guides it along the pull;

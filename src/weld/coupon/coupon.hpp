@@ -26,12 +26,14 @@ struct CouponTest {
 /// Lap shear, coach peel, cross tension, KS-2 at 0, 15, ... 90 degrees.
 std::vector<CouponTest> coupon_tests();
 
-/// What all coupons of one card have in common; lengths in its units.
+/// What all coupons of one card have in common; lengths in its units. The weld is one of a *MAT_SPOTWELD, or a card of
+/// its own that joins sheets 1 and 2 at the nodes of a set (an interpolation spot weld, a rivet).
 struct CouponCard {
   model::Units units;
-  std::string included;  ///< name of the card's file as it stands behind *INCLUDE
-  int weld_material = 0;
-  int weld_section = 0;  ///< a *SECTION_BEAM of the card; 0: it has none
+  std::string included;   ///< name of the card's file as it stands behind *INCLUDE
+  int weld_material = 0;  ///< 0: none, the weld is a card of its own
+  int weld_section = 0;   ///< a *SECTION_BEAM of the card; 0: it has none
+  int weld_nodes = 0;     ///< node set of a weld that is a card of its own; 0: none
   double diameter = 0.0;
   WeldForm form = WeldForm::beam;
   struct Sheet {

@@ -21,8 +21,8 @@ std::span<const NamedWeldForm> weld_forms() {
   return forms;
 }
 
-std::span<const NamedWeldForm> forms_of_rpbhx() {
-  return weld_forms().first(4);
+std::span<const NamedWeldForm> forms_of_elements() {
+  return weld_forms().first(5);
 }
 
 const NamedWeldForm& named(WeldForm form) {

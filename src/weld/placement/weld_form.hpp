@@ -18,9 +18,10 @@ struct NamedWeldForm {
   std::string_view words;  ///< "four bricks"
 };
 
-/// All forms, the beam first. Those up to `solid8` can take the place of a beam (RPBHX of *CONTROL_SPOTWELD_BEAM).
+/// All forms, the beam first.
 std::span<const NamedWeldForm> weld_forms();
-std::span<const NamedWeldForm> forms_of_rpbhx();
+/// Those of elements with a *MAT_SPOTWELD: a beam, bricks.
+std::span<const NamedWeldForm> forms_of_elements();
 
 const NamedWeldForm& named(WeldForm form);
 /// By its name, or nothing.
