@@ -152,6 +152,18 @@ class Placing {
   std::optional<model::Units> units_;
 };
 
+/// The longer of a quadrilateral's two middle lines, the longest side of a triangle; of equal ones the first.
+Vec3d longer_way(const Corners& x, bool triangle) {
+  const std::array<Vec3d, 3> ways{triangle ? x[1] - x[0] : 0.5 * (x[1] + x[2] - x[0] - x[3]),
+                                  triangle ? x[2] - x[1] : 0.5 * (x[2] + x[3] - x[0] - x[1]),
+                                  triangle ? x[0] - x[2] : Vec3d{}};
+  const Vec3d* longest = &ways[0];
+  constexpr double clearly = 1.0 + 1e-9;
+  for (const Vec3d& way : ways)
+    if (norm(way) > clearly * norm(*longest)) longest = &way;
+  return *longest;
+}
+
 }  // namespace
 
 Sheets::Sheets(const model::Model& model) : model_(model) {
@@ -174,7 +186,9 @@ Foot Sheets::foot(Index shell, const Vec3d& x) const {
 }
 
 SpotSheet Sheets::sheet(Index shell, const Foot& foot) const {
-  return {model_.shells.part[shell], foot.point, normal(corners(shell)), model_.shells.thickness[shell]};
+  const Corners x = corners(shell);
+  return {model_.shells.part[shell], foot.point, normal(x), model_.shells.thickness[shell],
+          longer_way(x, model_.shells.triangle(shell))};
 }
 
 std::optional<SpotSheet> Sheets::closest(const Vec3d& x, Index part, double bound) const {

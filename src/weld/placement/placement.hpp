@@ -19,6 +19,7 @@ struct SpotSheet {
   Vec3d point;             ///< on the surface through the sheet's nodes [length]
   Vec3d normal;            ///< of the segment there
   double thickness = 0.0;  ///< [length]
+  Vec3d along;             ///< of the shell there: its longer middle line, a triangle's longest side [length]
 };
 
 /// A spot that found its sheets.

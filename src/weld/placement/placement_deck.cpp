@@ -158,11 +158,10 @@ class PlacementWriter {
     use_sheets(spot);
   }
 
-  /// The points of a section on one sheet, or nothing where the sheet ends before one of them.
+  /// The points of a section on one sheet, or nothing where the sheet ends before one of them. The section lies along
+  /// the mesh of the first sheet, so that a model that is turned has the same welds.
   std::vector<Vec3d> on_sheet(const Spot& spot, const SpotSheet& sheet, const model::WeldSection& section) const {
-    Vec3d s{1, 0, 0};
-    if (std::abs(spot.axis.y) < std::abs(spot.axis.x)) s = {0, 1, 0};
-    if (std::abs(spot.axis.z) < std::min(std::abs(spot.axis.x), std::abs(spot.axis.y))) s = {0, 0, 1};
+    Vec3d s = spot.sheets.front().along;
     s = s - dot(s, spot.axis) * spot.axis;
     s = (1.0 / norm(s)) * s;
     const Vec3d t = cross(spot.axis, s);

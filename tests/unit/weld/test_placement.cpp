@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "model/weld_section.hpp"
 #include "unit/weld/assembly.hpp"
@@ -223,6 +224,42 @@ TEST(Placement, BricksOverTheEdgeAreToldAndLeftOut) {
   EXPECT_EQ(deck.spots, 1u);
   EXPECT_THAT(text(findings),
               HasSubstr("points.csv:7: warning: bricks of diameter 4.472 reach over the edge of part 1"));
+}
+
+/// The nodes of a deck that was written.
+std::vector<Vec3d> nodes_of(const std::string& deck) {
+  std::istringstream lines(deck.substr(deck.find("*NODE")));
+  std::vector<Vec3d> nodes;
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line) && line[0] != '*')
+    if (line[0] != '$')
+      nodes.push_back({std::stod(line.substr(8, 16)), std::stod(line.substr(24, 16)), std::stod(line.substr(40, 16))});
+  return nodes;
+}
+
+TEST(Placement, BricksTurnWithTheModel) {
+  const auto turned = [](const Vec3d& x) {  // by 0.7 about z, then by 1.1 about x
+    const Vec3d a{std::cos(0.7) * x.x - std::sin(0.7) * x.y, std::sin(0.7) * x.x + std::cos(0.7) * x.y, x.z};
+    return Vec3d{a.x, std::cos(1.1) * a.y - std::sin(1.1) * a.z, std::sin(1.1) * a.y + std::cos(1.1) * a.z};
+  };
+  const Stack as_built;
+  Stack other;
+  for (Vec3d& x : other.model.nodes.x) x = turned(x);
+  SpotPoint spot = at(37, 20, 1.0);
+  const Placed here(as_built, {spot});
+  spot.x = turned(spot.x);
+  const Placed there(other, {spot});
+  for (const WeldForm form : {WeldForm::solid, WeldForm::solid4, WeldForm::solid8, WeldForm::solid16}) {
+    Findings findings;
+    const auto written = [&](const Stack& stack, const Placed& placed) {
+      return nodes_of(write_placement(stack.model, Sheets(stack.model), placed.spots, form, {}, "m.k", findings).text);
+    };
+    const std::vector<Vec3d> a = written(as_built, here), b = written(other, there);
+    ASSERT_EQ(a.size(), b.size());
+    ASSERT_FALSE(a.empty());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LT(norm(b[i] - turned(a[i])), 1e-6) << named(form).name << i;
+  }
 }
 
 /// A list in a file of its own.
