@@ -392,7 +392,10 @@ int nugget::app::command_line(int argc, char** argv) {
   CLI::App* fit_command =
       cli.add_subcommand("fit", "strengths and damage of a weld's card from measured curves of coupons");
   fit_command->add_option("curves", fit.curves, "table of test, sample, displacement, force")->required();
-  fit_command->add_option("card", fit.card, "the card to begin with: strengths of 0 are left out")->required();
+  fit_command
+      ->add_option("card", fit.card,
+                   "the card to begin with, a *MAT_SPOTWELD or an interpolation spot weld: strengths of 0 are left out")
+      ->required();
   fit_command->add_option("-o,--output", fit.output, "the card to be written")->required();
   fit_command
       ->add_option("--thickness", fit.thickness,

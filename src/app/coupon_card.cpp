@@ -61,6 +61,7 @@ void take_join(const reading::SheetJoin& join, const CouponArguments& arguments,
                       join.diameter));
   taken.card.weld_nodes = join.node_set;
   taken.card.diameter = join.diameter;
+  taken.place = join.place;
   taken.notes.push_back(fmt::format("weld: {} of the card, diameter {:.4g}", join.keyword, join.diameter));
 }
 
@@ -192,13 +193,35 @@ std::size_t second_card(const std::vector<std::string>& lines, std::size_t line,
   throw CardFault(fmt::format("{}:{}: the second card of *MAT_SPOTWELD is missing", file, line));
 }
 
-/// RS, the first field of the card behind the strengths.
-void replace_rupture(std::vector<std::string>& lines, std::size_t strengths, double rupture) {
-  std::size_t at = strengths + 1;
-  while (at < lines.size() && lines[at].starts_with('$')) ++at;
-  std::string& line = lines.at(at);
-  const std::size_t comma = line.find(',');
-  line.replace(0, comma == std::string::npos ? 10 : comma, weld::real_field(rupture));
+/// The next line of data behind `at`.
+std::size_t next_card(const std::vector<std::string>& lines, std::size_t at) {
+  do ++at;
+  while (at < lines.size() && lines[at].starts_with('$'));
+  return at;
+}
+
+/// Writes a number into a field (from 0) of a line of ten columns each, or between commas.
+void replace_field(std::string& line, std::size_t field, double value) {
+  if (line.find(',') == std::string::npos) {
+    line.resize(std::max(line.size(), 10 * (field + 1)), ' ');
+    line.replace(10 * field, 10, weld::real_field(value));
+    return;
+  }
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < field; ++i) {
+    begin = line.find(',', begin);
+    if (begin == std::string::npos) {
+      line += ',';
+      begin = line.size() - 1;
+    }
+    ++begin;
+  }
+  line.replace(begin, std::min(line.find(',', begin), line.size()) - begin, weld::real_field(value));
+}
+
+void insert_remarks(std::vector<std::string>& lines, std::size_t at, const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks)
+    lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at++), "$ " + remark);
 }
 
 }  // namespace
@@ -260,11 +283,24 @@ std::string with_strengths(const TakenCard& taken, const std::array<double, 6>& 
   std::string line = fmt::format("{:>10}", old[0]);
   for (const double value : strength) line += weld::real_field(value);
   lines[at] = line + fmt::format("{:>10}", old[7]);
-  if (rupture > 0.0) replace_rupture(lines, at, rupture);
-  std::vector<std::string> comments;
-  comments.reserve(remarks.size());
-  for (const std::string& remark : remarks) comments.push_back("$ " + remark);
-  lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), comments.begin(), comments.end());
+  if (rupture > 0.0) replace_field(lines.at(next_card(lines, at)), 0, rupture);  // RS stands behind the strengths
+  insert_remarks(lines, at, remarks);
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+std::string with_joint_strengths(const TakenCard& taken, const kernel::Spr3& joint,
+                                 const std::vector<std::string>& remarks) {
+  std::vector<std::string> lines = lines_of(taken.place.file);
+  const std::size_t first = static_cast<std::size_t>(taken.place.line) - 1, second = next_card(lines, first),
+                    third = next_card(lines, second);
+  if (second >= lines.size())
+    throw CardFault(fmt::format("{}:{}: the second card is missing", taken.place.file, taken.place.line));
+  constexpr std::size_t alpha1 = 6, rn = 0, rs = 1, gamma = 4;
+  replace_field(lines[first], alpha1, joint.bending_share);
+  replace_field(lines[second], rn, joint.normal_strength);
+  replace_field(lines[second], rs, joint.shear_strength);
+  if (joint.torsion_share > 0.0) replace_field(lines.at(third), gamma, joint.torsion_share);
+  insert_remarks(lines, first, remarks);
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 

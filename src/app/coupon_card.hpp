@@ -41,8 +41,8 @@ ExitCode study_card(const std::string& directory, Work work) {
 struct TakenCard {
   weld::CouponCard card;
   std::vector<std::string> notes;
-  model::WeldLaw law;
-  Place place;  ///< of the weld's material
+  model::WeldLaw law;  ///< of a weld of a *MAT_SPOTWELD
+  Place place;         ///< of the weld's material, or of its own first card
 };
 
 /// Reads the card of `arguments`; decks will stand in `directory`. Throws CardFault.
@@ -53,5 +53,9 @@ TakenCard take_card(const CouponArguments& arguments, const std::filesystem::pat
 /// allow it.
 std::string with_strengths(const TakenCard& taken, const std::array<double, 6>& strength, double rupture,
                            const std::vector<std::string>& remarks);
+
+/// The same of an interpolation spot weld: its RN, RS, ALPHA1 and GAMMA as in `joint`.
+std::string with_joint_strengths(const TakenCard& taken, const kernel::Spr3& joint,
+                                 const std::vector<std::string>& remarks);
 
 }  // namespace nugget::app

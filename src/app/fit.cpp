@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <variant>
 
 #include "app/command.hpp"
 #include "app/coupon_card.hpp"
@@ -16,6 +18,7 @@
 #include "output/column_units.hpp"
 #include "weld/coupon/damage_fit.hpp"
 #include "weld/coupon/strength_fit.hpp"
+#include "weld/failure/force_at_failure.hpp"
 
 namespace nugget::app {
 namespace {
@@ -33,11 +36,6 @@ std::vector<weld::CouponTest> tests_of(const std::vector<MeasuredCurve>& curves)
 
 /// The strengths to begin with: NRR, NRS = NRT, MRR, MSS = MTT.
 std::array<double, 4> strengths_of(const TakenCard& taken, const std::string& file) {
-  if (taken.card.weld_material == 0)
-    throw CardFault(
-        fmt::format("{}: strengths are found for a *MAT_SPOTWELD only [nugget coupon runs the tests of an "
-                    "interpolation spot weld or a rivet as it is]",
-                    file));
   const model::WeldLaw& law = taken.law;
   if (law.function != model::none)
     throw CardFault(fmt::format(
@@ -62,6 +60,37 @@ std::array<double, 4> strengths_of(const TakenCard& taken, const std::string& fi
                     "[write the same number in both]",
                     file));
   return {s[0], s[1], s[3], s[4]};
+}
+
+/// The joint of a coupon that was read; nothing: its weld is one of a *MAT_SPOTWELD.
+std::optional<kernel::Spr3> joint_of(const PreparedDeck& coupon, const std::string& file) {
+  if (coupon.model.interpolation_spotwelds.empty()) return {};
+  const auto* joint = std::get_if<kernel::Spr3>(&coupon.model.interpolation_spotwelds.front().law);
+  if (joint == nullptr)
+    throw CardFault(
+        fmt::format("{}: strengths are found for a *MAT_SPOTWELD or an interpolation spot weld, not for a "
+                    "rivet of *CONSTRAINED_SPR2 [its FN and FT are the largest forces in tension and shear]",
+                    file));
+  return *joint;
+}
+
+/// What an interpolation spot weld carries in pure tension, shear, torsion and bending; 0: it does not count.
+std::array<double, 4> strengths_of(const kernel::Spr3& joint) {
+  const double tension = weld::failure::force_at_failure(joint, 90.0),
+               shear = weld::failure::force_at_failure(joint, 0.0);
+  return {tension, shear, joint.torsion_share > 0.0 ? shear / joint.torsion_share : 0.0,
+          joint.bending_share > 0.0 ? tension / joint.bending_share : 0.0};
+}
+
+/// The joint with other such strengths; with none (0) it carries whatever comes.
+kernel::Spr3 with(kernel::Spr3 joint, const std::array<double, 4>& strength) {
+  constexpr double unbroken = 1e3;
+  const std::array<double, 4> old = strengths_of(joint);
+  joint.normal_strength *= strength[0] > 0.0 ? strength[0] / old[0] : unbroken;
+  joint.shear_strength *= strength[1] > 0.0 ? strength[1] / old[1] : unbroken;
+  if (strength[2] > 0.0) joint.torsion_share = strength[1] / strength[2];
+  if (strength[3] > 0.0) joint.bending_share = strength[0] / strength[3];
+  return joint;
 }
 
 std::array<double, 6> on_card(const std::array<double, 4>& s) {
@@ -89,13 +118,16 @@ std::string sample_name(const MeasuredCurve& curve) {
 }
 
 /// The table of strengths, as remarks in the card and for the terminal.
-std::vector<std::string> strength_lines(const weld::StrengthFit& fit, const std::array<double, 4>& start) {
+std::vector<std::string> strength_lines(const weld::StrengthFit& fit, const std::array<double, 4>& start,
+                                        const weld::StrengthForm& form) {
+  std::size_t widest = 10;
+  for (const char* name : form.name) widest = std::max(widest, std::string_view(name).size());
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < 4; ++k) {
     if (fit.strength[k] == 0.0) continue;
     const std::string interval = fit.high[k] > 0.0 ? fmt::format("95 %: {:.5g} to {:.5g}", fit.low[k], fit.high[k])
                                                    : std::string("no repeats, no confidence");
-    lines.push_back(fmt::format("{:<10} {:>11.5g}  {} (began with {:.5g})", weld::strength_names[k], fit.strength[k],
+    lines.push_back(fmt::format("{:<{}} {:>11.5g}  {} (began with {:.5g})", form.name[k], widest, fit.strength[k],
                                 interval, start[k]));
   }
   return lines;
@@ -129,9 +161,12 @@ class Fit {
     }
     tests_ = tests_of(curves_);
     const TakenCard taken = take_card(coupon_, directory_);
-    if (!card_is_sound(taken)) return ExitCode::refused;
+    const std::optional<PreparedDeck> first = prepare_first(taken);
+    if (!first) return ExitCode::refused;
     units_ = taken.card.units;
-    const std::array<double, 4> start = strengths_of(taken, arguments_.card);
+    joint_ = joint_of(*first, arguments_.card);
+    if (joint_) form_ = weld::form_of_interpolation(joint_->exponent);
+    const std::array<double, 4> start = joint_ ? strengths_of(*joint_) : strengths_of(taken, arguments_.card);
     for (const std::string& note : taken.notes) fmt::print("{}\n", note);
     if (const ExitCode code = run_with({}, 0.0, taken, "unbroken"); code != ExitCode::normal) return code;
     std::vector<weld::StrengthSample> samples;
@@ -139,7 +174,7 @@ class Fit {
       samples.push_back(
           {sample_name(curve), load_at(read_load_path(directory_ / "unbroken" / curve.test.name(), curve.test),
                                        curve.peak, sample_name(curve))});
-    const weld::StrengthFit fit = weld::fit_strengths(samples, start);
+    const weld::StrengthFit fit = weld::fit_strengths(samples, start, form_);
     if (!fit.fault.empty()) throw CardFault(fmt::format("{}: {}", arguments_.curves, fit.fault));
     try {
       find_damage(fit.strength, taken);
@@ -154,10 +189,17 @@ class Fit {
   }
 
  private:
-  /// Reads a coupon with the card as it is given; tells what is wrong.
-  bool card_is_sound(const TakenCard& taken) const {
+  /// A coupon with the card as it is given, read and tied; nothing where it is refused, which is reported.
+  std::optional<PreparedDeck> prepare_first(const TakenCard& taken) const {
     const InFolder here(directory_);
-    return prepare_coupon(write_coupons(taken.card, {tests_.front()}).front()).has_value();
+    return prepare_coupon(write_coupons(taken.card, {tests_.front()}).front());
+  }
+
+  /// The card with these strengths and RS (0: that of the card).
+  std::string card_text(const TakenCard& taken, const std::array<double, 4>& strength, double rupture,
+                        const std::vector<std::string>& remarks) const {
+    return joint_ ? with_joint_strengths(taken, with(*joint_, strength), remarks)
+                  : with_strengths(taken, on_card(strength), rupture, remarks);
   }
 
   /// RS with which the works behind the peaks are met, where the card has one and some curves have such a work.
@@ -206,7 +248,7 @@ class Fit {
   ExitCode run_with(const std::array<double, 4>& strength, double rupture, const TakenCard& taken, const char* name) {
     const fs::path folder = directory_ / name;
     fs::create_directories(folder);
-    const std::string text = with_strengths(taken, on_card(strength), rupture, {});
+    const std::string text = card_text(taken, strength, rupture, {});
     const InFolder here(folder);
     output::write_whole_file("card.k", text);
     weld::CouponCard card = taken.card;
@@ -220,13 +262,13 @@ class Fit {
     std::vector<std::string> remarks{fmt::format("Strengths by nugget fit from {} ({} specimens; scatter {:.2g} %).",
                                                  fs::path(arguments_.curves).filename().string(), curves_.size(),
                                                  100.0 * fit.scatter)};
-    for (const std::string& line : strength_lines(fit, start)) remarks.push_back(line);
+    for (const std::string& line : strength_lines(fit, start, form_)) remarks.push_back(line);
     if (const std::string line = damage_line(); !line.empty()) remarks.push_back(line);
-    output::write_whole_file(arguments_.output, with_strengths(taken, on_card(fit.strength), damage_.rupture, remarks));
+    output::write_whole_file(arguments_.output, card_text(taken, fit.strength, damage_.rupture, remarks));
     CouponArguments again = coupon_;
     again.card = arguments_.output;
     const TakenCard written = take_card(again, directory_);
-    const std::array<double, 4> read = strengths_of(written, arguments_.output);
+    const std::array<double, 4> read = read_back(written);
     bool as_written =
         std::abs(written.law.damage.rupture - damage_.rupture) <= 1e-4 * damage_.rupture || damage_.rupture == 0.0;
     for (std::size_t k = 0; k < 4; ++k)
@@ -238,13 +280,20 @@ class Fit {
                       arguments_.output));
   }
 
+  std::array<double, 4> read_back(const TakenCard& written) const {
+    if (!joint_) return strengths_of(written, arguments_.output);
+    const std::optional<PreparedDeck> coupon = prepare_first(written);
+    if (!coupon) throw CardFault(fmt::format("{}: is refused as it was written", arguments_.output));
+    return strengths_of(*joint_of(*coupon, arguments_.output));
+  }
+
   void report(const weld::StrengthFit& fit, const std::array<double, 4>& start) const {
     std::string csv =
         "test,sample,measured_force,measured_displacement,force_by_strengths,simulated_force,"
         "simulated_displacement,measured_work_after_peak,simulated_work_after_peak\n";
     std::vector<std::string> apart;
     fmt::print("\n");
-    for (const std::string& line : strength_lines(fit, start)) fmt::print(" {}\n", line);
+    for (const std::string& line : strength_lines(fit, start, form_)) fmt::print(" {}\n", line);
     if (const std::string line = damage_line(); !line.empty()) fmt::print(" {}\n", line);
     fmt::print("\n {:<22} {:>11} {:>13} {:>8} {:>11} {:>8}\n", "specimen", "measured", "by strengths", "ratio",
                "simulated", "ratio");
@@ -298,7 +347,9 @@ class Fit {
   std::optional<model::Units> units_;
   std::vector<weld::CouponTest> tests_;
   std::vector<const MeasuredCurve*> faded_;  ///< those that tell of RS
-  weld::DamageFit damage_;                   ///< RS 0: not sought
+  std::optional<kernel::Spr3> joint_;        ///< of the card; nothing: a *MAT_SPOTWELD
+  weld::StrengthForm form_ = weld::form_of_resultants;
+  weld::DamageFit damage_;  ///< RS 0: not sought
   double begin_rupture_ = 0.0;
 };
 

@@ -177,7 +177,8 @@ class Coupon(CommandTest):
         for option in (("--diameter", 5), ("--as", "beam")):
             self.assertIn("[leave out --diameter and --as]", self.coupon(*option, text=interpolation_weld(), expect=1).stderr)
         self.write("test,displacement,force\nks2_45,0,0\nks2_45,1,5000\n", "measured.csv")
-        self.assertIn("for a *MAT_SPOTWELD only", self.nugget("fit", "measured.csv", "weld.k", "-o", "fitted.k", expect=1).stderr)
+        self.write(RIVET, "rivet.k")
+        self.assertIn("not for a rivet", self.nugget("fit", "measured.csv", "rivet.k", "-o", "fitted.k", expect=1).stderr)
         self.coupon("--only", "ks2_50", expect=2)
         self.coupon("--thickness", "1,2,3", expect=2)
 

@@ -69,6 +69,32 @@ class Fit(CommandTest):
             scatter = 0.01 * float(re.search(r"about its strength: (\S+) %", run.stdout)[1])
             self.assertAlmostEqual(math.log(high / value) / (2.447 * scatter / 2.0), 1.0, delta=0.1)
 
+    def test_interpolation_weld_of_a_known_card(self):
+        """RN, RS and ALPHA1 of curves that another card gave; written between commas and in columns, with a title and without.
+        Sabotage that this catches: bending added to shear, the factor of the force curve forgotten, a value in another field."""
+        def welded(rn, rs, alpha, title="", comma=False):
+            rows = [[1, 2, 77, 3.0, 3.0, 150000.0, alpha, 1], [rn, rs, 1.6, 11, 12, 13, 7.85e-9], [60000.0, 2e6, 2e6]]
+            line = (lambda row: ",".join(map(str, row))) if comma else (lambda row: "".join(f"{v:>10}" for v in row))
+            curve = lambda n, *y: f"*DEFINE_CURVE\n{n:10d}\n" + "".join(f"{x:20.10g}{v:20.10g}\n" for x, v in enumerate(y))  # noqa: E731
+            steel = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n" + f"{8:10d}{7.85e-9:10.3g}{210000.0:10.1f}{0.3:10.1f}{300.0:10.1f}{1500.0:10.1f}\n\n\n\n"
+            return ("*KEYWORD\n" + steel + "*CONSTRAINED_INTERPOLATION_SPOTWELD" + ("_TITLE\n" + title if title else "") + "\n$ the weld\n"
+                    + "\n".join(map(line, rows)) + "\n" + curve(11, 1.5, 1.5) + curve(12, 0.2, 0.1) + curve(13, 0.8, 0.4) + "*END\n")
+        self.write(welded(5200.0, 8100.0, 0.2), "truth.k")
+        self.nugget("coupon", "truth.k", "-o", "truth", "--only", "ks2_00,ks2_45,ks2_90,coach_peel")
+        for options in ({"title": "a name"}, {"comma": True}):
+            with self.subTest(**options):
+                run = self.fit(self.read("truth/curves.csv"), text=welded(7000.0, 7000.0, 0.1, **options))
+                found = dict(re.findall(r"^ (tension|shear|bending) \(\S+\) +(\S+)  95 %", run.stdout, re.M))
+                for name, truth in (("tension", 1.5 * 5200.0), ("shear", 1.5 * 8100.0), ("bending", 1.5 * 5200.0 / 0.2)):
+                    self.assertAlmostEqual(float(found[name]) / truth, 1.0, delta=0.04, msg=name)
+                for row in csv.DictReader(io.StringIO(self.read("card2_runs/fit.csv"))):
+                    self.assertAlmostEqual(float(row["simulated_force"]) / float(row["measured_force"]), 1.0, delta=0.03, msg=row["test"])
+                after = [line for line in self.read("card2.k").split("$ the weld\n")[1].splitlines() if not line.startswith("$")]
+                fields = [[float(f) for f in (line.split(",") if "," in line else [line[i:i + 10] for i in range(0, len(line), 10)])] for line in after[:2]]
+                self.assertAlmostEqual(fields[0][6] / 0.2, 1.0, delta=0.05)
+                self.assertAlmostEqual(fields[1][0] * 1.5 / float(found["tension"]), 1.0, delta=1e-4)
+                self.assertEqual((fields[0][:6], fields[1][2:6]), ([1, 2, 77, 3.0, 3.0, 150000.0], [1.6, 11, 12, 13]))
+
     def test_damage_of_a_known_card(self):
         """RS of curves that the weld of a known card gave: found again from elsewhere; a curve that stops at its peak tells nothing of it.
         Sabotage that this catches: work before the peak counted, RS written into another field."""

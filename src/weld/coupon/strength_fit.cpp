@@ -23,46 +23,59 @@ using Eigen::VectorXd;
 /// Residuals and their derivatives over the logarithms of the strengths that are sought.
 class ForceErrors {
  public:
-  ForceErrors(const std::vector<StrengthSample>& samples, std::vector<std::size_t> sought)
-      : samples_(samples), sought_(std::move(sought)) {}
+  ForceErrors(const std::vector<StrengthSample>& samples, std::vector<std::size_t> sought, const StrengthForm& form)
+      : samples_(samples), sought_(std::move(sought)), form_(form) {}
 
   int inputs() const { return static_cast<int>(sought_.size()); }
   int values() const { return static_cast<int>(samples_.size()); }
 
-  double share(std::size_t sample, std::size_t k, const VectorXd& log_strength) const {
-    const double ratio = samples_[sample].load[sought_[k]] / std::exp(log_strength[static_cast<Eigen::Index>(k)]);
-    return ratio * ratio;
+  /// load_k / S_k.
+  double ratio(std::size_t sample, std::size_t k, const VectorXd& log_strength) const {
+    return samples_[sample].load[sought_[k]] / std::exp(log_strength[static_cast<Eigen::Index>(k)]);
   }
-  double failure_value(std::size_t sample, const VectorXd& log_strength) const {
+  /// Of each group the sum of its ratios.
+  std::array<double, 4> groups(std::size_t sample, const VectorXd& log_strength) const {
+    std::array<double, 4> sums{};
+    for (std::size_t k = 0; k < sought_.size(); ++k) sums[group(k)] += ratio(sample, k, log_strength);
+    return sums;
+  }
+  double failure_value(const std::array<double, 4>& sums) const {
     double f = 0.0;
-    for (std::size_t k = 0; k < sought_.size(); ++k) f += share(sample, k, log_strength);
+    for (const double sum : sums) f += std::pow(sum, form_.exponent);
     return f;
   }
 
   int operator()(const VectorXd& log_strength, VectorXd& residual) const {
     for (std::size_t i = 0; i < samples_.size(); ++i)
-      residual[static_cast<Eigen::Index>(i)] = 0.5 * std::log(failure_value(i, log_strength));
+      residual[static_cast<Eigen::Index>(i)] = std::log(failure_value(groups(i, log_strength))) / form_.exponent;
     return 0;
   }
   int df(const VectorXd& log_strength, MatrixXd& derivative) const {
-    for (std::size_t i = 0; i < samples_.size(); ++i)
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const std::array<double, 4> sums = groups(i, log_strength);
+      const double f = failure_value(sums);
       for (std::size_t k = 0; k < sought_.size(); ++k)
         derivative(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-            -share(i, k, log_strength) / failure_value(i, log_strength);
+            -std::pow(sums[group(k)], form_.exponent - 1.0) * ratio(i, k, log_strength) / f;
+    }
     return 0;
   }
 
  private:
+  std::size_t group(std::size_t k) const { return at(form_.group[sought_[k]]); }
+
   const std::vector<StrengthSample>& samples_;
   std::vector<std::size_t> sought_;
+  const StrengthForm& form_;
 };
 
 /// A force that is hardly there in any sample would only take up the scatter of the other ones: its name.
-std::string force_not_seen(const std::vector<StrengthSample>& samples, const std::vector<std::size_t>& sought) {
+std::string force_not_seen(const std::vector<StrengthSample>& samples, const std::vector<std::size_t>& sought,
+                           const StrengthForm& form) {
   constexpr double little = 0.05;  // of the weld's force
   for (const std::size_t k : sought) {
     const auto sees = [k](const StrengthSample& s) { return s.load[k] > little * std::hypot(s.load[0], s.load[1]); };
-    if (k < 2 && std::none_of(samples.begin(), samples.end(), sees)) return strength_names[k];
+    if (k < 2 && std::none_of(samples.begin(), samples.end(), sees)) return form.name[k];
   }
   return {};
 }
@@ -81,8 +94,8 @@ double student_share(double limit, double n) {
   return sum * h / 3.0;
 }
 
-/// Failure values are linear in 1 / S^2: the least squares of f - 1, where that gives strengths, is a start that cannot
-/// run into a corner.
+/// Failure values of resultants are linear in 1 / S^2: the least squares of f - 1, where that gives strengths, is a
+/// start that cannot run into a corner.
 std::optional<VectorXd> linear_solution(const std::vector<StrengthSample>& samples,
                                         const std::vector<std::size_t>& sought) {
   MatrixXd square(samples.size(), sought.size());
@@ -103,15 +116,15 @@ using Parts = Eigen::JacobiSVD<MatrixXd>;
 /// A strength of which the samples say nothing, or nothing apart from another one: its name; empty: there is none.
 /// `parts`: of the derivatives.
 std::string undetermined_strength(const MatrixXd& derivative, const Parts& parts,
-                                  const std::vector<std::size_t>& sought) {
+                                  const std::vector<std::size_t>& sought, const StrengthForm& form) {
   constexpr double little = 0.02;  // of a failure value, in the sample that it counts most in
   for (std::size_t k = 0; k < sought.size(); ++k)
-    if (derivative.col(static_cast<Eigen::Index>(k)).cwiseAbs().maxCoeff() < little) return strength_names[sought[k]];
+    if (derivative.col(static_cast<Eigen::Index>(k)).cwiseAbs().maxCoeff() < little) return form.name[sought[k]];
   const auto last = parts.singularValues().size() - 1;
   if (parts.singularValues()[last] > 1e-3 * parts.singularValues()[0]) return {};
   Eigen::Index most = 0;
   parts.matrixV().col(last).cwiseAbs().maxCoeff(&most);
-  return strength_names[sought[static_cast<std::size_t>(most)]];
+  return form.name[sought[static_cast<std::size_t>(most)]];
 }
 
 /// Diagonal entry i of the inverse of J^T J, by the parts of J.
@@ -130,7 +143,8 @@ double student_limit(int freedom) {
   return 0.5 * (low + high);
 }
 
-StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std::array<double, 4>& start) {
+StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std::array<double, 4>& start,
+                          const StrengthForm& form) {
   StrengthFit fit;
   std::vector<std::size_t> sought;
   for (std::size_t k = 0; k < 4; ++k)
@@ -148,11 +162,11 @@ StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std:
     return fmt::format(
         "the tests do not determine {}: none of them loads it enough, or always together with another strength", name);
   };
-  if (const std::string name = force_not_seen(samples, sought); fit.fault.empty() && !name.empty())
+  if (const std::string name = force_not_seen(samples, sought, form); fit.fault.empty() && !name.empty())
     fit.fault = undetermined(name);
   if (!fit.fault.empty()) return fit;
 
-  ForceErrors errors(samples, sought);
+  ForceErrors errors(samples, sought, form);
   const auto parameters = static_cast<Eigen::Index>(sought.size()), values = static_cast<Eigen::Index>(samples.size());
   VectorXd log_strength(parameters), residual(values);
   for (std::size_t k = 0; k < sought.size(); ++k)
@@ -166,7 +180,7 @@ StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std:
   errors(log_strength, residual);
   errors.df(log_strength, derivative);
   const Parts parts(derivative, Eigen::ComputeThinV);
-  if (const std::string name = undetermined_strength(derivative, parts, sought); !name.empty()) {
+  if (const std::string name = undetermined_strength(derivative, parts, sought, form); !name.empty()) {
     fit.fault = undetermined(name);
     return fit;
   }

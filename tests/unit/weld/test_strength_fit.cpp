@@ -62,6 +62,24 @@ TEST(StrengthFit, IntervalsHoldTheTruthAsOftenAsTheySay) {
   EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 0.02);
 }
 
+/// Interpolation spot welds: the force of each test by solving the surface ((N + a M)/R_n)^b + ((S + g T)/R_s)^b = 1
+/// for it.
+TEST(StrengthFit, FindsTheSurfaceOfAnInterpolationWeld) {
+  const double rn = 5200.0, rs = 8100.0, alpha = 0.2, gamma = 0.05, beta = 1.6;
+  std::vector<StrengthSample> samples;
+  for (const auto& [n, s, t, m] : std::vector<std::array<double, 4>>{
+           {1, 0, 0, 0.5}, {0.1, 1, 0, 0}, {0.7, 0.7, 9, 0}, {0.2, 0.9, 2, 4}, {1, 0.2, 0, 11}}) {
+    const double across = (n + alpha * m) / rn, along = (s + gamma * t) / rs;
+    const double force = std::pow(std::pow(across, beta) + std::pow(along, beta), -1.0 / beta);
+    samples.push_back({"test", {n * force, s * force, t * force, m * force}});
+  }
+  const StrengthFit fit = fit_strengths(samples, {4000.0, 4000.0, 4e5, 4e4}, form_of_interpolation(beta));
+  EXPECT_EQ(fit.fault, "");
+  const std::array<double, 4> truth{rn, rs, rs / gamma, rn / alpha};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(fit.strength[k] / truth[k], 1.0, 1e-7) << k;
+  EXPECT_LT(fit.scatter, 1e-8);
+}
+
 TEST(StrengthFit, StudentsTable) {  // W. S. Gosset's table, two-sided 5 %
   EXPECT_NEAR(student_limit(1), 12.706, 0.002);
   EXPECT_NEAR(student_limit(2), 4.303, 0.001);
