@@ -229,7 +229,7 @@ ExitCode frf(const RunArguments& arguments, bool direct) {
   return guarded(arguments.directory, [&](const fs::path& directory) {
     use_threads(arguments.threads);
     Findings findings;
-    PreparedDeck p = prepare(arguments, findings);
+    PreparedDeck p = prepare(arguments, findings, EndTime::not_needed);
     if (!p.has_text) return refuse_missing(findings);
     if (findings.errors() == 0 && !p.model.frequency_response && !p.model.steady_state)
       findings.error({p.model.deck, 0, 0}, "*FREQUENCY_DOMAIN_FRF", "the deck asks for no frequency response",

@@ -224,7 +224,7 @@ ExitCode modes(const ModesArguments& arguments) {
     }
     use_threads(arguments.run.threads);
     Findings findings;
-    PreparedDeck p = prepare(arguments.run, findings);
+    PreparedDeck p = prepare(arguments.run, findings, EndTime::not_needed);
     if (!p.has_text) return refuse_missing(findings);
     std::optional<nvh::ShapeFile> other;
     try {  // before old results go: it may be this very folder

@@ -122,9 +122,19 @@ void warn_of_other_units(const model::Model& model, Findings& findings) {
                    "leave --units out, or look at RO and E of the materials");
 }
 
+void check_end_time(const model::Model& model, Findings& findings) {
+  const bool response = model.frequency_response || model.steady_state;
+  const bool timeless = model.implicit.active && (model.implicit.modes != 0 || response);
+  const model::Control& control = model.control;
+  if (timeless || control.end_time > 0.0) return;
+  findings.error(control.end_time_place.line > 0 ? control.end_time_place : Place{model.deck, 0, 0},
+                 "*CONTROL_TERMINATION", "no end time is given",
+                 "give ENDTIM, the time up to which is to be computed");
+}
+
 }  // namespace
 
-PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings, EndTime end_time) {
   PreparedDeck p;
   Clock clock;
   std::optional<deck::Deck> text = deck::read(arguments.deck, findings, arguments.load_case);
@@ -140,6 +150,7 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
     p.deck_checksum = checksum(file_bytes(arguments.weld_law), p.deck_checksum);
   }
   p.model = reading::build(deck, findings, arguments.skip_unsupported, library);
+  if (end_time == EndTime::needed) check_end_time(p.model, findings);
   if (p.model.coarsen.on && findings.errors() == 0) coarsen(p, deck, arguments.skip_unsupported, findings);
   text.reset();  // what follows takes as much
   if (library) note_unused_library(p.model, findings);

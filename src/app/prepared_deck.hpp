@@ -26,9 +26,13 @@ struct PreparedDeck {
   double read_seconds = 0.0, penetration_seconds = 0.0, tie_seconds = 0.0, audit_seconds = 0.0;
 };
 
+/// Whether what is to be done with the deck goes up to its end time; modes and responses have none, whatever else the
+/// deck asks for.
+enum class EndTime { needed, not_needed };
+
 /// Reads, checks, resolves initial penetrations, ties and audits, the same for a check, a run and linear analyses.
 /// Findings hold what was wrong; after errors nothing is tied.
-PreparedDeck prepare(const RunArguments& arguments, Findings& findings);
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings, EndTime end_time = EndTime::needed);
 
 /// Warns where the deck asks for a frequency response and for an explicit run, in which there is none; `nugget frf`
 /// computes it all the same.

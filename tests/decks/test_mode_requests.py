@@ -2,6 +2,7 @@
 """*CONTROL_IMPLICIT_EIGENVALUE and IGS as a deck asks for them: intervals, centre, preload by stress and by load."""
 import json
 import math
+import re
 import struct
 import unittest
 
@@ -74,6 +75,14 @@ class ModeRequests(CommandTest):
         self.near(self.frequencies(beam(card(2, 1000.0))), [f[1], f[2]])
         self.near(self.frequencies(beam(card(2, 1000.0, 1, 600.0))), f[2:4])
         self.near(self.frequencies(beam(card(3)), "-fmin", 300, "-fmax", 2000, command="modes"), f[1:4])
+
+    def test_modes_have_no_end_time(self):
+        """The mesh alone: `nugget modes` needs no ENDTIM, which a run does."""
+        mesh = re.sub(r"\*CONTROL_[A-Z_]+\n[^*]*", "", beam(card(3)))
+        self.assertNotIn("CONTROL", mesh)
+        first = self.frequencies(mesh, "-n", 3, command="modes")[0]
+        self.assertAlmostEqual(first / frequency(1), 1.0, delta=0.01)
+        self.assertIn("no end time is given", self.nugget("run", "model.k", "-o", "run", expect=1).stderr)
 
     def test_formulations_of_this_analysis(self):
         """ISHELL and ISOLID, value by value."""

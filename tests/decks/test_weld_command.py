@@ -66,6 +66,17 @@ class Weld(CommandTest):
         self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, 4)
         self.assertIn("swforc", self.files("results"))
 
+    def test_sheets_without_an_end_time(self):
+        """A mesh as a modeller leaves it; the run is described elsewhere."""
+        mesh, count = re.subn(r"\*CONTROL_TERMINATION\n[^*]*", "", sheets())
+        self.assertEqual(count, 1)
+        self.write(LIST, "points.csv")
+        self.write(mesh, "mesh.k")
+        self.nugget("weld", "points.csv", "mesh.k", "-o", "welded.k")
+        self.assertIn("no end time is given", self.nugget("check", "welded.k", "-o", "audit", expect=1).stderr)
+        self.write(self.read("welded.k").replace("*INCLUDE", "*CONTROL_TERMINATION\n   2.0e-05\n*INCLUDE"), "ended.k")
+        self.nugget("check", "ended.k", "-o", "audit")
+
     def test_strengths_over_the_diameter(self):
         """The same strengths for 4 and 6 mm are warned of; --scale-strength brings them to each weld's diameter."""
         points = "9,9,0.6,6.0\n9,4.5,0.5,4.0\n"

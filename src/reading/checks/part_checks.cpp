@@ -649,12 +649,6 @@ void check_parts(Builder& b) {
   check_weld_options(b);
   check_triangles(b);
   check_laminated_triangles(b);
-  const bool response = b.model.frequency_response || b.model.steady_state;
-  const bool timeless = b.model.implicit.active && (b.model.implicit.modes != 0 || response);
-  if (!timeless && !(b.model.control.end_time > 0.0))
-    b.findings.error(
-        b.model.control.end_time_place.line > 0 ? b.model.control.end_time_place : Place{b.model.deck, 0, 0},
-        "*CONTROL_TERMINATION", "no end time is given", "give ENDTIM, the time up to which is to be computed");
 }
 
 }  // namespace nugget::reading

@@ -346,9 +346,9 @@ TEST(Checks, ZeroLengthWeldsAreNoted) {
   EXPECT_TRUE(b.find(Severity::note, "beam 1 has no length")) << b.all_findings();
 }
 
-TEST(Checks, EndTimeIsNeeded) {
+TEST(Checks, AnEndTimeIsNeededByRunsOnly) {  // they ask for it themselves: tests/decks/test_broken_decks.py
   const Built b("*KEYWORD\n*CONTROL_TERMINATION\n0.0\n");
-  EXPECT_TRUE(b.error("no end time is given")) << b.all_findings();
+  EXPECT_FALSE(b.error("no end time is given")) << b.all_findings();
 }
 
 struct Units {
