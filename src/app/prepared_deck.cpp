@@ -128,8 +128,7 @@ void check_end_time(const model::Model& model, Findings& findings) {
   const model::Control& control = model.control;
   if (timeless || control.end_time > 0.0) return;
   findings.error(control.end_time_place.line > 0 ? control.end_time_place : Place{model.deck, 0, 0},
-                 "*CONTROL_TERMINATION", "no end time is given",
-                 "give ENDTIM, the time up to which is to be computed");
+                 "*CONTROL_TERMINATION", "no end time is given", "give ENDTIM, the time up to which is to be computed");
 }
 
 }  // namespace
