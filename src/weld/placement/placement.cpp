@@ -53,8 +53,8 @@ class Placing {
   }
 
  private:
-  std::nullopt_t warn(const SpotPoint& point, std::string text, std::string remedy) const {
-    findings_.warning(point.place, {}, name_point(point) + ": " + text + "; not placed", std::move(remedy));
+  std::nullopt_t warn(const SpotPoint& point, const std::string& text, const std::string& remedy) const {
+    findings_.warning(point.place, {}, name_point(point) + ": " + text + "; not placed", remedy);
     return std::nullopt;
   }
 
@@ -128,6 +128,7 @@ class Placing {
 
   std::nullopt_t too_few(const SpotPoint& point, const std::vector<SpotSheet>& found) const {
     std::vector<Index> known;
+    known.reserve(found.size());
     for (const SpotSheet& s : found) known.push_back(s.part);
     const Sheets::Near next = sheets_.nearest_other(point.x, known);
     std::string text = "found " + name_sheets(model_, point, found) + ", expected two to four sheets";
@@ -211,6 +212,7 @@ std::vector<SpotSheet> Sheets::around(const Vec3d& x, double search_distance) co
     if (!fresh) place->second = std::min(place->second, own);
   });
   std::vector<SpotSheet> sheets;
+  sheets.reserve(best.size());
   for (const auto& [part, own] : best) sheets.push_back(sheet(own.second, foot(own.second, x)));
   return sheets;
 }
