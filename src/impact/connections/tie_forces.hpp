@@ -66,7 +66,7 @@ class TieForces {
     double bound = 0.0, rotary_bound = 0.0;          ///< times dt^2: the largest stiffness
     Vec3d angle;                                     ///< of the node against the anchor
     Vec3d force, moment;                             ///< on the node
-    bool released = false;
+    bool released = false, ended = false;            ///< ended: the work of its last force is booked
   };
   void set_stiffness(Spring& spring) const;
   /// Of nodes by system number: the sum of what their elements resist translations with [force/length].
