@@ -2,7 +2,11 @@
 """Ties that end while the model moves, on rigid bodies and by springs: mass and energy are what they were."""
 import unittest
 
+import lap_joint
+from lap_joint import edited
 from nugget_command import CommandTest
+from test_swforc import joined_by
+from test_weld_tie import MODES
 from welded_sheets import Sheets, weld_material
 
 END = 2.0e-5
@@ -69,6 +73,43 @@ class TieEnds(CommandTest):
         self.assertGreater(max(abs(state["sliding interface energy"]) for state in states), 0.1)
         for state in states:
             self.assertAlmostEqual(state["total energy"] / states[0]["total energy"], 1.0, delta=2e-5)
+
+
+class LinearAnalyses(CommandTest):
+    """The lap joint, whose weld ends on shell 14. Without it the upper sheet, whose edge is held along x, has four motions that nothing resists:
+    along y and z, and about x and y. Sabotage: ties to shells that are not there."""
+
+    def zero_modes(self, summary):
+        modes = [mode["frequency_hz"] for mode in self.json(summary)["modes"]]
+        self.assertGreater(modes[-1], 1000.0)
+        return sum(frequency < 1.0 for frequency in modes)
+
+    def test_a_shell_that_is_not_there_holds_no_weld(self):
+        death = "*DEFINE_ELEMENT_DEATH_SHELL\n        14       0.0\n"
+        for cards, options, free in (("", (), 0), (death, (), 4), (death, ("--weld-tie", "area"), 4)):
+            with self.subTest(cards=cards, options=options):
+                self.write(lap_joint.deck(("*TITLE\n", MODES + cards + "*TITLE\n")))
+                run = self.nugget("modes", "model.k", "-o", "out", "-n", 8, "--quiet", *options)
+                self.assertEqual(self.zero_modes("out/summary.json"), free)
+                self.assertEqual("1 tied nodes are free, first node 301: the shells that would carry them are deleted" in run.stderr, free > 0)
+
+    def test_nor_does_one_that_a_run_before_has_deleted(self):
+        after = ("*CONTROL_IMPLICIT_GENERAL\n         6       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n        -9\n"
+                 "*DEFINE_CURVE\n         9\n                 0.0                 0.0\n             2.0e-05                14.0\n")
+        for cards, free in (("", 0), ("*DEFINE_ELEMENT_DEATH_SHELL\n        14   1.0e-06\n", 4)):
+            with self.subTest(cards=cards):
+                self.write(lap_joint.deck(("*TITLE\n", after + cards + "*TITLE\n")))
+                self.nugget("run", "model.k", "-o", "out", "--quiet")
+                self.assertEqual(self.zero_modes("out/modes/summary.json"), free)
+        for fails, free in (("          ", 0), ("   1.0e-06", 4)):
+            self.write(edited(joined_by(f"*CONSTRAINED_SPOTWELD_ID\n       900\n       106       206       0.0       0.0       0.0       0.0{fails}\n"),
+                              ("*TITLE\n", after + "*TITLE\n")))
+            self.nugget("run", "model.k", "-o", "out", "--quiet")
+            self.assertEqual(self.zero_modes("out/modes/summary.json"), free)
+        dies = ("       0.0\n       1.0\n*SET_PART_LIST", "       0.0       0.0       0.0       0.0       0.0         0       0.0   1.0e-06\n       1.0\n*SET_PART_LIST")
+        self.write(lap_joint.deck(("*TITLE\n", after + "*TITLE\n"), dies))
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        self.assertEqual(self.zero_modes("out/modes/summary.json"), 4 + 6)  # and those of the weld beam, which is free at both ends
 
 
 if __name__ == "__main__":

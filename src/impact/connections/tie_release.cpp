@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "weld/tie/disc.hpp"
 #include "weld/tie/tie_findings.hpp"
 
 namespace nugget::impact {
@@ -134,24 +135,11 @@ void TieReleases::release_from_deleted_shells(system::State& state, std::span<co
 /// Hands what deleted shells carried of a disc to those that are left of it; false where they are too few.
 bool TieReleases::keep_to_living_shells(std::size_t t, std::span<const unsigned char> shell_alive,
                                         system::State& state) {
-  constexpr double least_share = 0.5;  // of what the disc covered
   const weld::Disc& disc = system_.ties.ties[t].disc;
-  const auto alive = [&](const weld::Disc::Piece& piece) { return shell_alive[piece.shell] != 0; };
-  if (std::ranges::all_of(disc.pieces, alive)) return true;
-  double left = 0.0;
-  for (const weld::Disc::Piece& piece : disc.pieces)
-    if (alive(piece)) left += piece.sum();
-  if (left < least_share) return false;
-  std::vector<double> weights(disc.nodes.size(), 0.0);
-  for (const weld::Disc::Piece& piece : disc.pieces) {
-    if (!alive(piece)) continue;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const model::Index node = system_.model.shells.node[piece.shell][k];
-      const auto place = std::lower_bound(disc.nodes.begin(), disc.nodes.end(), node);
-      if (piece.weight[k] != 0.0)
-        weights[static_cast<std::size_t>(place - disc.nodes.begin())] += piece.weight[k] / left;
-    }
-  }
+  const auto absent = [&](model::Index shell) { return shell_alive[shell] == 0; };
+  if (std::ranges::none_of(disc.pieces, absent, &weld::Disc::Piece::shell)) return true;
+  const std::vector<double> weights = weld::weights_without(system_.model, disc, absent);
+  if (weights.empty()) return false;
   take_shares(t, 1.0, state);
   system_.set_disc_weights(t, weights);
   if (!shares_.empty()) find_shares(t);
