@@ -12,10 +12,11 @@ from welded_sheets import Sheets, weld_material
 END = 2.0e-5
 
 
-def welded(form="", cards=(), rigid=False, scale=1.0, at=15.0):
-    """Two sheets with a weld beam; its tie ends in the middle of the run, or not (`form`: of the contact)."""
+def welded(form="", cards=(), rigid=False, scale=1.0, at=15.0, weak=False):
+    """Two sheets with a weld beam whose tie ends in the middle of the run (`form`: of the contact), or, if it is weak, stays when it has failed."""
     s = Sheets()
-    s.cards += [f"*CONTROL_TERMINATION\n{END:.3e}", "*CONTROL_ENERGY\n2,2,2,2", f"*DATABASE_GLSTAT\n{END / 40:.3e}", weld_material(2)]
+    end = 3 * END if weak else END
+    s.cards += [f"*CONTROL_TERMINATION\n{end:.3e}", "*CONTROL_ENERGY\n2,2,2,2", f"*DATABASE_GLSTAT\n{END / 40:.3e}", weld_material(2, card="0.0,1500.0") if weak else weld_material(2)]
     sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
     if rigid:
         part = next(i for i, card in enumerate(s.cards) if card.startswith(f"*PART\nsheet\n{sheets[1]},"))
@@ -25,7 +26,7 @@ def welded(form="", cards=(), rigid=False, scale=1.0, at=15.0):
     s.beam(welds, (at, at, 0.0), (at, at, 1.2))
     s.part_set(1, [welds])
     s.part_set(2, sheets)
-    death = 0.0 if any("ELEMENT_DEATH" in card for card in cards) else END / 2
+    death = 0.0 if weak or any("ELEMENT_DEATH" in card for card in cards) else END / 2
     s.cards.append(f"*CONTACT_SPOTWELD{form}\n1,2,2,2\n0.0,,,,,,,{death}\n{scale},1.0")
     s.cards += cards
     return s, sheets
@@ -73,6 +74,44 @@ class TieEnds(CommandTest):
         self.assertGreater(max(abs(state["sliding interface energy"]) for state in states), 0.1)
         for state in states:
             self.assertAlmostEqual(state["total energy"] / states[0]["total energy"], 1.0, delta=2e-5)
+
+
+class ErodedKineticEnergy(CommandTest):
+    def test_each_corner_of_a_sheet_counts(self):
+        """One of four shells of a sheet in flight is deleted, and the node at its corner has no elements any more. Sabotage: the first node in the
+        program's own order, with which it fills the lists of elements that have fewer nodes than others, has elements for ever."""
+        found = []
+        for shell in (1, 2, 3, 4):
+            s = Sheets()
+            s.cards += ["*CONTROL_TERMINATION\n4.0e-6", "*CONTROL_ENERGY\n2,2,2,2", "*DATABASE_GLSTAT\n1.0e-6",
+                        f"*DEFINE_ELEMENT_DEATH_SHELL\n{shell},1.5e-6", "*INITIAL_VELOCITY\n0\n300.0,400.0,-500.0"]
+            s.sheet(1.0, 0.0, 0.0, 0.0, 2, 2, 6.0)
+            self.write(s.text())
+            self.nugget("run", "model.k", "--quiet")
+            found.append(self.glstat()[-1]["eroded kinetic energy"])
+        self.assertGreater(found[3], 0.0)
+        for energy in found:
+            self.assertAlmostEqual(energy / found[3], 1.0, delta=1e-6)
+
+
+class SpringsAndTheStep(CommandTest):
+    def test_springs_make_no_energy_when_the_step_grows(self):
+        """A weld fails, and the step of the shells is five times that of its beam: the springs of its nodes are as stiff as the old one allows.
+        Sabotage: a step that grows at once; springs give back a sixth of all energy which they never had."""
+        for scale, rigid in ((0.99, False), (1.0, True)):
+            with self.subTest(rigid=rigid):
+                s, sheets = welded("_PENALTY", rigid=rigid, scale=scale, weak=True)
+                if rigid:
+                    s.cards.append(f"*INITIAL_VELOCITY_RIGID_BODY\n{sheets[1]},2000.0,1000.0,3000.0")
+                else:
+                    s.node_set(5, [n for j in range(6) for n in s.row(sheets[1], j)])
+                    s.cards.append("*INITIAL_VELOCITY\n5\n2000.0,1000.0,3000.0")
+                self.write(s.text())
+                self.nugget("run", "model.k", "--quiet", "-j", 1)
+                states = self.glstat()
+                self.assertGreater(states[-1]["time step"], 4.0 * states[0]["time step"])
+                for state in states:
+                    self.assertGreater(state["sliding interface energy"], -1e-3 * states[0]["total energy"])
 
 
 class LinearAnalyses(CommandTest):

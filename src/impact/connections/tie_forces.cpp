@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -167,6 +168,13 @@ void TieForces::find_bounds() {
     s.rotary_bound =
         s.rotary && system::Mobility::largest(rotary) > 0.0 ? part / system::Mobility::largest(rotary) : 0.0;
   }
+}
+
+double TieForces::longest_next_step() const {
+  constexpr double growth = 1.15;  // its square is less than the 4/3 between `stability_limit` and what elements leave
+  const auto holds = [](const Spring& s) { return !s.released; };
+  return longest_step_ > 0.0 && std::ranges::any_of(springs_, holds) ? growth * longest_step_
+                                                                     : std::numeric_limits<double>::infinity();
 }
 
 void TieForces::apply(system::State& state) {
