@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "app/linear_job.hpp"
@@ -15,14 +17,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Adds to the welds' reports what they carry.
+/// Adds to the welds' reports what they carry; of those whose force is not known, that it is not.
 void fill_weld_forces(const nvh::Statics& statics, std::vector<output::WeldReport>& welds) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < welds.size(); ++i) {
-    if (!statics.weld[i]) continue;
+    if (!statics.weld[i]) {
+      welds[i].peak = {unknown, unknown, unknown, unknown, unknown};
+      welds[i].peak_failure = welds[i].peak_failure_time = welds[i].energy = unknown;
+      welds[i].last = {unknown, unknown, unknown, unknown, unknown, unknown, {}, {unknown, unknown}};
+      continue;
+    }
     const weld::Resultants& r = statics.weld[i]->resultants;
+    const auto at_end = [&](double half) {
+      return std::hypot(r.moment_s + half * r.shear_t, r.moment_t - half * r.shear_s);
+    };
+    const double half = 0.5 * welds[i].length;
     welds[i].peak = {std::abs(r.axial), r.shear(), r.moment(), std::abs(r.torsion), r.force()};
     welds[i].peak_failure = statics.weld[i]->failure;
-    welds[i].last = {r.axial, r.shear(), r.moment(), r.torsion, 0.0, statics.weld[i]->failure, {}};
+    welds[i].last = {
+        r.axial, r.shear(), r.moment(), r.torsion, 0.0, statics.weld[i]->failure, {}, {at_end(-half), at_end(half)}};
   }
 }
 

@@ -79,14 +79,29 @@ struct BrickElement {
     return solid_material_axes(law, field, 1, [](int) { return Layout::first_history; });
   }
   template <class Put>
-  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
-    for (int i = 0; i < 6; ++i) put(Layout::stress + i, l.stress[i]);
-    if (kernel::LawKernel<Law>::has_plastic_strain) put(Layout::first_history, l.plastic_strain);
+  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places& x) const {
+    set_point(put, Layout::stress, Layout::first_history, l, x);
+  }
+  /// Of the point whose stress and history stand there in the state.
+  template <class Put>
+  void set_point(const Put& put, int stress, int history, const ElementGroup::Layer& l, const Places& x) const {
+    for (int i = 0; i < 6; ++i) put(stress + i, l.stress[i]);
+    if (kernel::LawKernel<Law>::has_plastic_strain) put(history, l.plastic_strain);
+    if constexpr (kernel::LawOfWelds<Law>) start_weld_point(law, put, history, l.stress, l.plastic_strain, x);
   }
   template <class Field, class Put, class Change>
   void change_stresses(const Field& field, const Put& put, const Change& change) const {
-    change_solid_point(field, put, Layout::stress, change);
+    change_point(field, put, Layout::stress, Layout::first_history, change);
   }
+  template <class Field, class Put, class Change>
+  void change_point(const Field& field, const Put& put, int stress, int history, const Change& change) const {
+    change_solid_point(field, put, stress, [&](std::array<double, 6>& of_point) {
+      change(of_point);
+      if constexpr (kernel::LawOfWelds<Law>) put_undamaged(law, field, put, history, of_point);
+    });
+  }
+  /// The axes of a uniaxial stress state are not those in which stresses are imposed.
+  bool takes_stress() const requires kernel::LawOfWelds<Law> { return !law.uniaxial(); }
   /// The same element without viscous forces.
   BrickElement inviscid() const {
     BrickElement e = *this;
@@ -158,15 +173,13 @@ struct FullBrickElement : BrickElement<Law> {
   }
   /// All points get the same stress.
   template <class Put>
-  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places&) const {
-    for (int p = 0; p < Layout::points; ++p) {
-      for (int i = 0; i < 6; ++i) put(layout().point(p) + i, l.stress[i]);
-      if (kernel::LawKernel<Law>::has_plastic_strain) put(layout().history_of(p), l.plastic_strain);
-    }
+  void set_layer(const Put& put, int, const ElementGroup::Layer& l, const Places& x) const {
+    for (int p = 0; p < Layout::points; ++p) this->set_point(put, layout().point(p), layout().history_of(p), l, x);
   }
   template <class Field, class Put, class Change>
   void change_stresses(const Field& field, const Put& put, const Change& change) const {
-    for (int p = 0; p < Layout::points; ++p) change_solid_point(field, put, layout().point(p), change);
+    for (int p = 0; p < Layout::points; ++p)
+      this->change_point(field, put, layout().point(p), layout().history_of(p), change);
   }
   /// The mean of the points.
   template <class Field>

@@ -2,6 +2,8 @@
 """Welds of bricks by the command: weld beams replaced by clusters, and a public fragment of a car with brick welds."""
 import csv
 import io
+import math
+import re
 import unittest
 
 from lap_joint import deck
@@ -31,6 +33,69 @@ class BrickWelds(CommandTest):
                 self.assertTrue(rows)
                 self.assertIn(f"{label}   {weld['id']:>8}"[:28], rows[-1])
                 self.assertRegex(log, rf"weld +{weld['id']} of part +3, A = 28.274 mm2:" + r"( \d+)" * bricks + r"\n")
+
+    def test_what_names_the_beam_holds_for_its_bricks(self):
+        """Its death, and a cross section through it: secforc and swforc are the same force. Sabotage: the index of the beam that is gone."""
+        cards = ("*DEFINE_ELEMENT_DEATH_BEAM\n        31   1.1e-05\n*SET_BEAM\n         7\n        31\n*SET_NODE_LIST\n         8\n       302\n"
+                 "*DATABASE_CROSS_SECTION_SET_ID\n         5\n         8         0         7\n*DATABASE_SECFORC\n  1.00e-06\n")
+        for bricks in (0, 1, 4):
+            with self.subTest(bricks=bricks):
+                self.write(deck().replace("*END", f"{cards}*CONTROL_SPOTWELD_BEAM\n{bricks:>60}\n*END"), "lap.k")
+                self.nugget("run", "lap.k", "-o", f"out{bricks}", "--quiet")
+                (weld,) = self.json(f"out{bricks}/summary.json")["weld"]
+                self.assertTrue(weld["failed"])
+                self.assertAlmostEqual(weld["failure_time"] / 1.1e-5, 1.0, delta=0.02)
+                text = self.read(f"out{bricks}/secforc")
+                sections = [float(f) for f in re.findall(r"^ +5 .*?(\S+)$", text, re.M)]
+                welds = [None if "failure" in line else math.hypot(float(line.split()[1]), float(line.split()[2]))
+                         for line in self.read(f"out{bricks}/swforc").splitlines() if re.match(r" +1 .* ID ", line)]
+                self.assertEqual(len(sections), len(welds))
+                holding = [(a, b) for a, b in zip(sections, welds) if b is not None]
+                self.assertGreater(holding[-1][1], 10.0)
+                for a, b in holding:
+                    self.assertAlmostEqual(a, b, delta=1e-3 * holding[-1][1])
+                self.assertEqual((sections[-1], welds[-1]), (0.0, None))
+
+    def held(self, elform, young, rupture, cards):
+        """swforc at the end of a weld brick of 5 x 5 between two sheets all of whose nodes are held: [axial, shear]."""
+        s = Sheets()
+        s.cards += ["*CONTROL_TERMINATION\n5.0e-6", "*DATABASE_SWFORC\n5.0e-7",
+                    f"*MAT_SPOTWELD_DAMAGE-FAILURE\n2,7.85e-9,{young},0.3,900.0,1000.0\n0.2\n{rupture}"]
+        sheets = [s.sheet(1.0, 0, 0, z, 3, 3, 5.0) for z in (0.0, 1.2)]
+        bricks = s.brick_part(2)
+        s.cards[-1] = f"*SECTION_SOLID\n{bricks},{elform}"
+        s.brick(bricks, 7.5, 7.5, 0.0, 5.0, 1.2)
+        s.tie([bricks], sheets)
+        s.node_set(9, [n for sheet in sheets for j in range(4) for n in s.row(sheet, j)])
+        s.cards += ["*BOUNDARY_SPC_SET\n9,0,1,1,1,1,1,1", cards.replace("BRICK", str(s.element))]
+        self.write(s.text())
+        run = self.nugget("run", "model.k", "--quiet", expect=1 if "SECTION_PLANE" in cards and young < 0 else 0)
+        if run.returncode:
+            return run.stderr
+        line = [line for line in self.read("swforc").splitlines() if " ID " in line][-1]
+        return [float(field) for field in line.split()[1:3]]
+
+    def test_initial_stresses_hold_whatever_the_stress_state_and_the_damage(self):
+        """N = A sigma_zz, F = A |(tau_zx, tau_yz)|: nothing moves. Sabotage: stresses in the element alone, of which welds that are damaged or
+        have the stresses of their section only know nothing."""
+        for elform, points in ((1, 1), (2, 8)):
+            stress = f"*INITIAL_STRESS_SOLID\nBRICK,{points}\n" + "10.0,20.0,100.0,5.0,30.0,40.0,0.0\n" * points
+            for young in (210000.0, -210000.0):
+                for rupture in (0.0, 0.3):
+                    with self.subTest(elform=elform, young=young, rupture=rupture):
+                        axial, shear = self.held(elform, young, rupture, stress)
+                        self.assertAlmostEqual(axial, 2500.0, delta=0.1)
+                        self.assertAlmostEqual(shear, 1250.0, delta=0.1)
+
+    def test_a_preload_of_a_cross_section_holds_with_damage(self):
+        preload = ("*DEFINE_CURVE\n1\n0.0,100.0\n1.0,100.0\n*DATABASE_CROSS_SECTION_PLANE_ID\n4\n,0.0,0.0,0.6,0.0,0.0,1.0\n\n"
+                   "*INITIAL_STRESS_SECTION\n1,4,1")
+        for elform in (1, 2):
+            with self.subTest(elform=elform):
+                axial, shear = self.held(elform, 210000.0, 0.3, preload)
+                self.assertAlmostEqual(axial, 2500.0, delta=0.1)
+                self.assertAlmostEqual(shear, 0.0, delta=0.1)
+        self.assertIn("takes no imposed stress: it is a weld with the stresses of its cross-section only", self.held(1, -210000.0, 0.0, preload))
 
     def test_a_brick_turned_inside_out_gives_no_nan(self):
         """One end of the weld has no area. Sabotage: its centre divided by that."""

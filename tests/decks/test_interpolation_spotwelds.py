@@ -2,12 +2,14 @@
 """*CONSTRAINED_INTERPOLATION_SPOTWELD: what a user gets of check, run and modes, on any number of threads and after a restart."""
 import csv
 import io
+import math
 import unittest
 
 import lsda
 from lap_joint import edited
 from nugget_command import CommandTest
 from repeated_runs import RepeatedRuns
+from test_statics import LINEAR
 from test_swforc import joined_by
 
 MODES = "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_EIGENVALUE\n         8\n"
@@ -72,6 +74,21 @@ class InterpolationSpotwelds(CommandTest):
             self.nugget("modes", f"{name}.k", "-o", name, "-n", "4")
             first.append(self.json(f"{name}/summary.json")["modes"][0]["frequency_hz"])
         self.assertGreater(first[0], 1.05 * first[1])
+
+    def test_statics_knows_its_force(self):
+        """All of the pull goes through the one weld: its force is the reaction. Sabotage: no force, shown as 0."""
+        self.write(edited(spr3(), ("*TITLE\n", LINEAR + "*TITLE\n"), ("         2         1         0         1\n",
+                                                                      "         2         1         2         1    1.0e-05\n")))
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        held = [line for line in self.read("out/run.log").splitlines() if "forces of supports" in line][0].split()
+        force = math.hypot(*map(float, held[3:6]))
+        row = self.row("out")
+        self.assertGreater(force, 1.0)
+        self.assertAlmostEqual(float(row["peak_force"]) / force, 1.0, delta=1e-6)
+        self.assertEqual((row["peak_failure"], row["last_failure"]), ("", ""))
+        (line,) = {line for line in self.read("out/swforc").splitlines() if "nonnodal cnst  ID        401" in line and "1.00000E-05" not in line[:12]
+                   and float(line.split()[3]) > 0.0}
+        self.assertAlmostEqual(math.hypot(*map(float, line.split()[1:3])) / force, 1.0, delta=1e-5)
 
     def test_what_is_refused(self):
         self.write(spr3(last=(2,)))

@@ -98,6 +98,23 @@ class Stacks(CommandTest):
             self.assertAlmostEqual(self.mean(x), self.mean(y), delta=0.01 * PULL)
 
 
+class BeamsInLine(CommandTest):
+    def test_a_beam_that_would_have_no_length_is_refused(self):
+        """Two beams in line between two sheets: the node between them is tied by the first beam to the sheet of the second one's end. The run
+        ended in its first cycle, which a check did not say. Sabotage: a warning."""
+        s = Sheets()
+        s.cards += ["*CONTROL_TERMINATION\n1.0e-5", weld_material(2)]
+        sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
+        welds = s.beam_part(6.0, 2)
+        below, middle, above = (s.add_node(15.0, 15.0, z) for z in (0.0, 0.6, 1.2))
+        s.beams += [f"901,{welds},{below},{middle}", f"902,{welds},{middle},{above}"]
+        s.tie([welds], sheets)
+        self.write(s.text())
+        for command in ("check", "run"):
+            run = self.nugget(command, "model.k", "-o", command, expect=1)
+            self.assertIn("beam weld 902 has no length where its nodes have been moved to at the start, and so no time step", run.stderr)
+
+
 class ControlContact(CommandTest):
     def penetrations(self, spothin, radii):
         """How many nodes the contact finds in the thickness of the two sheets, which are 0.6 mm apart at a thickness of 1.2."""

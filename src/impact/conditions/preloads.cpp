@@ -57,7 +57,16 @@ bool takes_stress(const system::ElementGroup& group) {
   return takes && takes->takes_stress();
 }
 
+bool is_weld(const model::Model& model, model::Index solid) {
+  return model.materials[model.parts[model.solids.part[solid]].material].weld != model::none;
+}
+
 std::string why_no_stress(const model::Model& model, model::Index solid) {
+  if (is_weld(model, solid))
+    return fmt::format(
+        "solid {} takes no imposed stress: it is a weld with the stresses of its cross-section only "
+        "(E below 0, _UNIAXIAL)",
+        model.solids.id[solid]);
   const bool bond = model::bond_of(model, model.parts[model.solids.part[solid]]) != nullptr;
   return fmt::format("solid {} takes no stress: {}", model.solids.id[solid],
                      bond ? "it is adhesive, which begins without tractions"
@@ -137,7 +146,7 @@ Preloads::Preloads(system::System& system, Findings& findings) : system_(system)
   }
   for (const model::InitialStress& s : model.initial_state.solids) {
     const system::System::ElementLocation location = system.solid_location[s.element];
-    if (location.group < 0 || takes_stress(*system.groups[location.group])) continue;
+    if (location.group < 0 || is_weld(model, s.element) || takes_stress(*system.groups[location.group])) continue;
     findings.error(s.place, "*INITIAL_STRESS_SOLID", why_no_stress(model, s.element),
                    "take it out, or use bricks, or tetrahedra of ELFORM 10");
   }

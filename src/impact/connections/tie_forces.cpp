@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -169,13 +170,26 @@ void TieForces::find_bounds() {
   }
 }
 
+double TieForces::longest_next_step() const {
+  constexpr double growth = 1.15;  // its square is less than the 4/3 between `stability_limit` and what elements leave
+  const auto holds = [](const Spring& s) { return !s.released; };
+  return longest_step_ > 0.0 && std::ranges::any_of(springs_, holds) ? growth * longest_step_
+                                                                     : std::numeric_limits<double>::infinity();
+}
+
 void TieForces::apply(system::State& state) {
   const double dt = state.dt;
   longest_step_ = std::max(longest_step_, dt);
   for (Spring& s : springs_) {
-    if (s.released) continue;
+    if (s.ended) continue;
     const std::size_t n = at(s.node), a = at(s.anchor);
     const Vec3d rate = vec(state.v[n]) - vec(state.v[a]), turning = vec(state.w[n]) - vec(state.w[a]);
+    if (s.released) {  // its last force acted in the step that ends now
+      energy_ -= 0.5 * dt * (dot(s.force, rate) + dot(s.moment, turning));
+      s.force = s.moment = {};
+      s.ended = true;
+      continue;
+    }
     const Vec3d force_before = s.force, moment_before = s.moment;
     const auto limited = [&](double stiffness, double bound) {
       return longest_step_ > 0.0 ? std::min(stiffness, bound / (longest_step_ * longest_step_)) : stiffness;
@@ -194,17 +208,13 @@ void TieForces::apply(system::State& state) {
 }
 
 void TieForces::release(std::size_t tie) {
-  for (Spring& s : springs_)
-    if (s.tie == tie && !s.released) {
-      s.released = true;
-      s.force = s.moment = {};
-    }
+  for (Spring& s : springs_) s.released |= s.tie == tie;
 }
 
 Vec3d TieForces::resultant(model::Index contact) const {
   Vec3d sum{};
   for (const Spring& s : springs_)
-    if (system_.ties.ties[s.tie].contact == contact) sum += s.force;
+    if (system_.ties.ties[s.tie].contact == contact && !s.released) sum += s.force;
   for (const StandIn& s : stand_ins_)
     if (system_.ties.ties[s.tie].contact == contact) sum += s.force;
   return sum;

@@ -35,6 +35,9 @@ class TieForces {
   bool empty() const { return springs_.empty(); }
   /// To be called at the start, and when masses may have become smaller: when a tie has ended, not at mass scaling.
   void find_bounds();
+  /// The longest step that may come next: the stiffness of springs follows the longest step so far, and is one step
+  /// late. Infinite without springs. With it lambda_max(K G) stays below 4 (1 - TSSFAC^2) / dt^2, see above.
+  double longest_next_step() const;
   /// Adds the forces at state.time to state.f and state.m, and books their work over the step that ends there.
   void apply(system::State& state);
   /// Ends one tie, an index of Ties::ties.
@@ -66,7 +69,7 @@ class TieForces {
     double bound = 0.0, rotary_bound = 0.0;          ///< times dt^2: the largest stiffness
     Vec3d angle;                                     ///< of the node against the anchor
     Vec3d force, moment;                             ///< on the node
-    bool released = false;
+    bool released = false, ended = false;            ///< ended: the work of its last force is booked
   };
   void set_stiffness(Spring& spring) const;
   /// Of nodes by system number: the sum of what their elements resist translations with [force/length].

@@ -73,8 +73,10 @@ struct Carrier {
     has_no_elements.assign(system.all_nodes(), 1);
     for (const auto& group : system.groups)
       for (std::size_t e = 0; e < group->size(); ++e)
-        if (group->alive(e))
-          for (const int node : group->nodes(e)) has_no_elements[node] = 0;
+        if (group->alive(e)) {
+          const system::ElementNodes node = group->nodes(e);
+          for (int a = 0; a < group->nodes_per_element; ++a) has_no_elements[node[a]] = 0;
+        }
     for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
       for (int a = 0; a < mass_only.corners; ++a) has_no_elements[mass_only.node[a]] = 0;
     for (const model::PointMass& m : system.model.masses) has_no_elements[system.node_of[m.node]] = 0;

@@ -137,6 +137,7 @@ void Simulation::choose_step(double end_time) {
     const double of_bodies = step_of_bodies(end_time);
     if (dt == std::numeric_limits<double>::infinity() || (bodies_step_ > 0.0 && of_bodies < dt)) dt = of_bodies;
   }
+  dt = std::min(dt, components_.tie_forces.longest_next_step());
   stable_step_ = dt;
   if (state_.cycle == 0 && control.first_step > 0.0) dt = std::min(dt, control.first_step);
   if (dt < smallest_step_) {

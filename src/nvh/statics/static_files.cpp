@@ -149,8 +149,9 @@ class States {
           weld.of_bricks() ? model_.solid_sections[section].in_swforc : model_.beam_sections[section].in_swforc;
       if (!wanted) continue;
       const weld::Resultants& r = s_.weld[i]->resultants;
-      state.rows.push_back({weld.id, kind(weld.kind), share * r.axial, share * r.shear(), weld.length,
-                            share * r.moment(), share * r.torsion, share * s_.weld[i]->failure, 0.0});
+      const double failure = std::isnan(s_.weld[i]->failure) ? 0.0 : share * s_.weld[i]->failure;
+      state.rows.push_back({weld.id, kind(weld), share * r.axial, share * r.shear(), weld.length, share * r.moment(),
+                            share * r.torsion, failure, 0.0});
     }
     return state;
   }
@@ -158,10 +159,11 @@ class States {
  private:
   Vec3d displacement(std::size_t n) const { return translation(s_.motion[m_.system.node_of[n]]); }
 
-  static output::WeldKind kind(weld::Weld::Kind kind) {
-    return kind == weld::Weld::Kind::solid      ? output::WeldKind::solid
-           : kind == weld::Weld::Kind::assembly ? output::WeldKind::assembly
-                                                : output::WeldKind::beam;
+  static output::WeldKind kind(const weld::Weld& weld) {
+    return weld.interpolated                         ? output::WeldKind::nonnodal
+           : weld.kind == weld::Weld::Kind::solid    ? output::WeldKind::solid
+           : weld.kind == weld::Weld::Kind::assembly ? output::WeldKind::assembly
+                                                     : output::WeldKind::beam;
   }
 
   /// Force and moment of one SPC or motion on a node.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/index.hpp"
 #include "model/circular_motion.hpp"
@@ -100,9 +101,14 @@ weld::Resultants of_bricks(const Matrices& m, const weld::Weld& weld, const Noda
 
 std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, const Nodal& u, Findings& findings) {
   using Kind = weld::Weld::Kind;
-  if (weld.kind == Kind::rigid || weld.kind == Kind::connector || weld.deleted) return {};
+  if (weld.kind == Kind::rigid || (weld.kind == Kind::connector && !weld.interpolated) || weld.deleted) return {};
   const system::System::ElementLocation location = m.system.location_of(weld, weld.element);
   if (location.group < 0) return {};
+  if (weld.interpolated) {
+    const auto none = std::numeric_limits<double>::quiet_NaN();
+    if (!(weld.length > 0.0)) return {};  // no axis
+    return WeldForce{of_beam(m, *m.system.groups[location.group], at(location.element), u), none};
+  }
   const model::Model& model = m.system.model;
   weld::failure::Load load;
   load.time = model.control.end_time;

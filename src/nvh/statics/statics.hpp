@@ -9,8 +9,9 @@
 
 namespace nugget::nvh {
 
-/// A weld in a linear solution: resultants at mid-length in the axes it has at rest, value of its failure function.
-/// Nothing fails.
+/// A weld in a linear solution: resultants at mid-length in the axes it has at rest, value of its failure function (not
+/// a number where it is one of plastic displacements: interpolation spot welds and self-piercing rivets). Nothing
+/// fails.
 struct WeldForce {
   weld::Resultants resultants;
   double failure = 0.0;
@@ -23,7 +24,7 @@ struct Statics {
   /// Zero to `residual` where nothing is held [force, force length].
   std::vector<SixDof> reaction;
   std::vector<double> support_force;           ///< along Support::taken, by Equations::supports()
-  std::vector<std::optional<WeldForce>> weld;  ///< by Ties::welds; none: rigid, a connector, or deleted
+  std::vector<std::optional<WeldForce>> weld;  ///< by Ties::welds; none: rigid, a discrete beam, or deleted
   /// What joints do to their second body, at the joint: by Matrices::links, force and moment in global axes.
   std::vector<SixDof> joint;
   std::vector<double> part_energy;  ///< strain energy, by model part

@@ -55,6 +55,15 @@ class Replacement {
   void make_solid(Part& part);
   void track_new_nodes();
   void remove_beams();
+  const std::vector<Index>& bricks_of(Index beam) const { return m_.hex_assemblies[weld_of_.at(beam)].solids; }
+  std::string from_beam_to_bricks(Index beam) const;
+  void move_deaths(const std::vector<Index>& now);
+  void move_axial_forces(const std::vector<Index>& now);
+  void move_sensors(const std::vector<Index>& now);
+  void move_histories(const std::vector<Index>& now);
+  void move_cross_sections(const std::vector<Index>& now);
+  void add_bricks(const CrossSection::Facet& beam, CrossSection& section,
+                  std::vector<CrossSection::Facet>& facets) const;
   void report_replacements() const;
 
   Model& m_;
@@ -63,6 +72,7 @@ class Replacement {
   std::vector<bool> chosen_;                      // of beams
   std::vector<int> replaced_;                     // beams of each part
   std::map<Index, std::vector<Index>> nodes_at_;  // new nodes of a beam's node
+  std::map<Index, std::size_t> weld_of_;          // of each replaced beam, in the model's hex_assemblies
   int first_node_ = 0, first_solid_ = 0, torsion_off_ = 0;
 };
 
@@ -117,6 +127,18 @@ void Replacement::keep_beams_of_mixed_parts() {
         also(c.b.parts);
       }
       for (Set<Index>& set : m_.sets.parts) also(set.members);
+      for (BodyLoad& load : m_.body_loads) also(load.parts);
+      for (FrequencyRangeDamping& damping : m_.damping.range) also(damping.parts);
+      for (RelativeDamping& damping : m_.damping.relative) also(damping.parts);
+      const auto again = [p, stays = at_own->second](auto& dampings) {
+        for (std::size_t i = 0, count = dampings.size(); i < count; ++i) {
+          if (dampings[i].part != p) continue;
+          dampings.push_back(dampings[i]);
+          dampings.back().part = stays;
+        }
+      };
+      again(m_.damping.mass);
+      again(m_.damping.stiffness);
     }
     m_.beams.part[e] = at_own->second;
   }
@@ -165,6 +187,7 @@ void Replacement::replace(std::size_t e) {
     }
     m_.solids.place.append(m_.beams.place, e);
   }
+  weld_of_[static_cast<Index>(e)] = m_.hex_assemblies.size();
   m_.hex_assemblies.push_back(std::move(weld));
 }
 
@@ -187,7 +210,7 @@ void Replacement::make_solid(Part& part) {
   m_.hourglass.push_back(h);
 }
 
-/// Contacts and sets that name a node of a replaced beam name the nodes in its place too.
+/// Contacts, sets, rigid bodies and groups that name a node of a replaced beam name the nodes in its place too.
 void Replacement::track_new_nodes() {
   const auto add = [&](std::vector<Index>& nodes) {
     const std::size_t count = nodes.size();
@@ -197,6 +220,12 @@ void Replacement::track_new_nodes() {
   };
   for (Contact& c : m_.contacts) add(c.a.nodes);
   for (Set<Index>& set : m_.sets.nodes) add(set.members);
+  for (NodalForceGroup& group : m_.requests.nodal_force_groups) add(group.nodes);
+  for (RigidBody& body : m_.rigid_bodies) {
+    if (body.origin == RigidBody::Origin::weld) continue;
+    add(body.nodes);  // the new ones come last, in their order
+    std::ranges::sort(body.nodes);
+  }
 }
 
 void Replacement::remove_beams() {
@@ -215,17 +244,114 @@ void Replacement::remove_beams() {
     kept.direction.push_back(all.direction[e]);
     kept.tied_parts.push_back(all.tied_parts[e]);
   }
+  // Before the beams go: what else of the model names them.
+  move_deaths(now);
+  move_axial_forces(now);
+  move_sensors(now);
+  move_histories(now);
+  move_cross_sections(now);
   m_.beams = std::move(kept);
   for (Set<Index>& set : m_.sets.beams) {
     for (Index& e : set.members) e = now[e];
     std::erase(set.members, none);
   }
-  for (NamedEntity& n : m_.requests.history_beams) n.index = now[n.index];
-  std::erase_if(m_.requests.history_beams, [](const NamedEntity& n) { return n.index == none; });
+}
+
+/// `weld beam 31 is replaced by bricks (RPBHX of *CONTROL_SPOTWELD_BEAM)`.
+std::string Replacement::from_beam_to_bricks(Index beam) const {
+  return fmt::format("weld beam {} is replaced by bricks (RPBHX of *CONTROL_SPOTWELD_BEAM)", m_.beams.id[beam]);
+}
+
+/// All bricks of a weld are deleted when its beam was to be.
+void Replacement::move_deaths(const std::vector<Index>& now) {
+  std::vector<ElementDeath> deaths;
+  for (ElementDeath death : m_.element_deaths) {
+    if (death.kind != ElementKind::beam) {
+      deaths.push_back(death);
+    } else if (const Index beam = death.element; now[beam] != none) {
+      death.element = now[beam];
+      deaths.push_back(death);
+    } else {
+      death.kind = ElementKind::solid;
+      for (const Index brick : bricks_of(beam)) {
+        death.element = brick;
+        deaths.push_back(death);
+      }
+    }
+  }
+  m_.element_deaths = std::move(deaths);
+}
+
+void Replacement::move_axial_forces(const std::vector<Index>& now) {
+  for (AxialForce& force : m_.initial_state.axial_forces) {
+    const auto gone = std::ranges::find_if(force.beams, [&](Index beam) { return now[beam] == none; });
+    if (gone != force.beams.end())
+      findings_.error(force.place, "*INITIAL_AXIAL_FORCE_BEAM",
+                      from_beam_to_bricks(*gone) + ", which take no axial force of a beam",
+                      "leave it a beam by BMSID, or preload the bricks by *INITIAL_STRESS_SECTION");
+    for (Index& beam : force.beams) beam = now[beam];
+    std::erase(force.beams, none);
+  }
+}
+
+void Replacement::move_sensors(const std::vector<Index>& now) {
+  for (Sensor& sensor : m_.sensors) {
+    if (sensor.kind != ElementKind::beam || sensor.element == none) continue;
+    if (now[sensor.element] == none)
+      findings_.error(
+          control_.place, "*CONTROL_SPOTWELD_BEAM",
+          fmt::format("{}, and sensor {} measures that beam", from_beam_to_bricks(sensor.element), sensor.id),
+          "leave it a beam by BMSID");
+    sensor.element = now[sensor.element];
+  }
+}
+
+void Replacement::move_histories(const std::vector<Index>& now) {
+  std::vector<NamedEntity>& beams = m_.requests.history_beams;
+  const auto gone = std::ranges::find_if(beams, [&](const NamedEntity& n) { return now[n.index] == none; });
+  if (gone != beams.end())
+    findings_.warning(control_.place, "*CONTROL_SPOTWELD_BEAM",
+                      from_beam_to_bricks(gone->index) + ": elout has no rows of it and of others like it",
+                      "see swforc, which has their forces");
+  for (NamedEntity& n : beams) n.index = now[n.index];
+  std::erase_if(beams, [](const NamedEntity& n) { return n.index == none; });
+}
+
+/// A section that a beam passes is passed by its bricks, with their nodes on the side where the beam's was.
+void Replacement::move_cross_sections(const std::vector<Index>& now) {
   for (CrossSection& section : m_.requests.cross_sections) {
-    for (CrossSection::Facet& facet : section.facets)
-      if (facet.kind == ElementKind::beam) facet.element = now[facet.element];
-    std::erase_if(section.facets, [](const CrossSection::Facet& facet) { return facet.element == none; });
+    std::vector<CrossSection::Facet> facets;
+    const std::vector<CrossSection::Facet> before = std::move(section.facets);
+    for (const CrossSection::Facet& facet : before) {
+      if (facet.kind == ElementKind::beam && now[facet.element] == none) {
+        add_bricks(facet, section, facets);
+        continue;
+      }
+      facets.push_back(facet);
+      if (facet.kind == ElementKind::beam) facets.back().element = now[facet.element];
+    }
+    section.facets = std::move(facets);
+    std::ranges::sort(section.nodes);
+  }
+}
+
+void Replacement::add_bricks(const CrossSection::Facet& beam, CrossSection& section,
+                             std::vector<CrossSection::Facet>& facets) const {
+  const std::array<Index, 2>& ends = m_.beams.node[beam.element];
+  const auto end_of = [&](Index node) { return node == ends[0] ? std::size_t{0} : std::size_t{4}; };
+  const std::vector<Index> named = section.nodes;
+  const auto take = [&](Index node) {
+    if (std::ranges::find(section.nodes, node) == section.nodes.end()) section.nodes.push_back(node);
+  };
+  for (const Index brick : bricks_of(beam.element)) {
+    const std::array<Index, 8>& node = m_.solids.node[brick];
+    CrossSection::Facet& facet = facets.emplace_back(CrossSection::Facet{ElementKind::solid, brick, {}});
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (const CrossSection::Corner& at_beam : beam.corners)
+        facet.corners.push_back({node[end_of(at_beam.from) + i], node[end_of(at_beam.to) + i], at_beam.share});
+      for (const Index end : ends)
+        if (std::ranges::find(named, end) != named.end()) take(node[end_of(end) + i]);
+    }
   }
 }
 

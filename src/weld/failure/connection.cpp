@@ -29,10 +29,15 @@ const ConnectionRecord& connection_record(const model::ConnectionProperties& pro
 
 const ConnectionRecord& connection_record(const model::Model& model, const model::ConnectionProperties& properties,
                                           std::array<model::Index, 2> sheets) {
-  std::array<model::Index, 2> material{model::none, model::none};
-  for (std::size_t k = 0; k < 2; ++k)
-    if (sheets[k] != model::none) material[k] = model.parts[sheets[k]].material;
-  return connection_record(properties, material);
+  return connection_record(properties, {material_of_sheet(model, sheets[0]), material_of_sheet(model, sheets[1])});
+}
+
+model::Index material_of_sheet(const model::Model& model, model::Index sheet) {
+  if (sheet == model::none || model.parts[sheet].material == model::none) return model::none;
+  const int id = model.materials[model.parts[sheet].material].id;
+  if (id == 0) return model.parts[sheet].material;  // of *PART_COMPOSITE, which cards cannot name
+  const auto first = std::ranges::find(model.materials, id, &model::Material::id);
+  return static_cast<model::Index>(first - model.materials.begin());
 }
 
 double connection_area(int area_rule, double modelled, double thinner_sheet) {

@@ -19,6 +19,10 @@ const ConnectionRecord& connection_record(const model::ConnectionProperties& pro
 const ConnectionRecord& connection_record(const model::Model& model, const model::ConnectionProperties& properties,
                                           std::array<model::Index, 2> sheets);
 
+/// The material that cards name for the part of a sheet: of a part that got one of its own (layers with laws of their
+/// own, *DEFORMABLE_TO_RIGID) that of the deck. none: the sheet has none.
+model::Index material_of_sheet(const model::Model& model, model::Index sheet);
+
 /// Area of the weld's cross-section for stresses (AREAEQ): 0 as modelled, 1 that of the diameter 5 sqrt(t_min) in mm,
 /// -1 the same in m; as modelled where no sheet's thickness is known [area].
 double connection_area(int area_rule, double modelled, double thinner_sheet);

@@ -21,7 +21,7 @@ const std::string keyword = "*MAT_SPOTWELD";
 
 /// Cowper-Symonds constants of a sheet's material, where its law has them.
 void take_rate_constants(const model::Model& model, Index part, SheetStrength& sheet) {
-  const Index material = model.parts[part].material;
+  const Index material = material_of_sheet(model, part);
   if (material == none) return;
   const auto take = [&](const auto& law) {
     if constexpr (requires { law.rate_c; }) {
@@ -102,7 +102,7 @@ std::unique_ptr<Function> by_load_rate(const model::Model& model, const model::L
   };
   for (std::size_t k = 0; k < 2; ++k) {
     const Index part = weld.sheet[k];
-    const Index material = part == none ? none : model.parts[part].material;
+    const Index material = material_of_sheet(model, part);
     const auto fits = [&](const model::LoadRateStrengths::Entry& e) {
       if (e.parts[0] == none) return material != none && e.material == material;
       return (e.parts[0] == part && e.parts[1] == weld.sheet[1 - k]) ||
@@ -184,8 +184,10 @@ Geometry geometry_of(const model::Model& model, const Weld& weld) {
   }
   std::array<int, 2> shells{};
   for (const Projection& end : weld.ends) {
-    if (!end.tied || end.tie.shell == none) continue;
-    const auto shell = at(end.tie.shell);
+    // An end that is a sheet's own node has no tie, and its sheet is as thick.
+    const Index of_end = end.projection_case == 0 ? end.closest_shell : end.tie.shell;
+    if (!end.tied || of_end == none) continue;
+    const auto shell = at(of_end);
     for (std::size_t k = 0; k < 2; ++k) {
       if (model.shells.part[shell] != g.sheet[k]) continue;
       g.thickness[k] += model.shells.thickness[shell];

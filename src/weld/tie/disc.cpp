@@ -489,6 +489,26 @@ Disc disc_on_sheet(const model::Model& model, const std::vector<Vec3d>& x, const
   return disc;
 }
 
+std::vector<double> weights_without(const model::Model& model, const Disc& disc,
+                                    const std::function<bool(Index shell)>& absent) {
+  constexpr double least_share = 0.5;  // of what the disc covered
+  double left = 0.0;
+  for (const Disc::Piece& piece : disc.pieces)
+    if (!absent(piece.shell)) left += piece.sum();
+  if (left < least_share) return {};
+  std::vector<double> weights(disc.nodes.size(), 0.0);
+  for (const Disc::Piece& piece : disc.pieces) {
+    if (absent(piece.shell)) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Index node = model.shells.node[piece.shell][k];
+      const auto place = std::lower_bound(disc.nodes.begin(), disc.nodes.end(), node);
+      if (piece.weight[k] != 0.0)
+        weights[static_cast<std::size_t>(place - disc.nodes.begin())] += piece.weight[k] / left;
+    }
+  }
+  return weights;
+}
+
 double effective_radius(std::span<const Index> nodes, std::span<const double> weights, const std::vector<Vec3d>& x,
                         const Vec3d& point) {
   double sum = 0.0;

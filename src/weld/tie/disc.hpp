@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +36,11 @@ struct PlaceOnSheet {
 /// or there is no area, and `why_not` says so.
 Disc disc_on_sheet(const model::Model& model, const std::vector<Vec3d>& x, const SheetMesh& mesh,
                    const PlaceOnSheet& place, double diameter, std::string& why_not);
+
+/// Weights of the disc's nodes where some of its shells are not there, of what it covers on the others; adding up to 1.
+/// Empty where these are less than half of it: the tie ends.
+std::vector<double> weights_without(const model::Model& model, const Disc& disc,
+                                    const std::function<bool(Index shell)>& absent);
 
 /// a_eff = sqrt(2 sum w r^2), r from `point`: the radius of the disc whose forces reach as far from the middle as those
 /// of a tie with these weights [length].

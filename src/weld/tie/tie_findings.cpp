@@ -505,10 +505,22 @@ void check_segments(const model::Model& model, const Surroundings& around, const
   refuse_circles(model, ties, tie_of, findings);
 }
 
+/// A weld beam whose two nodes end in one place has no direction and no stable step: a run would end in its first
+/// cycle.
+static void refuse_beam_without_length(const Weld& weld, Findings& findings) {
+  constexpr double nothing = 1e-9;  // of the diameter
+  if (weld.kind != Weld::Kind::beam || weld.deleted || !(weld.length <= nothing * weld.diameter)) return;
+  findings.error(weld.place, keyword_of(weld),
+                 fmt::format("{} has no length where its nodes {} at the start, and so no time step", name_weld(weld),
+                             weld.length_before > weld.length ? "have been moved to" : "stand"),
+                 "give its nodes places of their own on two sheets; SPOTSTP = 2 deletes welds that are not tied");
+}
+
 void report_welds(const model::Model& model, const Ties& ties, Findings& findings) {
   std::vector<const Weld*> untied;
   for (const Weld& weld : ties.welds) {
     for (const Projection& p : weld.ends) report_end(model, weld, p, findings);
+    refuse_beam_without_length(weld, findings);
     const auto tracked = [](const Projection& p) { return p.projection_case != 0; };
     if (!weld.tied && std::any_of(weld.ends.begin(), weld.ends.end(), tracked)) untied.push_back(&weld);
   }

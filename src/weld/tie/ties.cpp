@@ -592,6 +592,7 @@ Projection Tying::projection(std::size_t w, Index node, const Overlap& overlap) 
   }
   if (!r || (!r->found && belongs_to_sheet(node))) {
     p.tied = belongs_to_sheet(node);
+    p.closest_shell = around_.shell[node];
     p.reason = around_.rigid_body[node] != none
                    ? fmt::format("belongs to rigid body {}", model_.rigid_bodies[around_.rigid_body[node]].id)
                : around_.shell[node] != none

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -68,6 +69,100 @@ TEST(BrickClusters, BeamsThatAreNotInTheSetStayInAPartOfTheirOwn) {
   EXPECT_THAT(m.contacts.at(0).a.parts, ElementsAre(m.part_index(9), own));
   EXPECT_EQ(m.solids.size(), 1u);
   EXPECT_TRUE(m.sets.beams.at(0).members.empty());
+}
+
+const std::string only_first = contact + "*SET_BEAM\n5\n71\n*CONTROL_SPOTWELD_BEAM\n,,,,,4,5\n";
+
+// Sabotage of each of these four: the index that the card had before the beams went.
+TEST(BrickClusters, DeathOfABeamIsThatOfItsBricks) {
+  const Built b(small_deck(weld_part + two_beams + only_first +
+                           "*DEFINE_ELEMENT_DEATH_BEAM\n71,0.1\n*DEFINE_ELEMENT_DEATH_BEAM\n72,0.2\n"));
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& deaths = b.model.element_deaths;
+  ASSERT_EQ(deaths.size(), 5u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(deaths[i].kind, ElementKind::solid);
+    EXPECT_EQ(deaths[i].element, static_cast<Index>(i));
+    EXPECT_EQ(deaths[i].time, 0.1);
+  }
+  EXPECT_EQ(deaths[4].kind, ElementKind::beam);
+  EXPECT_EQ(b.model.beams.id.at(static_cast<std::size_t>(deaths[4].element)), 72);
+}
+
+TEST(BrickClusters, AxialForceOfABeamThatStaysIsKept) {
+  const std::string curve = "*DEFINE_CURVE\n1\n0.0,0.0\n1.0,1.0\n*SET_BEAM\n6\n",
+                    card = "*INITIAL_AXIAL_FORCE_BEAM\n6,1\n";
+  const Built b(small_deck(weld_part + two_beams + only_first + curve + "72\n" + card));
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& beams = b.model.initial_state.axial_forces.at(0).beams;
+  ASSERT_EQ(beams.size(), 1u);
+  EXPECT_EQ(b.model.beams.id.at(static_cast<std::size_t>(beams[0])), 72);
+  EXPECT_TRUE(Built(small_deck(weld_part + two_beams + only_first + curve + "71\n" + card))
+                  .error("weld beam 71 is replaced by bricks (RPBHX of *CONTROL_SPOTWELD_BEAM), which take no axial"));
+}
+
+TEST(BrickClusters, SensorOfABeamThatStaysIsKept) {
+  const auto with = [](const std::string& beam) {
+    return Built(small_deck(weld_part + two_beams + only_first + "*SENSOR_DEFINE_ELEMENT\n8,BEAM," + beam +
+                            ",AXIAL,FORCE\n*SENSOR_SWITCH\n1,SENSOR,8,GT,1.0\n*TERMINATION_SENSOR\n1\n"));
+  };
+  const Built b = with("72");
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_EQ(b.model.beams.id.at(static_cast<std::size_t>(b.model.sensors.at(0).element)), 72);
+  EXPECT_TRUE(with("71").error("and sensor 8 measures that beam")) << with("71").all_findings();
+}
+
+TEST(BrickClusters, ACrossSectionThroughABeamGoesThroughItsBricks) {
+  const Built b(small_deck(weld_part + two_beams + only_first +
+                           "*SET_BEAM\n6\n71,72\n*SET_NODE\n7\n32,34\n*DATABASE_CROSS_SECTION_SET\n7,,6\n"
+                           "*DATABASE_CROSS_SECTION_PLANE\n,0.0,0.0,0.5,0.0,0.0,1.5\n\n"));
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const Model& m = b.model;
+  for (const CrossSection& section : m.requests.cross_sections) {
+    ASSERT_EQ(section.facets.size(), 5u);
+    EXPECT_EQ(section.nodes.size(), 2u + 9u);  // nine in the upper ends of four bricks
+    for (const Index n : section.nodes) EXPECT_EQ(m.nodes.x[n].z, 2.0);
+    double area = 0.0;
+    for (const CrossSection::Facet& facet : section.facets) {
+      if (facet.kind == ElementKind::beam) {
+        EXPECT_EQ(facet.element, 0);
+        continue;
+      }
+      ASSERT_EQ(facet.corners.size(), 4u);
+      std::array<Vec3d, 4> x;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const CrossSection::Corner& c = facet.corners[i];
+        x[i] = m.nodes.x[c.from] + c.share * (m.nodes.x[c.to] - m.nodes.x[c.from]);
+      }
+      area += 0.5 * norm(cross(x[2] - x[0], x[3] - x[1]));
+    }
+    EXPECT_NEAR(area, 9.0 * pi, 1e-9);
+  }
+}
+
+TEST(BrickClusters, DampingOfAPartIsThatOfItsBeamsThatStay) {
+  const Built b(
+      small_deck(weld_part + two_beams + only_first +
+                 "*DAMPING_PART_MASS\n9,1\n*DAMPING_PART_STIFFNESS\n9,0.1\n*DEFINE_CURVE\n1\n0.0,5.0\n1.0,5.0\n"));
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const Model& m = b.model;
+  ASSERT_EQ(m.damping.mass.size(), 2u);
+  ASSERT_EQ(m.damping.stiffness.size(), 2u);
+  EXPECT_EQ(m.damping.mass[0].part, m.solids.part[0]);
+  EXPECT_EQ(m.damping.mass[1].part, m.beams.part[0]);
+  EXPECT_EQ(m.damping.stiffness[1].part, m.beams.part[0]);
+  EXPECT_EQ(m.damping.stiffness[1].share, 0.1);
+}
+
+TEST(BrickClusters, NodesOfABodyStayWithIt) {
+  const Built b(small_deck(weld_part + two_beams + contact + "*CONTROL_SPOTWELD_BEAM\n,,,,,1\n" +
+                           "*CONSTRAINED_EXTRA_NODES_NODE\n2,34\n"));
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const Model& m = b.model;
+  const std::vector<Index>& nodes =
+      m.rigid_bodies.at(static_cast<std::size_t>(m.parts[m.part_index(2)].rigid_body)).nodes;
+  for (std::size_t i = 4; i < 8; ++i) EXPECT_TRUE(std::ranges::count(nodes, m.solids.node.at(1)[i])) << i;
+  EXPECT_TRUE(std::ranges::is_sorted(nodes));
 }
 
 TEST(BrickClusters, AnImpossibleReplacementIsAnError) {

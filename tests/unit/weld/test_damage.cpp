@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assembly.hpp"
 #include "weld/failure/connection.hpp"
 #include "weld/failure/function.hpp"
 
@@ -148,6 +149,22 @@ TEST(Connection, TheLowerRankCounts) {
   EXPECT_EQ(&connection_record(p, {4, 3}), &p.records[0]);
   EXPECT_EQ(&connection_record(p, {4, 7}), &p.standard);  // 7 has no record
   EXPECT_EQ(&connection_record(p, {model::none, 3}), &p.records[0]);
+}
+
+// Layers with laws of their own and *DEFORMABLE_TO_RIGID give a part a material of its own, with the id of that of the
+// deck, which is the one that the records name. Sabotage: the part's own material.
+TEST(Connection, ARecordHoldsForTheSheetsWhoseMaterialItNames) {
+  test::Assembly a;
+  const model::Index sheet = a.sheet(1.0, {0, 0, 0}), other = a.sheet(1.0, {0, 0, 1});
+  model::ConnectionProperties p;
+  p.records = {{}};
+  p.records[0].material = a.model.parts[sheet].material;
+  p.records[0].rank = -1.0;
+  a.model.materials.push_back(a.model.materials[a.model.parts[sheet].material]);
+  a.model.parts[sheet].material = static_cast<model::Index>(a.model.materials.size()) - 1;
+  EXPECT_EQ(material_of_sheet(a.model, sheet), p.records[0].material);
+  EXPECT_EQ(&connection_record(a.model, p, {other, sheet}), &p.records[0]);
+  EXPECT_EQ(&connection_record(a.model, p, {other, other}), &p.standard);
 }
 
 TEST(Connection, Area) {

@@ -255,6 +255,9 @@ TEST(MakeFunction, SheetsOfOpt10ByMaterialAndTheLowerStrengthCounts) {
   m.parts.resize(2);
   m.parts[0].material = 0;
   m.parts[1].material = 1;
+  m.materials.resize(2);
+  m.materials[0].id = 1;
+  m.materials[1].id = 2;
   model::LoadRateStrengths table = load_rate_table();
   table.normal = 500.0;
   table.entries.push_back({0, {-1, -1}, 400.0, 0.0});

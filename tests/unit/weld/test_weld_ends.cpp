@@ -70,6 +70,24 @@ TEST(ShellSize, FactorsComeFromTheCurvesAtTheShells) {
   EXPECT_EQ(ends[1].shear, 1.0);
 }
 
+// A weld that shares a node with the thin sheet and is tied to the thick one: the thin one counts. Sabotage:
+// thicknesses of sheets that it is tied to only.
+TEST(GeometryOfWelds, AnEndThatIsANodeOfItsSheetHasItsThickness) {
+  test::Assembly a;
+  const model::Index thin = a.sheet(0.8, {0, 0, 0}), thick = a.sheet(2.0, {0, 0, 1.4});
+  const model::Index welds = a.beam_part(5.0);
+  a.tie({welds}, {thin, thick});
+  a.beam(welds, 5, a.node({10, 10, 1.4}));  // node 6 of the thin sheet, at (10, 10, 0)
+  Findings findings;
+  const Ties ties = weld::tie(a.model, findings);
+  const Geometry g = geometry_of(a.model, ties.welds.at(0));
+  EXPECT_EQ(g.sheet[0], thin);
+  EXPECT_EQ(g.sheet[1], thick);
+  EXPECT_EQ(g.thickness[0], 0.8);
+  EXPECT_EQ(g.thickness[1], 2.0);
+  EXPECT_EQ(g.thinner(), 0.8);
+}
+
 // docs/theory/failure.md#size-of-the-shell. Sabotage to be caught: the angle in radians; the smaller of the coordinates
 // for the place.
 TEST(ShellSize, FactorsComeFromTheTablesAtThePlaceOnTheShell) {
