@@ -469,6 +469,14 @@ JoinedRun::Ready ready(const PreparedDeck& p, const Findings& findings) {
   return {findings.errors() == 0, p.deck_checksum, output::checksum_of_program(), system::elements_at_a_time()};
 }
 
+/// Ranks of an explicit run work together from the moment on when they have read their decks.
+WorkTogether together(JoinedRun& joined, const Findings& findings) {
+  return [&joined, &findings](const PreparedDeck& read, const std::function<void(Ranks*)>& work) {
+    if (joined.ranks() == nullptr || analysis_of(read.model) != Analysis::explicit_dynamics) return work(nullptr);
+    joined.work_together(ready(read, findings), work);
+  };
+}
+
 /// Several ranks give elements their states when they have been shared out; those of a restart file are read whole.
 system::System::ElementsStart elements_start(const JoinedRun& joined, const output::RestartReader* from) {
   using Start = system::System::ElementsStart;
@@ -558,7 +566,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   give_large_arrays_back();
   JoinedRun joined(arguments.over_ranks ? rank_team() : nullptr, arguments.load_case);
   Findings findings;
-  PreparedDeck p = prepare(arguments, findings);
+  PreparedDeck p = prepare(arguments, findings, together(joined, findings));
   if (!p.has_text) return refuse_missing(findings);
   warn_of_response_in_explicit_run(p.model, findings);
   const Analysis analysis = analysis_of(p.model);
@@ -591,7 +599,7 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   give_large_arrays_back();
   JoinedRun joined(rank_team(), arguments.load_case);
   Findings findings;
-  PreparedDeck p = prepare(arguments, findings);
+  PreparedDeck p = prepare(arguments, findings, together(joined, findings));
   free_room(p.audit);  // for those who write
   free_room(p.welds);
   if (!p.has_text || analysis_of(p.model) != Analysis::explicit_dynamics || !p.is_tied) return ExitCode::normal;

@@ -124,7 +124,7 @@ void warn_of_other_units(const model::Model& model, Findings& findings) {
 
 }  // namespace
 
-PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings, const WorkTogether& together) {
   PreparedDeck p;
   Clock clock;
   std::optional<deck::Deck> text = deck::read(arguments.deck, findings, arguments.load_case);
@@ -155,7 +155,12 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings) {
     findings.error({p.model.deck, 0, 0}, "", "there are no nodes: nothing can move",
                    "include the mesh; a run that was interrupted goes on with --resume, without a deck of its own");
   if (findings.errors() > 0) return p;
-  std::vector<Vec3d> x = impact::resolve_initial_penetrations(p.model, findings);
+  std::vector<Vec3d> x;
+  const auto resolve = [&](Ranks* ranks) { x = impact::resolve_initial_penetrations(p.model, findings, ranks); };
+  if (together)
+    together(p, resolve);
+  else
+    resolve(nullptr);
   p.penetration_seconds = clock.seconds();
   tie_and_audit(p, std::move(x), findings);
   if (!arguments.drop_weld.empty() && !drops_each(arguments.drop_weld)) drop_welds(p, arguments.drop_weld, findings);

@@ -25,6 +25,10 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
 
 }  // namespace
 
+double search_margin(const SurfaceContactSetup& setup, std::span<const Row> x) {
+  return setup.margin > 0.0 ? setup.margin : 0.25 * mean_edge(setup.segments, x);
+}
+
 SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, std::vector<Segment>* given)
     : law_(setup.law),
       deepest_allowed_(setup.deepest),
@@ -32,11 +36,16 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
       death_(setup.death),
       edges_meet_(setup.edges_meet),
       around_(setup.segments),
+      thickest_segment_(setup.thickest),
       forces_(surface_nodes(setup), setup.law.friction.any()),
       sources_(forces_.parts()) {
   const bool by_segment_masses = law_.stiffness == kernel::PenaltyStiffness::segment_masses;
+  assign_sides(forces_, around_, setup.segments);
+  margin_ = search_margin(setup, x);
+  constexpr std::size_t given_together = 4096;
   faces_.reserve(setup.segments.size());
-  for (const Segment& s : setup.segments) {
+  for (std::size_t i = 0; i < setup.segments.size(); ++i) {
+    const Segment& s = setup.segments[i];
     Face face{s};
     face.thickness = s.thickness;
     face.stiffness = setup.stiffness_scale * (by_segment_masses ? s.scale : penalty_stiffness(s, x));
@@ -49,12 +58,11 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     face.side = static_cast<unsigned char>(s.side);
     face.of_brick = s.volume > 0.0;
     covers_ = covers_ || s.covered_by >= 0;
-    faces_.push_back(face);
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
+    faces_.push_back(face);
+    // So that there is no room for both at a time.
+    if (given != nullptr && i % given_together == 0) forget(*given, i - std::min(i, given_together), i);
   }
-  assign_sides(forces_, around_, setup.segments);
-  // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
-  margin_ = 0.25 * mean_edge(setup.segments, x);
   if (given != nullptr) free_room(*given);
 
   stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);

@@ -260,8 +260,10 @@ std::vector<Partition::Share> Partition::shares(const System& system, std::span<
   };
   std::vector<int> every_rank(at(ranks_)), these;
   std::iota(every_rank.begin(), every_rank.end(), 0);
-  for (const Followers& followers : followers_of_nodes(system, *this, for_everyone)) {
-    these = followers.owners;
+  const FollowersOfNodes of_nodes(system, *this, for_everyone);
+  for (std::size_t k = 0; k < of_nodes.size(); ++k) {
+    const Followers followers = of_nodes[k];
+    these.assign(followers.owners.begin(), followers.owners.end());
     these.insert(these.end(), followers.others.begin(), followers.others.end());
     const std::vector<int>& followed_by = followers.all ? every_rank : these;
     for (const int rank : followed_by) add_node(rank, followed_by);

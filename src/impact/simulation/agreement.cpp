@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/free_room.hpp"
 #include "base/index.hpp"
@@ -76,13 +77,17 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   return whole;
 }
 
-system::Partition Simulation::partition(int ranks) {
+system::ContactCosts Simulation::contact_costs(Ranks* ranks) {
+  system::ContactCosts contact;
+  components_.contacts.add_costs(state_.x, contact, ranks);
+  return contact;
+}
+
+system::Partition Simulation::partition(int ranks, const system::ContactCosts& contact) {
   std::vector<system::System::ElementLocation> read;
   components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
   std::vector<std::vector<system::System::ElementLocation>> of_one_rank;
   components_.elements_of_one_rank([&](auto list) { of_one_rank.push_back(std::move(list)); });
-  system::ContactCosts contact;
-  components_.contacts.add_costs(state_.x, contact);
   return {system_, ranks, read, contact, of_one_rank};
 }
 
@@ -159,14 +164,21 @@ system::System::Controlling Simulation::controlling_of_all() const {
   return all;
 }
 
-// Only the first rank cuts: the others need not know what contact costs everywhere.
+// Only the first rank cuts; what contact costs they all find out, each of a part.
 void Simulation::share_out(Ranks& ranks) {
   ranks_ = &ranks;
   traffic_before_ = ranks.traffic();
   cycle_before_ = state_.cycle;
   shared_out_at_ = elapsed();
-  system_.share_out(ranks, on_first_rank() ? partition(ranks.count()) : system::Partition(system_, ranks.count()),
-                    followed_by_all());
+  std::optional<system::Partition> shares;
+  {
+    const system::ContactCosts contact = contact_costs(&ranks);
+    if (on_first_rank())
+      shares.emplace(partition(ranks.count(), contact));
+    else
+      shares.emplace(system_, ranks.count());
+  }
+  system_.share_out(ranks, std::move(*shares), followed_by_all());
   for (system::Rows* rows : {&state_.v, &state_.w, &state_.f, &state_.m}) system_.share()->forget_others(*rows);
   // Here, where there is room for it.
   if (on_first_rank()) shares_ = system_.share()->partition().shares(system_, followed_by_all());

@@ -70,8 +70,10 @@ class Simulation {
   ComputedByAll computed_by_all() const;
   /// Nodes, by system number, that every rank follows: those, and all others that somebody looks at between results.
   std::vector<char> followed_by_all() const;
+  /// What contact costs at the start; `ranks`: all of them look, and the first one gets it. Null: this process looks.
+  system::ContactCosts contact_costs(Ranks* ranks);
   /// How so many ranks would share out the elements.
-  system::Partition partition(int ranks);
+  system::Partition partition(int ranks, const system::ContactCosts& contact);
 
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt(const char* by = "the user");
