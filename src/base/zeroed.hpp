@@ -53,28 +53,9 @@ struct Zeroed {
 template <class T>
 using ZeroedVector = std::vector<T, Zeroed<T>>;
 
-/// Values [begin, end) are 0 again, and pages that they fill take no room any more, until somebody writes them. `T` is
-/// plain data.
+/// Values [begin, end) are not asked for until they are written again: pages that they fill take no room any more.
 template <class T>
-void clear(ZeroedVector<T>& list, std::size_t begin, std::size_t end) {
-  if (begin >= end) return;
-  static const std::size_t page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-  auto* const first = reinterpret_cast<std::byte*>(list.data());
-  const bool by_pages = list.capacity() * sizeof(T) >= zeroed_by_pages;
-  const std::size_t size = end * sizeof(T), from = (begin * sizeof(T) + page - 1) / page * page, to = size / page * page;
-  if (!by_pages || from >= to) {
-    std::memset(first + begin * sizeof(T), 0, size - begin * sizeof(T));
-    return;
-  }
-  std::memset(first + begin * sizeof(T), 0, from - begin * sizeof(T));
-  ::madvise(first + from, to - from, MADV_DONTNEED);
-  std::memset(first + to, 0, size - to);
-}
-
-/// Values [begin, end) are not asked for until they are written again: pages that they fill take no room any more. `T`
-/// is plain data.
-template <class T, class Allocator>
-void forget(std::vector<T, Allocator>& list, std::size_t begin, std::size_t end) {
+void forget(ZeroedVector<T>& list, std::size_t begin, std::size_t end) {
   if (list.capacity() * sizeof(T) < zeroed_by_pages || begin >= end) return;
   static const std::size_t page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   auto* const first = reinterpret_cast<std::byte*>(list.data());

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "base/bvh.hpp"
+#include "base/cleared.hpp"
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
 #include "system/exchange.hpp"
@@ -116,7 +117,7 @@ void SurfaceContact::hold_share() {
   hold(joined(at_own_, segments_at(corner)));
   for (std::size_t i = 0, end; i < unused.size(); i = end) {
     for (end = i + 1; end < unused.size() && unused[end] == unused[end - 1] + 1;) ++end;
-    clear(nodes_, at(unused[i]), at(unused[end - 1]) + 1);
+    clear_range(nodes_, at(unused[i]), at(unused[end - 1]) + 1);
   }
 }
 
@@ -136,10 +137,10 @@ void SurfaceContact::hold(std::vector<int> segments) {
   around_ = NodeSegments(faces_, held_);
   std::size_t begin = 0;
   for (const int s : held_) {
-    clear(faces_, begin, at(s));
+    clear_range(faces_, begin, at(s));
     begin = at(s) + 1;
   }
-  clear(faces_, begin, faces_.size());
+  clear_range(faces_, begin, faces_.size());
 }
 
 /// Segments near the own blocks come from the ranks that follow their corners, which send all others boxes of their
@@ -183,8 +184,8 @@ std::vector<int> SurfaceContact::fetch_segments_near(const Step& step) {
   std::vector<std::vector<std::byte>> leaving(at(count)), arrived;
   for (int r = 0; r < count; ++r)
     for (const int number : given[r])
-      for (std::size_t i = at(number) * boxed_together;
-           i < std::min(boxed_.size(), (at(number) + 1) * boxed_together); ++i)
+      for (std::size_t i = at(number) * boxed_together; i < std::min(boxed_.size(), (at(number) + 1) * boxed_together);
+           ++i)
         append(leaving[r], boxed_[i], faces_[boxed_[i]]);
   system::exchange(ranks, leaving, arrived);
   const std::vector<int> near = take(arrived, faces_);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/cleared.hpp"
 #include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"

@@ -53,8 +53,7 @@ int FollowersOfNodes::with(int set, int rank) {
   return with_[{set, rank}] = number_of(std::move(more));
 }
 
-FollowersOfNodes::FollowersOfNodes(const System& system, const Partition& partition,
-                                   std::span<const char> for_everyone)
+FollowersOfNodes::FollowersOfNodes(const System& system, const Partition& partition, std::span<const char> for_everyone)
     : of_node_(system.nodes) {
   number_of({});
   const auto everyone_is_to = [&](int node) { return !for_everyone.empty() && for_everyone[node] != 0; };

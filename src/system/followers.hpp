@@ -52,8 +52,8 @@ class FollowersOfNodes {
   int with(int set, int rank);
 
   std::vector<OfNode> of_node_;
-  std::deque<std::vector<int>> sets_;         ///< the first one is empty
-  std::map<std::vector<int>, int> number_;    ///< of each
+  std::deque<std::vector<int>> sets_;        ///< the first one is empty
+  std::map<std::vector<int>, int> number_;   ///< of each
   std::map<std::pair<int, int>, int> with_;  ///< by set and rank
 };
 

@@ -183,8 +183,9 @@ std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findi
         return contact::part_of(whole, now, ranks->rank(), ranks->count(), room);
       };
       // Places in the mesh are those from before this contact.
-      divided.emplace(contact::DividedSurface{
-          *ranks, room, [&mesh, &card, part](std::span<const Row> now) { return part(contact_setup(mesh, card), now); }});
+      divided.emplace(contact::DividedSurface{*ranks, room, [&mesh, &card, part](std::span<const Row> now) {
+                                                return part(contact_setup(mesh, card), now);
+                                              }});
       setup = part(setup, rows);
     }
     treat(model, card, setup, rows, divided ? &*divided : nullptr, findings);
