@@ -111,9 +111,9 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.threads = threads();
   s.ranks = nvh::ranks();
   for (const impact::Simulation::RankReport& r : run.rank_reports())
-    s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.states), static_cast<long>(r.nodes),
-                      static_cast<long>(r.shared_nodes), static_cast<long>(r.neighbours), r.cost, r.contact, r.messages,
-                      r.bytes, r.busy, r.waiting, r.peak_memory});
+    s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.states), static_cast<long>(r.segments),
+                      static_cast<long>(r.nodes), static_cast<long>(r.shared_nodes), static_cast<long>(r.neighbours),
+                      r.cost, r.contact, r.messages, r.bytes, r.busy, r.waiting, r.peak_memory});
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);
@@ -492,7 +492,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   std::optional<impact::Simulation> simulation;
   // Faults of ties, of the system and of what acts in it are reported together.
   make_system(p, system, findings, elements_start(joined, from));
-  if (system) simulation.emplace(*system, findings);
+  if (system) simulation.emplace(*system, findings, p.model.implicit.after_run ? nullptr : &p.model);
   if (system) check_subcycling(*simulation, findings);
   if (system && p.model.control.single_precision) say_what_stays_double(*system, findings);
   std::string welds;  // of a deck that is refused, as `nugget check` reports them: all that is to be mended, at once
@@ -531,7 +531,10 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(fmt::format(" {}\n\n", crowded));
     fmt::print(stderr, "note: {}\n", crowded);
   }
-  if (!p.model.implicit.after_run) system->forget_start(p.model);
+  if (!p.model.implicit.after_run) {
+    system->forget_start(p.model);
+    free_room(p.audit);
+  }
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =
@@ -604,13 +607,15 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   free_room(p.welds);
   if (!p.has_text || analysis_of(p.model) != Analysis::explicit_dynamics || !p.is_tied) return ExitCode::normal;
   system::System system(p.model, p.ties, findings, {}, elements_start(joined, from));
-  impact::Simulation simulation(system, findings);
+  impact::Simulation simulation(system, findings, &p.model);
   std::string why;
   if (!joined.agree(ready(p, findings), why)) return ExitCode::normal;
   joined.use_threads(arguments.threads);
   system.forget_start(p.model);
+  free_room(p.model.nodes.x);  // for those who write
   interrupt_on_signals(0.0);
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles, .ranks = joined.ranks()};
+  options.shared_out = [&p] { free_room(p.ties.x); };
   if (from != nullptr) options.restore = [&] { (*from)(simulation); };
   class : public impact::Recorder {
     bool due(const system::State&) override { return false; }

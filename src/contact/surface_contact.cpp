@@ -30,7 +30,7 @@ double search_margin(const SurfaceContactSetup& setup, std::span<const Row> x) {
   return setup.margin > 0.0 ? setup.margin : 0.25 * mean_edge(setup.segments, x);
 }
 
-SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, std::vector<Segment>* given)
+SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, SurfaceContactSetup* given)
     : law_(setup.law),
       deepest_allowed_(setup.deepest),
       birth_(setup.birth),
@@ -61,15 +61,17 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     covers_ = covers_ || s.covered_by >= 0;
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
     faces_.push_back(face);
-    // So that there is no room for both at a time.
-    if (given != nullptr && i % given_together == 0) forget(*given, i - std::min(i, given_together), i);
+    // So that both take no room at a time.
+    if (given != nullptr && i % given_together == 0) forget(given->segments, i - std::min(i, given_together), i);
   }
-  if (given != nullptr) free_room(*given);
+  if (given != nullptr) free_room(given->segments);
 
   stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   nodes_.reserve(setup.nodes.size());
   std::vector<int> kinds;
-  for (const TrackedNode& t : setup.nodes) {
+  for (std::size_t i = 0; i < setup.nodes.size(); ++i) {
+    const TrackedNode& t = setup.nodes[i];
+    if (given != nullptr && i % given_together == 0) forget(given->nodes, i - std::min(i, given_together), i);
     const std::span<const int> around = around_.at(t.node);
     double sum = 0.0;
     kinds.clear();
@@ -90,6 +92,7 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     pressing_ |= t.against;
     if (t.stays_active) stays_active_[t.node] = 1;
   }
+  if (given != nullptr) free_room(given->nodes);
   looks_everywhere_ = law_.balances_friction;  // couples look at places of all corners
 
   const int tracked = static_cast<int>(nodes_.size());
@@ -590,8 +593,8 @@ void SurfaceContact::archive(Archive& a) {
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, blocks_, acts_);
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, excluded_,
           stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_, results_need_hits_,
-          share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, ghosts_,
-          answered_, out_, in_, hits_for_);
+          share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, by_share_,
+          held_, at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, out_, in_, hits_for_);
 }
 
 }  // namespace nugget::contact

@@ -130,8 +130,8 @@ class SurfaceContact {
 
   /// `x`: initial coordinates, for stiffness and search margin.
   SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x) : SurfaceContact(setup, x, nullptr) {}
-  /// Sets the segments of the setup free as soon as it has its own.
-  SurfaceContact(SurfaceContactSetup&& setup, std::span<const Row> x) : SurfaceContact(setup, x, &setup.segments) {}
+  /// Sets the segments and nodes of the setup free while it makes its own.
+  SurfaceContact(SurfaceContactSetup&& setup, std::span<const Row> x) : SurfaceContact(setup, x, &setup) {}
 
   /// Adds the contact forces at the end of a step to `force`, by node. Sign: forces that act on the nodes (an external
   /// force; the solver's a = (force - internal)/m).
@@ -141,6 +141,8 @@ class SurfaceContact {
   /// where there are none yet. A contact with a birth time costs nothing. `ranks`: all of them ask, each looks at some
   /// blocks, and the first one gets the costs; null: this process looks at all.
   void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks);
+  /// Over several ranks, before the first step that they share: who does what from now on. All ranks call it.
+  void take_share(const SharedNodes& shared);
   /// Over several ranks (Step::shared): what others need of the blocks of a rank and of the nodes for which it answers,
   /// for results or for all that is to come, on its way to another one.
   void carry(int rank, system::Carried what, system::Parcel& parcel);
@@ -188,6 +190,8 @@ class SurfaceContact {
   double deepest() const;                      ///< largest depth that counts in a force [length]
   long searches() const { return searches_; }  ///< how often the lists were made
   std::size_t listed() const;                  ///< pairs in the lists
+  /// Segments that this process holds: all, but for ranks that hold them by share.
+  std::size_t held() const { return by_share_ ? held_.size() : faces_.size(); }
 
   void archive(Archive& a);
 
@@ -286,8 +290,8 @@ class SurfaceContact {
   struct Block {
     int begin = 0, end = 0;                 // tracked nodes
     double asleep_until = 0.0;              // the first of `next_check_travel`
-    std::vector<int> first;                 // of the pairs of each node
-    std::vector<double> next_check_travel;  // of each node: the first of its pairs'
+    std::vector<int> first;                 // of the pairs of each node; empty before its first search
+    std::vector<double> next_check_travel;  // of each node: the first of its pairs'; empty likewise
     std::vector<double> deep;    // of each node: how deep it was inside in the cycle before, if it was; empty: none was
     std::vector<Pair> pairs;     // by node, then by segment
     std::vector<Touch> touches;  // of pairs, where Pair::touch says
@@ -308,8 +312,8 @@ class SurfaceContact {
     void clear_hits();
     void archive(Archive& a);
   };
-  /// `given`: null, or those of the setup.
-  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, std::vector<Segment>* given);
+  /// `given`: null, or the setup.
+  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, SurfaceContactSetup* given);
   static constexpr double side_change_cosine = 0.5;  // cosine from the side that is remembered, over an edge
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
   friend std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup&, std::span<const Row>);
@@ -329,7 +333,6 @@ class SurfaceContact {
     return 0.5 * (nodes_[tracked].thickness + faces_[segment].thickness);
   }
 
-  void take_share(const SharedNodes& shared);
   static void leave(Block& block);
   Box over_all_ranks(const Box& own) const;
   void list_followed_nodes();

@@ -130,6 +130,10 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
   const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
   std::vector<Pair>& listed = work.listed;
   listed.clear();
+  if (block.first.empty()) {
+    block.first.assign(at(block.end - block.begin + 1), 0);
+    block.next_check_travel.assign(at(block.end - block.begin), 0.0);
+  }
   int next_old = 0, end_of_group = block.begin;
   for (int t = block.begin; t < block.end; ++t) {
     const auto start = static_cast<std::ptrdiff_t>(listed.size());

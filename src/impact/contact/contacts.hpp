@@ -47,6 +47,10 @@ class Contacts {
   void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks) {
     for (contact::PenaltyContact& contact : contacts_) contact.add_costs(x, costs, ranks);
   }
+  /// Over several ranks: see contact::SurfaceContact::take_share.
+  void take_share(const contact::SharedNodes& shared) {
+    for (contact::PenaltyContact& contact : contacts_) contact.take_share(shared);
+  }
   /// Over several ranks: see contact::SurfaceContact::carry.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
     for (contact::PenaltyContact& contact : contacts_) contact.carry(of.rank, what, parcel);
