@@ -9,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "app/audit_table.hpp"
@@ -180,7 +181,8 @@ void interrupt_on_signals(double stop_after) {
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as
 /// far as that can still be done.
 impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directory, const RunArguments& arguments,
-                         output::RestartHead head, output::RestartReader* from, Ranks* ranks, Log& log) {
+                         output::RestartHead head, output::RestartReader* from, Ranks* ranks,
+                         const std::function<void()>& made, Log& log) {
   interrupt_on_signals(arguments.stop_after);
   ProgressDisplay display;
   StatusFile status(directory, arguments.deck);
@@ -199,6 +201,7 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
                                from == nullptr ? output::OpenMode::create : output::OpenMode::append});
     impact::Options options = options_of(arguments, head, directory, simulation, files, from);
     options.ranks = ranks;
+    options.made = made;
     options.sense_switches = [&] {
       const impact::SenseSwitches asked = take_sense_switch(directory);
       if (asked.report || asked.restart_file || asked.state) {
@@ -534,11 +537,16 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   if (!p.model.implicit.after_run) {
     system->forget_start(p.model);
     free_room(p.audit);
+    // Displacements of nodes, and areas of beams, count from there.
+    if (p.model.requests.history_nodes.empty() && p.model.requests.cross_sections.empty()) free_room(p.model.nodes.x);
   }
+  const auto made = [&p] {
+    if (!p.model.implicit.after_run) free_room(p.ties.x);
+  };
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =
-      simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, joined.ranks(), log);
+      simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, joined.ranks(), made, log);
 
   impact::add_weld_results(simulation->system(), simulation->components(), p.welds);
   output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
@@ -615,7 +623,7 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   free_room(p.model.nodes.x);  // for those who write
   interrupt_on_signals(0.0);
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles, .ranks = joined.ranks()};
-  options.shared_out = [&p] { free_room(p.ties.x); };
+  options.made = [&p] { free_room(p.ties.x); };
   if (from != nullptr) options.restore = [&] { (*from)(simulation); };
   class : public impact::Recorder {
     bool due(const system::State&) override { return false; }

@@ -165,7 +165,7 @@ system::System::Controlling Simulation::controlling_of_all() const {
 }
 
 // Only the first rank cuts; what contact costs they all find out, each of a part.
-void Simulation::share_out(Ranks& ranks, const std::function<void()>& shared_out) {
+void Simulation::share_out(Ranks& ranks, const std::function<void()>& made) {
   ranks_ = &ranks;
   traffic_before_ = ranks.traffic();
   cycle_before_ = state_.cycle;
@@ -180,7 +180,7 @@ void Simulation::share_out(Ranks& ranks, const std::function<void()>& shared_out
   }
   system_.share_out(ranks, std::move(*shares), followed_by_all());
   components_.contacts.take_share({*system_.share(), state_.x, state_.v});
-  if (shared_out) shared_out();
+  if (made) made();
   for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m})
     system_.share()->forget_others(*rows);
   // Here, where there is room for it.

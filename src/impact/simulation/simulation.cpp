@@ -145,11 +145,12 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   begin_ = timed_until_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
 
-  if (options.ranks != nullptr && !options.restore) share_out(*options.ranks, options.shared_out);
+  if (options.ranks != nullptr && !options.restore) share_out(*options.ranks, options.made);
+  if (options.ranks == nullptr && options.made) options.made();
   start();
   if (options.restore) {
     resume(options);
-    if (options.ranks != nullptr) share_out(*options.ranks, options.shared_out);  // anew, by what costs by now
+    if (options.ranks != nullptr) share_out(*options.ranks, options.made);  // anew, by what costs by now
   }
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
   if (ranks_ != nullptr) {

@@ -93,7 +93,7 @@ class Simulation {
   /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
   Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
   /// From now on several ranks compute the run together.
-  void share_out(Ranks& ranks, const std::function<void()>& shared_out);
+  void share_out(Ranks& ranks, const std::function<void()>& made);
   /// The element that controls the step.
   system::System::Controlling controlling_of_all() const;
   void report_ranks();
