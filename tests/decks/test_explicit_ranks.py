@@ -217,7 +217,7 @@ class ExplicitRanks(RepeatedRuns):
 
     def test_bricks_that_break_in_contact(self):
         """Initial penetrations are looked for by all ranks, each in a part of the surface, and removed (IGNORE = 0) or kept; faces come to light as bricks
-        are deleted. Sabotage: segments around those of a pair that do not come; a part without what lies around it."""
+        are deleted. Sabotage: segments that have come near and are not fetched."""
         for ignore in (0, 1):
             with self.subTest(ignore):
                 summary = self.compare_ranks(stacks_of_bricks(ignore=ignore), ranks=((2, 1), (3, 2), (7, 1)))

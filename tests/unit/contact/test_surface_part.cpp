@@ -81,8 +81,8 @@ void sort_by_node(Found& found) {
   std::ranges::stable_sort(found, {}, [](const auto& one) { return std::get<0>(one); });
 }
 
-// Overlaps of the parts of a surface are those of the whole, bit for bit. Sabotage: a part without the segments around
-// those within reach; reach without the bricks behind their faces.
+// Overlaps of the parts of a surface are those of the whole, bit for bit. Sabotage: a region smaller than that of its
+// nodes.
 TEST(SurfacePart, HasTheOverlapsOfTheWhole) {
   const Overlapping s = sheets_in_each_other();
   const Found all = in_order(s.setup, find_penetrations(s.setup, s.x));
