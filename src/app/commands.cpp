@@ -9,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "app/audit_table.hpp"
@@ -111,9 +112,9 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
   s.threads = threads();
   s.ranks = nvh::ranks();
   for (const impact::Simulation::RankReport& r : run.rank_reports())
-    s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.states), static_cast<long>(r.nodes),
-                      static_cast<long>(r.shared_nodes), static_cast<long>(r.neighbours), r.cost, r.contact, r.messages,
-                      r.bytes, r.busy, r.waiting, r.peak_memory});
+    s.rank.push_back({static_cast<long>(r.elements), static_cast<long>(r.states), static_cast<long>(r.segments),
+                      static_cast<long>(r.nodes), static_cast<long>(r.shared_nodes), static_cast<long>(r.neighbours),
+                      r.cost, r.contact, r.messages, r.bytes, r.busy, r.waiting, r.peak_memory});
   s.lanes = system::elements_at_a_time();
   s.precision = system.model.control.single_precision ? "single" : "double";
   s.elements_by_precision = elements_by_precision(system);
@@ -180,7 +181,8 @@ void interrupt_on_signals(double stop_after) {
 /// Runs with results, progress and the keyboard's interrupt. A result that cannot be written is reported in run.log, as
 /// far as that can still be done.
 impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directory, const RunArguments& arguments,
-                         output::RestartHead head, output::RestartReader* from, Ranks* ranks, Log& log) {
+                         output::RestartHead head, output::RestartReader* from, Ranks* ranks,
+                         const std::function<void()>& made, Log& log) {
   interrupt_on_signals(arguments.stop_after);
   ProgressDisplay display;
   StatusFile status(directory, arguments.deck);
@@ -199,6 +201,7 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
                                from == nullptr ? output::OpenMode::create : output::OpenMode::append});
     impact::Options options = options_of(arguments, head, directory, simulation, files, from);
     options.ranks = ranks;
+    options.made = made;
     options.sense_switches = [&] {
       const impact::SenseSwitches asked = take_sense_switch(directory);
       if (asked.report || asked.restart_file || asked.state) {
@@ -469,6 +472,14 @@ JoinedRun::Ready ready(const PreparedDeck& p, const Findings& findings) {
   return {findings.errors() == 0, p.deck_checksum, output::checksum_of_program(), system::elements_at_a_time()};
 }
 
+/// Ranks of an explicit run work together from the moment on when they have read their decks.
+WorkTogether together(JoinedRun& joined, const Findings& findings) {
+  return [&joined, &findings](const PreparedDeck& read, const std::function<void(Ranks*)>& work) {
+    if (joined.ranks() == nullptr || analysis_of(read.model) != Analysis::explicit_dynamics) return work(nullptr);
+    joined.work_together(ready(read, findings), work);
+  };
+}
+
 /// Several ranks give elements their states when they have been shared out; those of a restart file are read whole.
 system::System::ElementsStart elements_start(const JoinedRun& joined, const output::RestartReader* from) {
   using Start = system::System::ElementsStart;
@@ -484,7 +495,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   std::optional<impact::Simulation> simulation;
   // Faults of ties, of the system and of what acts in it are reported together.
   make_system(p, system, findings, elements_start(joined, from));
-  if (system) simulation.emplace(*system, findings);
+  if (system) simulation.emplace(*system, findings, p.model.implicit.after_run ? nullptr : &p.model);
   if (system) check_subcycling(*simulation, findings);
   if (system && p.model.control.single_precision) say_what_stays_double(*system, findings);
   std::string welds;  // of a deck that is refused, as `nugget check` reports them: all that is to be mended, at once
@@ -523,11 +534,19 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(fmt::format(" {}\n\n", crowded));
     fmt::print(stderr, "note: {}\n", crowded);
   }
-  if (!p.model.implicit.after_run) system->forget_start(p.model);
+  if (!p.model.implicit.after_run) {
+    system->forget_start(p.model);
+    free_room(p.audit);
+    // Displacements of nodes, and areas of beams, count from there.
+    if (p.model.requests.history_nodes.empty() && p.model.requests.cross_sections.empty()) free_room(p.model.nodes.x);
+  }
+  const auto made = [&p] {
+    if (!p.model.implicit.after_run) free_room(p.ties.x);
+  };
   const double setup_seconds = p.penetration_seconds + p.tie_seconds + p.audit_seconds + clock.seconds();
 
   const impact::Outcome outcome =
-      simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, joined.ranks(), log);
+      simulate(*simulation, directory, arguments, head_of(arguments, p.deck_checksum), from, joined.ranks(), made, log);
 
   impact::add_weld_results(simulation->system(), simulation->components(), p.welds);
   output::Summary summary = summarise(arguments, *simulation, outcome, p, setup_seconds);
@@ -558,7 +577,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   give_large_arrays_back();
   JoinedRun joined(arguments.over_ranks ? rank_team() : nullptr, arguments.load_case);
   Findings findings;
-  PreparedDeck p = prepare(arguments, findings);
+  PreparedDeck p = prepare(arguments, findings, EndTime::needed, together(joined, findings));
   if (!p.has_text) return refuse_missing(findings);
   warn_of_response_in_explicit_run(p.model, findings);
   const Analysis analysis = analysis_of(p.model);
@@ -591,18 +610,20 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   give_large_arrays_back();
   JoinedRun joined(rank_team(), arguments.load_case);
   Findings findings;
-  PreparedDeck p = prepare(arguments, findings);
+  PreparedDeck p = prepare(arguments, findings, EndTime::needed, together(joined, findings));
   free_room(p.audit);  // for those who write
   free_room(p.welds);
   if (!p.has_text || analysis_of(p.model) != Analysis::explicit_dynamics || !p.is_tied) return ExitCode::normal;
   system::System system(p.model, p.ties, findings, {}, elements_start(joined, from));
-  impact::Simulation simulation(system, findings);
+  impact::Simulation simulation(system, findings, &p.model);
   std::string why;
   if (!joined.agree(ready(p, findings), why)) return ExitCode::normal;
   joined.use_threads(arguments.threads);
   system.forget_start(p.model);
+  free_room(p.model.nodes.x);  // for those who write
   interrupt_on_signals(0.0);
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles, .ranks = joined.ranks()};
+  options.made = [&p] { free_room(p.ties.x); };
   if (from != nullptr) options.restore = [&] { (*from)(simulation); };
   class : public impact::Recorder {
     bool due(const system::State&) override { return false; }

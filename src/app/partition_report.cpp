@@ -52,7 +52,7 @@ void write_picture(const std::filesystem::path& path, const system::System& syst
 
 std::string report_partition(const std::filesystem::path& directory, impact::Simulation& run, int ranks) {
   const system::System& system = run.system();
-  const system::Partition partition = run.partition(ranks);
+  const system::Partition partition = run.partition(ranks, run.contact_costs(nullptr));
   std::string s =
       fmt::format("Elements on {} ranks (partition.vtu shows them)\n\n", ranks) + log_computed_by_all(run, partition);
   if (const std::size_t all = partition.elements_of_everyone(system); all > 0)

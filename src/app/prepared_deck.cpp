@@ -133,7 +133,8 @@ void check_end_time(const model::Model& model, Findings& findings) {
 
 }  // namespace
 
-PreparedDeck prepare(const RunArguments& arguments, Findings& findings, EndTime end_time) {
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings, EndTime end_time,
+                     const WorkTogether& together) {
   PreparedDeck p;
   Clock clock;
   std::optional<deck::Deck> text = deck::read(arguments.deck, findings, arguments.load_case);
@@ -165,7 +166,12 @@ PreparedDeck prepare(const RunArguments& arguments, Findings& findings, EndTime 
     findings.error({p.model.deck, 0, 0}, "", "there are no nodes: nothing can move",
                    "include the mesh; a run that was interrupted goes on with --resume, without a deck of its own");
   if (findings.errors() > 0) return p;
-  std::vector<Vec3d> x = impact::resolve_initial_penetrations(p.model, findings);
+  std::vector<Vec3d> x;
+  const auto resolve = [&](Ranks* ranks) { x = impact::resolve_initial_penetrations(p.model, findings, ranks); };
+  if (together)
+    together(p, resolve);
+  else
+    resolve(nullptr);
   p.penetration_seconds = clock.seconds();
   tie_and_audit(p, std::move(x), findings);
   if (!arguments.drop_weld.empty() && !drops_each(arguments.drop_weld)) drop_welds(p, arguments.drop_weld, findings);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "base/finding.hpp"
+#include "base/ranks.hpp"
 #include "output/summary.hpp"
 #include "weld/audit/audit.hpp"
 #include "weld/tie/ties.hpp"
@@ -30,9 +32,13 @@ struct PreparedDeck {
 /// deck asks for.
 enum class EndTime { needed, not_needed };
 
+/// Calls `work`, which ranks can do together, with them, or with null where there is but one, once the deck is read.
+using WorkTogether = std::function<void(const PreparedDeck& read, const std::function<void(Ranks*)>& work)>;
+
 /// Reads, checks, resolves initial penetrations, ties and audits, the same for a check, a run and linear analyses.
-/// Findings hold what was wrong; after errors nothing is tied.
-PreparedDeck prepare(const RunArguments& arguments, Findings& findings, EndTime end_time = EndTime::needed);
+/// Findings hold what was wrong; after errors nothing is tied. `together`: null where there is one process.
+PreparedDeck prepare(const RunArguments& arguments, Findings& findings, EndTime end_time = EndTime::needed,
+                     const WorkTogether& together = nullptr);
 
 /// Warns where the deck asks for a frequency response and for an explicit run, in which there is none; `nugget frf`
 /// computes it all the same.

@@ -49,7 +49,20 @@ void JoinedRun::decline() {
   if (team_ != nullptr && !agreed_) agree({}, why);
 }
 
+void JoinedRun::work_together(const Ready& own, const std::function<void(Ranks*)>& work) {
+  if (team_ == nullptr) return work(nullptr);
+  refused_ = !agree(own, why_refused_);
+  if (refused_) return work(nullptr);
+  // Left by an exception in here, others wait for messages: no agreement would reach them.
+  work(team_->ranks);
+  agreed_ = begun_ = false;
+}
+
 bool JoinedRun::agree(const Ready& own, std::string& why) {
+  if (refused_) {
+    why = why_refused_;
+    return false;
+  }
   agreed_ = true;
   if (team_ == nullptr) return begun_ = own.willing;
   const std::vector<Ready> all = gather(*team_->ranks, own);

@@ -42,6 +42,10 @@ class JoinedRun {
   };
   /// Whether the run begins; all get the same answer. `why`: what differs between ranks, if that is the reason.
   bool agree(const Ready& own, std::string& why);
+  /// Before that: calls `work` with the ranks where all of them are ready for it, and it is work that they do
+  /// together; else with null, to be done by each alone, and then the run does not begin. In a process of its own with
+  /// null as well.
+  void work_together(const Ready& own, const std::function<void(Ranks*)>& work);
   /// Threads of each rank from here on: what was asked for; else this machine's cores over its ranks, as far as mpirun
   /// has not bound this one to fewer. What to say of it: empty where there are cores enough.
   std::string use_threads(int asked) const;
@@ -52,7 +56,8 @@ class JoinedRun {
 
  private:
   RankTeam* team_;
-  bool agreed_ = false, begun_ = false;
+  bool agreed_ = false, begun_ = false, refused_ = false;
+  std::string why_refused_;
   int exceptions_;
 };
 

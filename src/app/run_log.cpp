@@ -254,8 +254,9 @@ std::string log_computed_by_all(const impact::Simulation& run, const system::Par
   if (whole.every_node)
     return fmt::format(" elements are shared out; every rank moves all nodes and computes whole: {}\n\n",
                        fmt::join(whole.names, ", "));
-  const auto of_all = std::ranges::count(system::followers_of_nodes(run.system(), partition, run.followed_by_all()),
-                                         true, &system::Followers::all);
+  const system::FollowersOfNodes of_nodes(run.system(), partition, run.followed_by_all());
+  std::size_t of_all = 0;
+  for (std::size_t k = 0; k < of_nodes.size(); ++k) of_all += of_nodes[k].all;
   return fmt::format(" elements and nodes are shared out; every rank computes whole, and moves {} nodes for it: {}\n\n",
                      of_all, fmt::join(whole.names, ", "));
 }

@@ -23,7 +23,11 @@ class PenaltyContact {
   /// See SurfaceContact::apply.
   void apply(const Step& step, std::span<Row> force);
   /// See SurfaceContact::add_costs.
-  void add_costs(std::span<const Row> x, system::ContactCosts& costs) { surface_.add_costs(x, costs); }
+  void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks) {
+    surface_.add_costs(x, costs, ranks);
+  }
+  /// See SurfaceContact::take_share.
+  void take_share(const SharedNodes& shared) { surface_.take_share(shared); }
   /// See SurfaceContact::carry.
   void carry(int rank, system::Carried what, system::Parcel& parcel) { surface_.carry(rank, what, parcel); }
   /// See SurfaceContact::keep_hits_for_results.

@@ -3,7 +3,9 @@
 // follows, at places that other ranks send where it follows not, and sends hits to the ranks that add up the forces on
 // their nodes.
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <utility>
 
 #include "base/free_room.hpp"
 #include "contact/surface_contact.hpp"
@@ -18,6 +20,12 @@ namespace {
 /// Before the hits of a block in a message.
 struct BlockHead {
   int block = 0, hits = 0;
+};
+
+/// What a node costs in contact.
+struct Cost {
+  int node = 0;
+  double value = 0.0;
 };
 
 void append(std::vector<std::byte>& data, const void* from, std::size_t size) {
@@ -69,6 +77,7 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
   }
   forces_.leave_out(std::move(left_out));
   list_followed_nodes();
+  hold_share();
   if (searched_) ask_for_ghosts();
 }
 
@@ -105,42 +114,69 @@ void SurfaceContact::ask_for_ghosts() {
     for (const Pair& pair : block.pairs) std::ranges::for_each(faces_[pair.segment].node, look_at);
   }
   std::vector<char> wanted = corner;
-  for (const Face& face : faces_)
+  const auto look_around = [&](const Face& face) {
     if (std::ranges::any_of(face.node, [&](int n) { return corner[forces_.place(n)] != 0; }))
       for (const int n : face.node) wanted[forces_.place(n)] = 1;
+  };
+  for (const int s : held_) look_around(faces_[s]);
+  for (std::size_t s = 0; !by_share_ && s < faces_.size(); ++s) look_around(faces_[s]);
   std::vector<int> nodes;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (wanted[i] != 0) nodes.push_back(forces_.nodes()[i]);
   ghosts_.ask_for(*share_, std::move(nodes));
 }
 
-void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& costs) {
+/// Over several ranks each looks at as many blocks in a row; they follow each other along a curve through space.
+void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks) {
   constexpr double awake = 8.0, node = 1.0;
   if (faces_.empty() || birth_ > 0.0) return;
+  const bool made_for_this = !searched_, together = made_for_this && ranks != nullptr;
+  if (ranks != nullptr && !together && ranks->rank() != 0) return;  // the first one has all
   costs.of_node.resize(x.size());
-  const bool made_for_this = !searched_;
-  if (made_for_this) {
-    Step step;
-    step.x = x;
-    search(step);
+  if (together) {
+    rank_ = ranks->rank();
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      rank_of_block_.push_back(static_cast<int>(b * at(ranks->count()) / blocks_.size()));
   }
+  if (made_for_this) list_all(x, {});
   const auto is_awake_at = [&](int t, const Pair& pair) {
     if (!made_for_this) return pair.next_check_travel <= travelled_;
     const kernel::Corners corners = corners_of(faces_[pair.segment], x);
     return kernel::least_distance(corners, vec(x[at(nodes_[t].node)])) <= contact_distance(t, pair.segment);
   };
-  for (const Block& block : blocks_)
-    for (int t = block.begin; t < block.end; ++t) {
-      double& cost = costs.of_node[at(nodes_[t].node)];
-      cost += node;
+  std::vector<std::vector<Cost>> of_nodes(together ? at(ranks->count()) : 1);
+  std::vector<std::vector<std::array<int, 2>>> pairs(of_nodes.size());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& block = blocks_[b];
+    for (int t = block.begin; computes(b) && t < block.end; ++t) {
+      Cost& cost = of_nodes[0].emplace_back(Cost{nodes_[t].node, node});
       for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
         const Pair& pair = block.pairs[i];
         const bool is_awake = is_awake_at(t, pair);
-        cost += is_awake ? awake : 1.0;
-        if (is_awake) costs.together.push_back({nodes_[t].node, faces_[pair.segment].node[0]});
+        cost.value += is_awake ? awake : 1.0;
+        if (is_awake) pairs[0].push_back({nodes_[t].node, faces_[pair.segment].node[0]});
       }
     }
+  }
+  const auto add = [&](int from) {
+    for (const Cost& cost : of_nodes[from]) costs.of_node[at(cost.node)] += cost.value;
+    costs.together.insert(costs.together.end(), pairs[from].begin(), pairs[from].end());
+  };
   if (made_for_this) forget_lists();
+  if (!together || rank_ == 0) add(0);
+  if (!together) return;
+  if (rank_ == 0) {  // a message to itself there is none
+    free_room(of_nodes[0]);
+    free_room(pairs[0]);
+  }
+  std::vector<std::vector<Cost>> costs_of_others;
+  std::vector<std::vector<std::array<int, 2>>> pairs_of_others;
+  system::exchange(*ranks, of_nodes, costs_of_others);
+  system::exchange(*ranks, pairs, pairs_of_others);
+  of_nodes = std::move(costs_of_others);
+  pairs = std::move(pairs_of_others);
+  for (int r = 1; rank_ == 0 && r < ranks->count(); ++r) add(r);
+  rank_of_block_.clear();
 }
 
 /// As before the first search.

@@ -87,6 +87,23 @@ class NodeSegments {
  public:
   NodeSegments() = default;
   explicit NodeSegments(const std::vector<Segment>& segments);
+  /// Those of `all`, which are Facets, whose numbers are in `which`, rising.
+  template <class Facets>
+  NodeSegments(const Facets& all, std::span<const int> which) {
+    int highest = -1;
+    const auto each_corner = [&](const auto& visit) {
+      for (const int s : which)
+        for (int c = 0; c < all[s].corners(); ++c) visit(all[s].node[c], s);
+    };
+    each_corner([&](int n, int) { highest = n > highest ? n : highest; });
+    first_.assign(static_cast<std::size_t>(highest + 3), 0);
+    // Counted two places on, so that in the end each place holds where its node's segments begin.
+    each_corner([&](int n, int) { ++first_[n + 2]; });
+    for (std::size_t n = 1; n < first_.size(); ++n) first_[n] += first_[n - 1];
+    segment_.resize(static_cast<std::size_t>(first_.back()));
+    each_corner([&](int n, int s) { segment_[first_[n + 1]++] = s; });
+    first_.pop_back();
+  }
   /// Segments at `node`, ascending.
   std::span<const int> at(int node) const {
     if (node + 1 >= static_cast<int>(first_.size())) return {};

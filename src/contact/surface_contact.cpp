@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/cleared.hpp"
 #include "base/free_room.hpp"
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -25,18 +26,27 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
 
 }  // namespace
 
-SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, std::vector<Segment>* given)
+double search_margin(const SurfaceContactSetup& setup, std::span<const Row> x) {
+  return setup.margin > 0.0 ? setup.margin : 0.25 * mean_edge(setup.segments, x);
+}
+
+SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, SurfaceContactSetup* given)
     : law_(setup.law),
       deepest_allowed_(setup.deepest),
       birth_(setup.birth),
       death_(setup.death),
       edges_meet_(setup.edges_meet),
       around_(setup.segments),
+      thickest_segment_(setup.thickest),
       forces_(surface_nodes(setup), setup.law.friction.any()),
       sources_(forces_.parts()) {
   const bool by_segment_masses = law_.stiffness == kernel::PenaltyStiffness::segment_masses;
+  assign_sides(forces_, around_, setup.segments);
+  margin_ = search_margin(setup, x);
+  constexpr std::size_t given_together = 4096;
   faces_.reserve(setup.segments.size());
-  for (const Segment& s : setup.segments) {
+  for (std::size_t i = 0; i < setup.segments.size(); ++i) {
+    const Segment& s = setup.segments[i];
     Face face{s};
     face.thickness = s.thickness;
     face.stiffness = setup.stiffness_scale * (by_segment_masses ? s.scale : penalty_stiffness(s, x));
@@ -49,18 +59,19 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     face.side = static_cast<unsigned char>(s.side);
     face.of_brick = s.volume > 0.0;
     covers_ = covers_ || s.covered_by >= 0;
-    faces_.push_back(face);
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
+    faces_.push_back(face);
+    // So that both take no room at a time.
+    if (given != nullptr && i % given_together == 0) forget(given->segments, i - std::min(i, given_together), i);
   }
-  assign_sides(forces_, around_, setup.segments);
-  // A quarter of an element: few pairs are listed in vain, and a search lasts some hundred cycles at crash speeds.
-  margin_ = 0.25 * mean_edge(setup.segments, x);
-  if (given != nullptr) free_room(*given);
+  if (given != nullptr) free_room(given->segments);
 
   stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   nodes_.reserve(setup.nodes.size());
   std::vector<int> kinds;
-  for (const TrackedNode& t : setup.nodes) {
+  for (std::size_t i = 0; i < setup.nodes.size(); ++i) {
+    const TrackedNode& t = setup.nodes[i];
+    if (given != nullptr && i % given_together == 0) forget(given->nodes, i - std::min(i, given_together), i);
     const std::span<const int> around = around_.at(t.node);
     double sum = 0.0;
     kinds.clear();
@@ -81,6 +92,7 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     pressing_ |= t.against;
     if (t.stays_active) stays_active_[t.node] = 1;
   }
+  if (given != nullptr) free_room(given->nodes);
   looks_everywhere_ = law_.balances_friction;  // couples look at places of all corners
 
   const int tracked = static_cast<int>(nodes_.size());
@@ -581,8 +593,8 @@ void SurfaceContact::archive(Archive& a) {
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, blocks_, acts_);
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, excluded_,
           stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_, results_need_hits_,
-          share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, ghosts_,
-          answered_, out_, in_, hits_for_);
+          share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, by_share_,
+          held_, at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, out_, in_, hits_for_);
 }
 
 }  // namespace nugget::contact

@@ -24,6 +24,8 @@ struct ContactCosts;
 
 namespace nugget::contact {
 
+struct DividedSurface;  // surface_part.hpp
+
 /// What a penalty *CONTACT says, on plain arrays. Node numbers are positions in the arrays of `apply`. In a single
 /// surface contact all is of side 1 and against side 1; of two sides, each node is against the segments of the other.
 struct SurfaceContactSetup {
@@ -36,7 +38,14 @@ struct SurfaceContactSetup {
   double deepest = 0.0;          ///< PENMAX: a node deeper than so many thicknesses is released; 0: none
   bool edges_meet = false;       ///< an EdgeContact presses the free edges of shells apart
   double birth = 0.0, death = 1e20;
+  // Of the surface that this is a part of (part_of); of a whole one they follow from the segments.
+  double margin = 0.0;    ///< of its search, see search_margin() [length]
+  double thickest = 0.0;  ///< contact thickness of its thickest segment [length]
 };
+
+/// By how much more than the contact distance segments are looked for around a node, with the nodes at `x`: a quarter
+/// of an element, so that few pairs are listed in vain and a search lasts some hundred cycles at crash speeds [length].
+double search_margin(const SurfaceContactSetup& setup, std::span<const Row> x);
 
 /// A tracked node that stands in the thickness of a segment.
 struct Penetration {
@@ -56,8 +65,9 @@ std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup& setu
 /// IGNORE = 0: moves tracked nodes out of the segments that they penetrate, in passes of half the depth each (the other
 /// half is done by the nodes of the other side, or by the next pass), until none is deeper than 1e-3 of the thickness
 /// or `passes` are done. Returns what find_penetrations() found before; what is still left the contact keeps as an
-/// offset.
-std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, std::span<Row> x, int passes = 20);
+/// offset. `divided`: all ranks do it together, the setup is the part of this one, and nodes move in the `x` of all.
+std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, std::span<Row> x, int passes = 20,
+                                             const DividedSurface* divided = nullptr);
 
 /// Penalty contact of a surface with itself, or of two surfaces with each other.
 ///
@@ -120,16 +130,19 @@ class SurfaceContact {
 
   /// `x`: initial coordinates, for stiffness and search margin.
   SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x) : SurfaceContact(setup, x, nullptr) {}
-  /// Sets the segments of the setup free as soon as it has its own.
-  SurfaceContact(SurfaceContactSetup&& setup, std::span<const Row> x) : SurfaceContact(setup, x, &setup.segments) {}
+  /// Sets the segments and nodes of the setup free while it makes its own.
+  SurfaceContact(SurfaceContactSetup&& setup, std::span<const Row> x) : SurfaceContact(setup, x, &setup) {}
 
   /// Adds the contact forces at the end of a step to `force`, by node. Sign: forces that act on the nodes (an external
   /// force; the solver's a = (force - internal)/m).
   void apply(const Step& step, std::span<Row> force);
 
   /// Adds about what each node costs in a cycle, in pairs that rest; by the lists, which are made at the places `x`
-  /// where there are none yet. A contact with a birth time costs nothing.
-  void add_costs(std::span<const Row> x, system::ContactCosts& costs);
+  /// where there are none yet. A contact with a birth time costs nothing. `ranks`: all of them ask, each looks at some
+  /// blocks, and the first one gets the costs; null: this process looks at all.
+  void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks);
+  /// Over several ranks, before the first step that they share: who does what from now on. All ranks call it.
+  void take_share(const SharedNodes& shared);
   /// Over several ranks (Step::shared): what others need of the blocks of a rank and of the nodes for which it answers,
   /// for results or for all that is to come, on its way to another one.
   void carry(int rank, system::Carried what, system::Parcel& parcel);
@@ -177,6 +190,8 @@ class SurfaceContact {
   double deepest() const;                      ///< largest depth that counts in a force [length]
   long searches() const { return searches_; }  ///< how often the lists were made
   std::size_t listed() const;                  ///< pairs in the lists
+  /// Segments that this process holds: all, but for ranks that hold them by share.
+  std::size_t held() const { return by_share_ ? held_.size() : faces_.size(); }
 
   void archive(Archive& a);
 
@@ -275,8 +290,8 @@ class SurfaceContact {
   struct Block {
     int begin = 0, end = 0;                 // tracked nodes
     double asleep_until = 0.0;              // the first of `next_check_travel`
-    std::vector<int> first;                 // of the pairs of each node
-    std::vector<double> next_check_travel;  // of each node: the first of its pairs'
+    std::vector<int> first;                 // of the pairs of each node; empty before its first search
+    std::vector<double> next_check_travel;  // of each node: the first of its pairs'; empty likewise
     std::vector<double> deep;    // of each node: how deep it was inside in the cycle before, if it was; empty: none was
     std::vector<Pair> pairs;     // by node, then by segment
     std::vector<Touch> touches;  // of pairs, where Pair::touch says
@@ -297,12 +312,13 @@ class SurfaceContact {
     void clear_hits();
     void archive(Archive& a);
   };
-  /// `given`: null, or those of the setup.
-  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, std::vector<Segment>* given);
+  /// `given`: null, or the setup.
+  SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x, SurfaceContactSetup* given);
   static constexpr double side_change_cosine = 0.5;  // cosine from the side that is remembered, over an edge
   friend std::vector<Penetration> find_penetrations(const SurfaceContactSetup&, std::span<const Row>);
   friend std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup&, std::span<const Row>);
-  friend std::vector<Penetration> remove_penetrations(const SurfaceContactSetup&, std::span<Row>, int);
+  friend std::vector<Penetration> remove_penetrations(const SurfaceContactSetup&, std::span<Row>, int,
+                                                      const DividedSurface*);
   std::vector<Penetration> penetrations(std::span<const Row> x);
   void find_overlaps(Block& block, const Step& step, std::vector<Penetration>& found) const;
 
@@ -317,10 +333,16 @@ class SurfaceContact {
     return 0.5 * (nodes_[tracked].thickness + faces_[segment].thickness);
   }
 
-  void take_share(const SharedNodes& shared);
   static void leave(Block& block);
   Box over_all_ranks(const Box& own) const;
   void list_followed_nodes();
+  void hold_share();
+  std::vector<int> segments_at(std::span<const char> marked) const;
+  void hold(std::vector<int> segments);
+  void list_active_nodes(const Step& step);
+  std::vector<int> fetch_segments_near(const Step& step);
+  void hold_segments_of_pairs();
+  void list_all(std::span<const Row> x, std::span<const unsigned char> element_alive);
   /// Coordinates of active_nodes_, over several ranks of those that this one follows.
   ZeroedVector<Vec3d> places_of_active_nodes(std::span<const Row> x) const;
   void ask_for_ghosts();
@@ -397,8 +419,10 @@ class SurfaceContact {
   kernel::PenaltyLaw law_;
   double deepest_allowed_ = 0.0, birth_ = 0.0, death_ = 0.0;
   bool edges_meet_ = false, covers_ = false;  // covers_: deleted elements expose segments
-  std::vector<Face> faces_;                   // the segments
-  std::vector<Tracked> nodes_;                // the tracked nodes
+  // The segments and the tracked nodes. Over several ranks `hold_share` leaves those to others that this one does not
+  // look at: their side, and what they are against, may then be 0, and the rest as well.
+  ZeroedVector<Face> faces_;
+  ZeroedVector<Tracked> nodes_;
   NodeSegments around_;
   const std::vector<unsigned char>* excluded_ = nullptr;
   std::vector<char> stays_active_;  // by node: TrackedNode::stays_active
@@ -430,6 +454,11 @@ class SurfaceContact {
   std::vector<char> at_border_;   // by block: some of its pairs touch such nodes
   std::vector<int> arrived_;      // blocks whose hits in this cycle came from others, rising
   std::vector<int> followed_;     // places in active_nodes_ of nodes that this rank follows
+  bool by_share_ = false;         // segments and tracked nodes are held by share
+  std::vector<int> held_;         // then: segments that are here, rising
+  std::vector<int> at_own_;       // of them those at nodes whose forces this rank adds up, and at those of its blocks
+  std::vector<int> boxed_;        // of them those whose boxes it makes for all
+  system::GhostNodes tracked_ghosts_;  // tracked nodes of its blocks
   system::GhostNodes ghosts_;
   std::vector<std::vector<int>> answered_;        // by rank: places in forces_ of the nodes for which it answers
   std::vector<std::vector<std::byte>> out_, in_;  // hits for, and of, each rank; they keep their room

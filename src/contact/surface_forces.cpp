@@ -27,12 +27,14 @@ void SurfaceContact::share_out(Block& block, std::vector<Share>& shares) const {
   shares.clear();
   for (std::size_t h = 0; h < block.hits.size(); ++h) {
     const Face& face = faces_[block.hits[h].segment];
+    const Tracked& tracked = nodes_[block.hits[h].tracked];
     const auto add = [&](int node, signed char corner) {
       const int place = forces_.place(node);
       if (!forces_.left_out(place)) shares.push_back({place, static_cast<int>(h), corner});
     };
-    add(nodes_[block.hits[h].tracked].node, Share::the_node);
-    for (int c = 0; c < face.corners(); ++c) add(face.node[c], static_cast<signed char>(c));
+    // What is not held here has no node whose forces this rank adds up.
+    if (tracked.against != 0) add(tracked.node, Share::the_node);
+    for (int c = 0; face.side != 0 && c < face.corners(); ++c) add(face.node[c], static_cast<signed char>(c));
   }
   const auto shares_of = [&block](const Share& share) -> Shares& {
     const int part = share.place / NodalForces::part_size;

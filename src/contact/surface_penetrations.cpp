@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/surface_contact.hpp"
+#include "contact/surface_part.hpp"
 #include "contact/surface_work.hpp"
 
 namespace nugget::contact {
@@ -82,13 +83,21 @@ std::vector<Penetration> find_nodes_out_of_reach(const SurfaceContactSetup& setu
   return found;
 }
 
-std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, std::span<Row> x, int passes) {
+std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, std::span<Row> x, int passes,
+                                             const DividedSurface* divided) {
+  struct Way {
+    Vec3d step;
+    int node = 0;
+  };
+  SurfaceContactSetup again;  // the part of this rank, once the nodes have moved far
+  const SurfaceContactSetup* now = &setup;
   std::optional<SurfaceContact> contact(std::in_place, setup, x);
   const bool bricks = any_bricks(setup);
   const std::vector<Penetration> before = contact->penetrations(x);
   std::vector<Penetration> left = before;
+  double moved = 0.0;  // since the surface was divided, at most
   for (int pass = 0; pass < passes; ++pass) {
-    bool moved = false;
+    std::vector<Way> ways;
     for (auto first = left.begin(); first != left.end();) {
       const auto of_other = [node = first->node](const Penetration& p) { return p.node != node; };
       const auto end = std::find_if(first, left.end(), of_other);
@@ -96,12 +105,25 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
       const Penetration& deepest =
           *std::max_element(first, end, [](const Penetration& a, const Penetration& b) { return a.depth < b.depth; });
       first = end;
-      if (deepest.depth <= 1e-3 * setup.segments[deepest.segment].thickness) continue;
-      add(x[deepest.node], 0.5 * deepest.depth * deepest.direction);
-      moved = true;
+      if (deepest.depth <= 1e-3 * now->segments[deepest.segment].thickness) continue;
+      ways.push_back({0.5 * deepest.depth * deepest.direction, deepest.node});
     }
-    if (!moved) break;
-    if (bricks) contact.emplace(setup, x);  // they have become more or less deep
+    if (divided != nullptr) ways = gather_lists(divided->ranks, ways);
+    if (ways.empty()) break;
+    double farthest = 0.0;
+    for (const Way& way : ways) {
+      add(x[way.node], way.step);
+      farthest = std::max(farthest, norm(way.step));
+    }
+    moved += farthest;
+    if (divided != nullptr && (bricks || moved > divided->room)) {
+      again = divided->part(x);
+      now = &again;
+      contact.emplace(again, x);
+      moved = 0.0;
+    } else if (bricks) {
+      contact.emplace(setup, x);  // they have become more or less deep
+    }
     left = contact->penetrations(x);
   }
   return before;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which segments are near a node.
 #include <algorithm>
-#include <optional>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -57,41 +57,62 @@ bool SurfaceContact::lists_are_good_for(std::span<const Row> x) {
 }
 
 void SurfaceContact::search(const Step& step) {
-  if (share_ != nullptr) share_->spread(step.shared->x);
-  const std::span<const Row> x = step.x;
-  const std::span<const unsigned char> element_alive = step.element_alive;
-  active_nodes_.clear();
-  active_nodes_.reserve(forces_.nodes().size());
-  for (int n : forces_.nodes())
-    if (node_alive(n, element_alive) && finite(x[n])) active_nodes_.push_back(n);
+  if (share_ != nullptr && !by_share_) share_->spread(step.shared->x);
+  if (by_share_) held_ = fetch_segments_near(step);
+  list_active_nodes(step);
   if (share_ != nullptr) list_followed_nodes();
-  searched_at_ = places_of_active_nodes(x);
+  searched_at_ = places_of_active_nodes(step.x);
   free_room(seen_at_);  // the tree takes more
-
-  const Box within = box_of_own_blocks(x);
-  std::vector<BoxTree::Entry> boxes;
-  boxes.reserve(faces_.size());
-  for (std::size_t s = 0; s < faces_.size(); ++s) {
-    const Face& face = faces_[s];
-    const bool whole = std::all_of(face.node.begin(), face.node.end(), [&](int n) { return finite(x[n]); });
-    if (!whole || !(face.side & pressing_) || !alive(static_cast<int>(s), element_alive)) continue;
-    const Box box = box_of(face, x);
-    if (share_ != nullptr && !box.overlaps(within)) continue;
-    boxes.push_back({box, static_cast<int>(s)});
-  }
-  std::optional<BoxTree> tree(std::in_place, std::move(boxes));
-
-  const auto list = [this, &tree, &x, &element_alive](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
-      if (computes(b)) list_neighbours(blocks_[b], *tree, work_of_thread(), x, element_alive);
-  };
-  parallel_for(blocks_.size(), 4, list);
-  tree.reset();
-  seen_at_ = places_of_active_nodes(x);
+  list_all(step.x, step.element_alive);
+  seen_at_ = places_of_active_nodes(step.x);
+  if (by_share_) hold_segments_of_pairs();
   if (share_ != nullptr) ask_for_ghosts();
   searched_ = true;
   searched_when_ = travelled_;
   ++searches_;
+}
+
+void SurfaceContact::list_active_nodes(const Step& step) {
+  const auto is_active = [&](int n) { return node_alive(n, step.element_alive) && finite(step.x[n]); };
+  active_nodes_.clear();
+  active_nodes_.reserve(forces_.nodes().size());
+  if (!by_share_) {
+    for (int n : forces_.nodes())
+      if (is_active(n)) active_nodes_.push_back(n);
+    return;
+  }
+  std::vector<int> inactive;
+  for (const int place : answered_[rank_])
+    if (const int n = forces_.nodes()[at(place)]; !is_active(n)) inactive.push_back(n);
+  for (int n : forces_.nodes())
+    if (share_->adding(n).empty() && rank_ == 0 && !is_active(n)) inactive.push_back(n);
+  inactive = gather_lists(share_->ranks(), inactive);
+  std::ranges::sort(inactive);
+  std::ranges::set_difference(forces_.nodes(), inactive, std::back_inserter(active_nodes_));
+}
+
+/// Lists the pairs of all blocks that this process looks at.
+void SurfaceContact::list_all(std::span<const Row> x, std::span<const unsigned char> element_alive) {
+  const Box within = box_of_own_blocks(x);
+  std::vector<BoxTree::Entry> boxes;
+  const auto add = [&](int s) {
+    const Face& face = faces_[s];
+    const bool whole = std::all_of(face.node.begin(), face.node.end(), [&](int n) { return finite(x[n]); });
+    if (!whole || !(face.side & pressing_) || !alive(s, element_alive)) return;
+    const Box box = box_of(face, x);
+    if (!rank_of_block_.empty() && !box.overlaps(within)) return;
+    boxes.push_back({box, s});
+  };
+  boxes.reserve(by_share_ ? held_.size() : faces_.size());
+  if (by_share_)
+    std::ranges::for_each(held_, add);
+  else
+    for (std::size_t s = 0; s < faces_.size(); ++s) add(static_cast<int>(s));
+  const BoxTree tree(std::move(boxes));
+  parallel_for(blocks_.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b)
+      if (computes(b)) list_neighbours(blocks_[b], tree, work_of_thread(), x, element_alive);
+  });
 }
 
 ZeroedVector<Vec3d> SurfaceContact::places_of_active_nodes(std::span<const Row> x) const {
@@ -109,6 +130,10 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
   const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
   std::vector<Pair>& listed = work.listed;
   listed.clear();
+  if (block.first.empty()) {
+    block.first.assign(at(block.end - block.begin + 1), 0);
+    block.next_check_travel.assign(at(block.end - block.begin), 0.0);
+  }
   int next_old = 0, end_of_group = block.begin;
   for (int t = block.begin; t < block.end; ++t) {
     const auto start = static_cast<std::ptrdiff_t>(listed.size());
@@ -177,7 +202,7 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
 /// All that is within reach of the nodes of blocks that this process looks at.
 Box SurfaceContact::box_of_own_blocks(std::span<const Row> x) const {
   Box all;
-  if (share_ == nullptr) return all;
+  if (rank_of_block_.empty()) return all;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!computes(b)) continue;
     for (int t = blocks_[b].begin; t < blocks_[b].end; ++t)

@@ -145,6 +145,7 @@ Json to_json(const Summary& s) {
   for (const Summary::Rank& r : s.rank)
     json["rank"].push_back({{"elements", r.elements},
                             {"states", r.states},
+                            {"segments", r.segments},
                             {"nodes", r.nodes},
                             {"shared_nodes", r.shared_nodes},
                             {"neighbours", r.neighbours},

@@ -153,6 +153,7 @@ struct Summary {
   struct Rank {
     long elements = 0;  ///< that it computed
     long states = 0;    ///< elements whose states it held at the end
+    long segments = 0;  ///< of contact surfaces, that it held at the end
     long nodes = 0, shared_nodes = 0, neighbours = 0;
     double expected_load = 0.0;          ///< of elements, over the mean of all
     double expected_contact_load = 0.0;  ///< of contact, likewise; 0 where there is none

@@ -17,12 +17,16 @@ class ElementsElsewhere {
   /// What the energies of a body are summed up from.
   using Energies = std::array<double, 4>;  // alive, density scale, hourglass energy, work against bulk viscosity
 
-  bool has(std::size_t e) const { return e < is_.size() && is_[e] != here; }
+  /// `e`: may be one of the places that fill up the last block.
+  bool has(std::size_t e) const {
+    const char* const is = is_.data();
+    return is != nullptr && is[e] != here;
+  }
   std::size_t count() const { return is_.size() - static_cast<std::size_t>(std::count(is_.begin(), is_.end(), here)); }
 
   /// Of `elements` in all, element e is elsewhere from now on.
   void put(std::size_t e, std::size_t elements, bool is_alive, double density_scale) {
-    is_.resize(elements, here);
+    is_.resize(elements + most_padding, here);
     is_[e] = is_alive ? active : deleted;
     scale(e, density_scale);
   }
@@ -67,9 +71,10 @@ class ElementsElsewhere {
 
  private:
   enum Where : char { here, active, deleted };
+  static constexpr std::size_t most_padding = 64;
   static std::ptrdiff_t difference(std::size_t n) { return static_cast<std::ptrdiff_t>(n); }
 
-  std::vector<char> is_;       ///< Where, by element; empty: all are here
+  std::vector<char> is_;       ///< Where, by element; never filled: all are here
   std::vector<double> scale_;  ///< factor on the density by mass scaling; empty: 1
   std::map<std::size_t, double> steps_;
   std::vector<double> hourglass_, bulk_;  ///< empty: 0

@@ -38,18 +38,33 @@ struct Family {
 
 }  // namespace
 
-std::vector<Followers> followers_of_nodes(const System& system, const Partition& partition,
-                                          std::span<const char> for_everyone) {
+int FollowersOfNodes::number_of(std::vector<int> ranks) {
+  const auto [entry, is_new] = number_.try_emplace(ranks, static_cast<int>(sets_.size()));
+  if (is_new) sets_.push_back(std::move(ranks));
+  return entry->second;
+}
+
+int FollowersOfNodes::with(int set, int rank) {
+  if (std::ranges::binary_search(sets_[set], rank)) return set;
+  const auto known = with_.find({set, rank});
+  if (known != with_.end()) return known->second;
+  std::vector<int> more = sets_[set];
+  insert(more, rank);
+  return with_[{set, rank}] = number_of(std::move(more));
+}
+
+FollowersOfNodes::FollowersOfNodes(const System& system, const Partition& partition, std::span<const char> for_everyone)
+    : of_node_(system.nodes) {
+  number_of({});
   const auto everyone_is_to = [&](int node) { return !for_everyone.empty() && for_everyone[node] != 0; };
-  std::vector<Followers> of_node(system.nodes);
   each_corner(system, [&](int g, const ElementGroup& group, std::size_t e, int, int node) {
-    Followers& followers = of_node[node];
+    OfNode& followers = of_node_[node];
     followers.turns |= group.rotational;
     const int rank = partition.of_element(g, e);
     if (rank == Partition::everyone)
       followers.of_everyone = true;
     else
-      insert(followers.owners, rank);
+      followers.owners = with(followers.owners, rank);
   });
 
   Families families(system);
@@ -69,21 +84,23 @@ std::vector<Followers> followers_of_nodes(const System& system, const Partition&
       of.all = true;
       continue;
     }
-    of.all |= everyone_is_to(k) || of_node[k].of_everyone;
-    for (const int rank : of_node[k].owners) insert(of.owners, rank);
+    of.all |= everyone_is_to(k) || of_node_[k].of_everyone;
+    for (const int rank : sets_[of_node_[k].owners]) insert(of.owners, rank);
   }
   for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
-    Followers& followers = of_node[k];
+    OfNode& followers = of_node_[k];
     if (family_of[k] < 0) {
       // Without elements a node moves by what acts on it: nobody's share, so everyone's.
-      followers.all = everyone_is_to(k) || followers.of_everyone || followers.owners.empty();
+      followers.all = everyone_is_to(k) || followers.of_everyone || followers.owners == 0;
       continue;
     }
     const Family& of = family[family_of[k]];
     followers.all = of.all || of.owners.empty();
-    if (!followers.all) std::ranges::set_difference(of.owners, followers.owners, std::back_inserter(followers.others));
+    if (followers.all) continue;
+    std::vector<int> others;
+    std::ranges::set_difference(of.owners, sets_[followers.owners], std::back_inserter(others));
+    followers.others = number_of(std::move(others));
   }
-  return of_node;
 }
 
 }  // namespace nugget::system

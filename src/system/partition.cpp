@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -15,6 +16,40 @@
 
 namespace nugget::system {
 namespace {
+
+/// Lists of numbers, one behind the other.
+template <class Number>
+class Lists {
+ public:
+  std::size_t size() const { return start_.size() - 1; }
+  std::span<const Number> operator[](std::size_t i) const {
+    return std::span(number_).subspan(start_[i], start_[i + 1] - start_[i]);
+  }
+  void add(std::span<const Number> list) {
+    number_.insert(number_.end(), list.begin(), list.end());
+    start_.push_back(static_cast<std::uint32_t>(number_.size()));
+  }
+  /// For each of so many numbers the lists in which it stands, rising.
+  Lists<std::uint32_t> turned(std::size_t numbers) const {
+    Lists<std::uint32_t> lists;
+    lists.start_.assign(numbers + 2, 0);
+    // Counted two places on, so that in the end each place holds where its list begins.
+    for (const Number n : number_) ++lists.start_[static_cast<std::size_t>(n) + 2];
+    for (std::size_t n = 1; n < lists.start_.size(); ++n) lists.start_[n] += lists.start_[n - 1];
+    lists.number_.resize(number_.size());
+    for (std::size_t i = 0; i < size(); ++i)
+      for (const Number n : (*this)[i])
+        lists.number_[lists.start_[static_cast<std::size_t>(n) + 1]++] = static_cast<std::uint32_t>(i);
+    lists.start_.pop_back();
+    return lists;
+  }
+
+ private:
+  template <class Other>
+  friend class Lists;
+  std::vector<std::uint32_t> start_{0};
+  std::vector<Number> number_;
+};
 
 /// Units that are shared out, and which share nodes with which (METIS: compressed rows).
 struct UnitGraph {
@@ -59,27 +94,27 @@ UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& ra
     }
   }
   // Nodes of each vertex, each once, and vertices of each node.
-  std::vector<std::vector<int>> nodes_of(graph.unit.size());
-  std::vector<std::vector<std::size_t>> vertices_at(system.nodes);
-  for (std::size_t v = 0; v < graph.unit.size(); ++v) {
-    const auto [g, u] = graph.unit[v];
+  Lists<int> nodes_of;
+  std::vector<int> nodes;
+  for (const auto& [g, u] : graph.unit) {
     const ElementGroup& group = *system.groups[g];
     const std::size_t size = Partition::unit_size(group), end = std::min(group.size(), (u + 1) * size);
-    std::vector<int>& nodes = nodes_of[v];
+    nodes.clear();
     for (std::size_t e = u * size; e < end; ++e) {
       const ElementNodes of_element = group.nodes(e);
       nodes.insert(nodes.end(), of_element.begin(), of_element.begin() + group.nodes_per_element);
     }
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    for (const int n : nodes) vertices_at[n].push_back(v);
+    nodes_of.add(nodes);
     std::size_t alive = 0;
     for (std::size_t e = u * size; e < end; ++e) alive += group.alive(e) ? 1 : 0;
     graph.elements.push_back(element_cost(system, group) * static_cast<double>(alive));
   }
+  const Lists<std::uint32_t> vertices_at = nodes_of.turned(system.nodes);
   for (std::size_t v = 0; !contact.of_node.empty() && v < nodes_of.size(); ++v) {
     double sum = 0.0;
-    for (const int n : nodes_of[v]) sum += contact.of_node[at(n)] / static_cast<double>(vertices_at[n].size());
+    for (const int n : nodes_of[v]) sum += contact.of_node[at(n)] / static_cast<double>(vertices_at[at(n)].size());
     graph.contact.push_back(sum);
   }
   std::vector<std::vector<std::size_t>> joined(graph.unit.size());
@@ -260,8 +295,10 @@ std::vector<Partition::Share> Partition::shares(const System& system, std::span<
   };
   std::vector<int> every_rank(at(ranks_)), these;
   std::iota(every_rank.begin(), every_rank.end(), 0);
-  for (const Followers& followers : followers_of_nodes(system, *this, for_everyone)) {
-    these = followers.owners;
+  const FollowersOfNodes of_nodes(system, *this, for_everyone);
+  for (std::size_t k = 0; k < of_nodes.size(); ++k) {
+    const Followers followers = of_nodes[k];
+    these.assign(followers.owners.begin(), followers.owners.end());
     these.insert(these.end(), followers.others.begin(), followers.others.end());
     const std::vector<int>& followed_by = followers.all ? every_rank : these;
     for (const int rank : followed_by) add_node(rank, followed_by);

@@ -55,7 +55,7 @@ class Partition {
     double cost = 0.0;             ///< of its elements, as a share of the mean
     double contact = 0.0;          ///< the same of what its nodes cost in contact; 0 where none does
   };
-  /// `for_everyone`: as for followers_of_nodes.
+  /// `for_everyone`: as for FollowersOfNodes.
   std::vector<Share> shares(const System& system, std::span<const char> for_everyone) const;
   /// How many elements everyone computes.
   std::size_t elements_of_everyone(const System& system) const;

@@ -32,9 +32,10 @@ std::vector<Share::Range> ranges_of(std::size_t nodes, const Chosen& chosen) {
 Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<const char> for_everyone)
     : ranks_(ranks), partition_(std::move(partition)) {
   const int count = ranks.count(), own = ranks.rank();
-  const std::vector<Followers> followers = followers_of_nodes(system, partition_, for_everyone);
+  const FollowersOfNodes followers(system, partition_, for_everyone);
   const auto sum_travels = [&](int k) {
-    return followers[k].all && !followers[k].of_everyone && followers[k].owners.size() == 1;
+    const Followers of = followers[k];
+    return of.all && !of.of_everyone && of.owners.size() == 1;
   };
 
   // Slots travel to everyone, and to single ranks.
@@ -45,7 +46,7 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   each_corner(system, [&](int g, const ElementGroup& group, std::size_t e, int a, int node) {
     const int from = partition_.of_element(g, e);
     if (from == Partition::everyone || sum_travels(node)) return;
-    const Followers& of = followers[node];
+    const Followers of = followers[node];
     const auto add = [&](Message& message) {
       const std::size_t row = group.slot_row(e, a);
       message.rows.push_back(row);
@@ -53,7 +54,7 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
     };
     bool travels = of.all;
     if (travels) add(to_all[from]);
-    for (const std::vector<int>* some : {&of.owners, &of.others})
+    for (const std::span<const int>* some : {&of.owners, &of.others})
       for (const int to : *some) {
         if (to == from || of.all || (from != own && to != own)) continue;
         add(between[from][to]);
@@ -88,7 +89,7 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
     sums.data.resize(sums.nodes.size() + at(static_cast<int>(std::count(sums.turns.begin(), sums.turns.end(), 1))));
   first_adding_.reserve(system.nodes + 1);
   for (int k = 0; k < static_cast<int>(system.nodes); ++k) {
-    const Followers& of = followers[k];
+    const Followers of = followers[k];
     first_adding_.push_back(static_cast<std::uint32_t>(adding_.size()));
     everyone_follows_.push_back(of.all);
     if (sum_travels(k)) adding_.push_back(of.owners.front());

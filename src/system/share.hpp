@@ -19,10 +19,10 @@ namespace nugget::system {
 /// knows, in each cycle, all slots around the nodes that it follows: its own, and those that others send. It adds them
 /// in the order in which one process does, so every rank that follows a node moves it by the same bits. Of a node that
 /// everyone follows, but that only one rank's elements have, that rank sends the sum. Who follows a tied node or one
-/// that it follows has its row of the constraint map too (followers_of_nodes).
+/// that it follows has its row of the constraint map too (FollowersOfNodes).
 class Share {
  public:
-  /// `followed`: by node, whether everyone follows it, besides those of followers_of_nodes.
+  /// `followed`: by node, whether everyone follows it, besides those of FollowersOfNodes.
   Share(const System& system, Ranks& ranks, Partition partition, std::span<const char> followed);
 
   Ranks& ranks() const { return ranks_; }

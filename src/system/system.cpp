@@ -377,9 +377,11 @@ void System::forget_start(model::Model& m) {
   free_room(m.initial_spin);
   for (std::vector<model::Index>* named : {&m.named_nodes, &m.named_shells, &m.listed_nodes, &m.listed_shells})
     free_room(*named);  // for those who move nodes and merge shells
+  m.shells.place = m.solids.place = m.beams.place = model::Places();
   free_room(carried_mass_);
   free_room(carried_inertia_);
-  free_room(constraint_source_);  // for messages of a deck that is refused
+  // The second time, when all is made: for messages of a deck that is refused.
+  if (start_is_forgotten_) free_room(constraint_source_);
   start_is_forgotten_ = true;
 }
 

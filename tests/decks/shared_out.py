@@ -89,3 +89,26 @@ def block(n=6, *, elform=1, ihq=6, speed=60000.0, end=6.0e-5):
     text += "*INITIAL_VELOCITY_NODE\n" + "".join(card(m, 0.0, 0.0, -speed) for m in range((n + 1) ** 2 + 1, len(places) + 1))
     return text + "*DATABASE_HISTORY_SOLID\n" + card(1, len(bricks)) + "*DATABASE_HISTORY_NODE\n" + card(peak, number(n, n, n)) + "*END\n"
 
+
+def stacks_of_bricks(n=6, *, ignore=0, fail=0.05, speed=2.0e5, end=6.0e-5):
+    """Two stacks of bricks that break in an eroding contact: the upper one, askew, starts a little inside the lower one and flies down."""
+    draw, size, overlap = random.Random(8), 5.0, 0.3
+    text = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(end) + "*CONTROL_TIMESTEP\n" + card(0.0, 0.7) + databases(end / 30, end / 3, strains=False)
+    text += STEEL.replace(f"{'{fail}':>10}", f"{fail:>10}") + "*SECTION_SOLID\n" + card(1, 1) + "*HOURGLASS\n" + card(1, 4, 0.05)
+    places, bricks = [], []
+    for stack, (tall, base) in enumerate(((4, 0.0), (3, 4 * size - overlap))):
+        first, shift = len(places) + 1, 0.4 * size * stack
+        number = lambda i, j, k: first + i + (n + 1) * (j + (n + 1) * k)  # noqa: E731, B023
+        places += [(size * i + shift + 0.3 * draw.random(), size * j + shift + 0.3 * draw.random(), base + size * k + 0.2 * draw.random() * (k > 0))
+                   for k in range(tall + 1) for j in range(n + 1) for i in range(n + 1)]
+        bricks += [(stack + 1, [number(i + a, j + b, k + c) for a, b, c in CORNERS]) for k in range(tall) for j in range(n) for i in range(n)]
+        text += f"*PART\nstack {stack + 1}\n" + card(stack + 1, 1, 1, 0, 1)
+    upper = (n + 1) ** 2 * 5 + 1
+    text += nodes(places) + "*ELEMENT_SOLID\n" + "".join(f"{e:8}{p:8}" + "".join(f"{m:8}" for m in b) + "\n" for e, (p, b) in enumerate(bricks, 1))
+    text += "*BOUNDARY_SPC_NODE\n" + "".join(card(m, 0, 1, 1, 1) for m in range(1, (n + 1) ** 2 + 1))
+    text += "*INITIAL_VELOCITY_NODE\n" + "".join(card(m, 0.0, 0.0, -speed) for m in range(upper, len(places) + 1))
+    text += "*CONTACT_ERODING_SINGLE_SURFACE\n" + card(0) + card(0.2, 0.2) + card("") + card(0, 1, 1)
+    if ignore is not None:
+        text += card(1) + card("") + card(ignore)
+    text += "*DATABASE_RCFORC\n" + card(end / 30, 3)
+    return text + "*DATABASE_HISTORY_SOLID\n" + card(1, len(bricks)) + "*DATABASE_HISTORY_NODE\n" + card(1, len(places)) + "*END\n"

@@ -13,7 +13,7 @@ from few_elements import card, curve
 from lap_joint import deck as lap_joint
 from nugget_command import SOURCE
 from repeated_runs import FOREVER, LANES, RepeatedRuns, with_lanes
-from shared_out import block, switched_tube, tube
+from shared_out import block, stacks_of_bricks, switched_tube, tube
 from test_breaking_metals import torn
 from test_composites import plates
 from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
@@ -199,8 +199,10 @@ class ExplicitRanks(RepeatedRuns):
                  "a wall with mass": moves, "body loads": text.replace("*END", loads + "*END")}
         for name, deck in cases.items():
             with self.subTest(name):
-                self.compare_ranks(deck, "--until", "1.0e-4", ranks=((3, 1),))
+                summary = self.compare_ranks(deck, "--until", "1.0e-4", ranks=((3, 1),))
                 self.assertIn("elements and nodes are shared out", self.log("r3_1"))
+                held, whole = [rank["segments"] for rank in summary["rank"]], name in ("friction and a transducer", "edges")
+                self.assertTrue(all(segments == 9520 for segments in held) if whole else max(held) < 4000, held)
         said = self.nugget("check", self.write(cases["edges"]), "-n", 2, "-o", "partition").stdout
         self.assertIn(" nodes for it: contact of edges, glue, FTORQ and at porous fabric, rigid bodies\n", said)
 
@@ -212,6 +214,19 @@ class ExplicitRanks(RepeatedRuns):
         self.assertIn(steel, text)
         self.compare_ranks(text.replace(steel, steel[:-1] + "       0.0       0.0      0.05\n"), "--until", "6.0e-4", ranks=((2, 1),))
         self.assertRegex(self.log("one"), r"part 1: \d+ of 4760 elements deleted")
+
+    def test_bricks_that_break_in_contact(self):
+        """Initial penetrations are looked for by all ranks, each in a part of the surface, and removed (IGNORE = 0) or kept; faces come to light as bricks
+        are deleted. Sabotage: segments that have come near and are not fetched."""
+        for ignore in (0, 1):
+            with self.subTest(ignore):
+                summary = self.compare_ranks(stacks_of_bricks(ignore=ignore), ranks=((2, 1), (3, 2), (7, 1)))
+                for folder in ("r2_1", "r3_2", "r7_1"):
+                    self.assertEqual(self.json(f"{folder}/findings.json"), self.json("one/findings.json"))
+                self.assertIn("nodes stand in the thickness of a sheet or in a brick at the start", self.log("one"))
+                self.assertIn("nodes stand deeper in bricks at the start than contact presses", self.log("one"))
+                self.assertRegex(self.log("one"), r"part 1: \d\d+ of 144 elements deleted")
+                self.assertLess(max(rank["segments"] for rank in summary["rank"]), 1300)  # of 1,512
 
     def test_every_kind_of_damping(self):
         subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)

@@ -150,6 +150,7 @@ class Surfaces {
     std::map<Key, bool> wanted;
     for (const model::Segment& s : surface.segments) wanted.emplace(key_of(s), false);
     keys_.reserve(model_.shells.size());
+    segments_.reserve(segments_.size() + model_.shells.size());  // what is not written takes no room
     for (std::size_t e = 0; e < model_.shells.size(); ++e) {
       const auto found = wanted.find(key_of(model_.shells.node[e]));
       if ((in[model_.shells.part[e]] || found != wanted.end()) && in_box(model_.shells.node[e])) add_shell(e, side);

@@ -44,8 +44,12 @@ class Contacts {
 
   void add_energy(Energy& energy) const;
   /// Adds what the contacts cost that act at the start, see contact::SurfaceContact::add_costs.
-  void add_costs(std::span<const Row> x, system::ContactCosts& costs) {
-    for (contact::PenaltyContact& contact : contacts_) contact.add_costs(x, costs);
+  void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks) {
+    for (contact::PenaltyContact& contact : contacts_) contact.add_costs(x, costs, ranks);
+  }
+  /// Over several ranks: see contact::SurfaceContact::take_share.
+  void take_share(const contact::SharedNodes& shared) {
+    for (contact::PenaltyContact& contact : contacts_) contact.take_share(shared);
   }
   /// Over several ranks: see contact::SurfaceContact::carry.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {

@@ -5,25 +5,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 
 #include "base/index.hpp"
 #include "contact/surface_contact.hpp"
+#include "contact/surface_part.hpp"
 #include "impact/contact/contact_setup.hpp"
 #include "weld/tie/ties.hpp"
 
 namespace nugget::impact {
 namespace {
 
+constexpr int removal_passes = 20;
 constexpr std::size_t proposals = 5;  // with IGNORE = 2: coordinates of the deepest nodes only
 
 std::string element_name(const model::Model& model, const contact::Segment& segment) {
   const auto shells = static_cast<int>(model.shells.size());
   if (segment.element < shells) return fmt::format("shell {}", model.shells.id[segment.element]);
   return fmt::format("solid {}", model.solids.id[segment.element - shells]);
+}
+
+/// A node in the thickness of a segment, or in the brick behind it, on whichever rank that was found.
+struct Overlap {
+  contact::Penetration found;
+  contact::Segment segment;
+};
+
+/// By node; over several ranks what all of them have found in their parts of the surface.
+std::vector<Overlap> overlaps_of_all(const contact::SurfaceContactSetup& part,
+                                     const std::vector<contact::Penetration>& found, Ranks* ranks) {
+  std::vector<Overlap> all;
+  all.reserve(found.size());
+  for (const contact::Penetration& p : found) all.push_back({p, part.segments[p.segment]});
+  if (ranks == nullptr) return all;
+  all = gather_lists(*ranks, all);
+  std::ranges::stable_sort(all, {}, [](const Overlap& o) { return o.found.node; });
+  return all;
+}
+
+/// How many nodes they are.
+std::size_t nodes_in(const std::vector<Overlap>& overlaps) {
+  std::set<int> nodes;
+  for (const Overlap& o : overlaps) nodes.insert(o.found.node);
+  return nodes.size();
+}
+
+void sort_deepest_first(std::vector<Overlap>& overlaps) {
+  std::ranges::stable_sort(overlaps, std::ranges::greater{}, [](const Overlap& o) { return o.found.depth; });
 }
 
 std::string proposal(const model::Model& model, const contact::Penetration& p, std::span<const Row> x) {
@@ -33,59 +65,56 @@ std::string proposal(const model::Model& model, const contact::Penetration& p, s
 
 /// A node of the back of a body that is one brick thick stands behind the face in front, deep in its own brick: what
 /// shares a brick with a face is not pressed by it.
-void leave_own_bricks_out(const model::Model& model, const contact::SurfaceContactSetup& setup,
-                          std::vector<contact::Penetration>& found) {
+void leave_own_bricks_out(const model::Model& model, std::vector<Overlap>& found) {
   std::map<int, std::set<int>> neighbours;  // by node that was found: all nodes of its bricks
-  for (const contact::Penetration& p : found) neighbours[p.node];
+  for (const Overlap& o : found) neighbours[o.found.node];
   for (std::size_t e = 0; e < model.solids.size(); ++e)
     for (const model::Index n : model.solids.nodes(e))
       if (const auto it = neighbours.find(n); it != neighbours.end())
         it->second.insert(model.solids.nodes(e).begin(), model.solids.nodes(e).end());
-  std::erase_if(found, [&](const contact::Penetration& p) {
-    const auto& face = setup.segments[p.segment].node;
-    return std::any_of(std::begin(face), std::end(face), [&](int n) { return neighbours[p.node].contains(n); });
+  std::erase_if(found, [&](const Overlap& o) {
+    return std::ranges::any_of(o.segment.node, [&](int n) { return neighbours[o.found.node].contains(n); });
   });
 }
 
 /// Bricks that start so far in each other that nothing presses them apart.
 void report_out_of_reach(const model::Model& model, const model::Contact& card,
-                         const contact::SurfaceContactSetup& setup, std::span<const Row> x, Findings& findings) {
-  std::vector<contact::Penetration> deep = contact::find_nodes_out_of_reach(setup, x);
-  leave_own_bricks_out(model, setup, deep);
+                         const contact::SurfaceContactSetup& part, std::span<const Row> x, Ranks* ranks,
+                         Findings& findings) {
+  if (model.solids.size() == 0) return;
+  std::vector<Overlap> deep = overlaps_of_all(part, contact::find_nodes_out_of_reach(part, x), ranks);
+  sort_deepest_first(deep);
+  leave_own_bricks_out(model, deep);
   if (deep.empty()) return;
-  std::vector<int> nodes;
-  for (const contact::Penetration& p : deep) nodes.push_back(p.node);
-  std::sort(nodes.begin(), nodes.end());
-  const auto count = std::unique(nodes.begin(), nodes.end()) - nodes.begin();
+  const Overlap& worst = deep.front();
   findings.warning(
       card.place, '*' + card.keyword,
       fmt::format("{} nodes stand deeper in bricks at the start than contact presses, {:g} of a brick's depth: nothing "
                   "holds the two bodies apart there; the deepest is node {}, {:.4g} deep in {}",
-                  count, contact::pressing_depth, model.nodes.id[deep.front().node], deep.front().depth,
-                  element_name(model, setup.segments[deep.front().segment])),
+                  nodes_in(deep), contact::pressing_depth, model.nodes.id[worst.found.node], worst.found.depth,
+                  element_name(model, worst.segment)),
       "move the bodies apart, or leave one of them out of the contact");
 }
 
+/// `divided`: among the ranks; null: this process has it whole.
 void treat(const model::Model& model, const model::Contact& card, const contact::SurfaceContactSetup& setup,
-           std::span<Row> x, Findings& findings) {
-  std::vector<contact::Penetration> found =
-      card.ignore == 0 ? contact::remove_penetrations(setup, x) : contact::find_penetrations(setup, x);
+           std::span<Row> x, const contact::DividedSurface* divided, Findings& findings) {
+  std::vector<Overlap> found =
+      overlaps_of_all(setup,
+                      card.ignore == 0 ? contact::remove_penetrations(setup, x, removal_passes, divided)
+                                       : contact::find_penetrations(setup, x),
+                      divided != nullptr ? &divided->ranks : nullptr);
   // What round-off makes of sheets or bricks that just touch is none.
-  std::erase_if(found, [&setup](const contact::Penetration& p) {
-    const contact::Segment& s = setup.segments[p.segment];
-    return p.depth <= 1e-6 * (s.volume > 0.0 ? std::cbrt(s.volume) : s.thickness);
+  std::erase_if(found, [](const Overlap& o) {
+    return o.found.depth <= 1e-6 * (o.segment.volume > 0.0 ? std::cbrt(o.segment.volume) : o.segment.thickness);
   });
   if (found.empty()) return;
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
-  std::vector<int> nodes;
-  for (const contact::Penetration& p : found) nodes.push_back(p.node);
-  std::sort(nodes.begin(), nodes.end());
-  const auto count = std::unique(nodes.begin(), nodes.end()) - nodes.begin();
-  const contact::Penetration& worst = found.front();
+  sort_deepest_first(found);
+  const Overlap& worst = found.front();
   const std::string what = fmt::format(
       "{} nodes stand in the thickness of a sheet or in a brick at the start; the deepest is node {}, "
       "{:.4g} deep in {}",
-      count, model.nodes.id[worst.node], worst.depth, element_name(model, setup.segments[worst.segment]));
+      nodes_in(found), model.nodes.id[worst.found.node], worst.found.depth, element_name(model, worst.segment));
   const std::string keyword = '*' + card.keyword;
   if (card.ignore == 0)
     return findings.warning(card.place, keyword, what + "; they were moved out (IGNORE = 0)",
@@ -96,7 +125,7 @@ void treat(const model::Model& model, const model::Contact& card, const contact:
                                      card.soft == 2 ? "SOFT = 2" : "IGNORE = 1"));
   std::string advice = "move";
   for (std::size_t i = 0; i < std::min(proposals, found.size()); ++i)
-    advice += (i == 0 ? " " : "; ") + proposal(model, found[i], x);
+    advice += (i == 0 ? " " : "; ") + proposal(model, found[i].found, x);
   findings.warning(card.place, keyword, what + "; the overlap is kept and gives no force (IGNORE = 2)", advice);
 }
 
@@ -135,7 +164,7 @@ std::vector<weld::Weld> welds_that_thin(const model::Model& model) {
 
 }  // namespace
 
-std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findings& findings) {
+std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findings& findings, Ranks* ranks) {
   std::vector<Vec3d> x = model.nodes.x;
   if (std::none_of(model.contacts.begin(), model.contacts.end(), [](const auto& c) { return c.slides(); })) return x;
   const std::vector<weld::Weld> welds = welds_that_thin(model);
@@ -144,11 +173,24 @@ std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findi
   for (std::size_t n = 0; n < x.size(); ++n) set(rows[n], x[n]);
   for (const model::Contact& card : model.contacts) {
     if (!card.slides()) continue;
-    const contact::SurfaceContactSetup setup = contact_setup(mesh, card);
+    contact::SurfaceContactSetup setup = contact_setup(mesh, card);
     if (setup.segments.empty()) continue;
     report_thin_shells(model, card, setup, findings);
-    treat(model, card, setup, rows, findings);
-    report_out_of_reach(model, card, setup, rows, findings);
+    std::optional<contact::DividedSurface> divided;
+    if (ranks != nullptr) {
+      const double room = contact::search_margin(setup, rows);
+      const auto part = [ranks, room](const contact::SurfaceContactSetup& whole, std::span<const Row> now) {
+        return contact::part_of(whole, now, ranks->rank(), ranks->count(), room);
+      };
+      // Places in the mesh are those from before this contact.
+      divided.emplace(contact::DividedSurface{*ranks, room, [&mesh, &card, part](std::span<const Row> now) {
+                                                return part(contact_setup(mesh, card), now);
+                                              }});
+      setup = part(setup, rows);
+    }
+    treat(model, card, setup, rows, divided ? &*divided : nullptr, findings);
+    if (divided && card.ignore == 0) setup = divided->part(rows);
+    report_out_of_reach(model, card, setup, rows, ranks, findings);
     if (card.ignore != 0) continue;
     for (std::size_t n = 0; n < x.size(); ++n) x[n] = vec(rows[n]);
   }

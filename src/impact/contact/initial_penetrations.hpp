@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/finding.hpp"
+#include "base/ranks.hpp"
 #include "model/model.hpp"
 
 namespace nugget::impact {
@@ -16,6 +17,9 @@ namespace nugget::impact {
 ///
 /// Ties come afterwards (S. Bala, "Deformable Spotwelds in LS-DYNA for Impact and NVH Applications": "Initialization is
 /// performed after other penalty based contacts"), so that welds are as long as the sheets are apart.
-std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findings& findings);
+///
+/// `ranks`: all of them, which have read the same deck, look together, each at a part of the surface (docs/decisions/
+/// 0140); places and findings are those of one process, on all of them. Null: this process alone.
+std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findings& findings, Ranks* ranks = nullptr);
 
 }  // namespace nugget::impact

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/free_room.hpp"
 #include "base/index.hpp"
@@ -76,13 +77,17 @@ Simulation::ComputedByAll Simulation::computed_by_all() const {
   return whole;
 }
 
-system::Partition Simulation::partition(int ranks) {
+system::ContactCosts Simulation::contact_costs(Ranks* ranks) {
+  system::ContactCosts contact;
+  components_.contacts.add_costs(state_.x, contact, ranks);
+  return contact;
+}
+
+system::Partition Simulation::partition(int ranks, const system::ContactCosts& contact) {
   std::vector<system::System::ElementLocation> read;
   components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
   std::vector<std::vector<system::System::ElementLocation>> of_one_rank;
   components_.elements_of_one_rank([&](auto list) { of_one_rank.push_back(std::move(list)); });
-  system::ContactCosts contact;
-  components_.contacts.add_costs(state_.x, contact);
   return {system_, ranks, read, contact, of_one_rank};
 }
 
@@ -159,15 +164,25 @@ system::System::Controlling Simulation::controlling_of_all() const {
   return all;
 }
 
-// Only the first rank cuts: the others need not know what contact costs everywhere.
-void Simulation::share_out(Ranks& ranks) {
+// Only the first rank cuts; what contact costs they all find out, each of a part.
+void Simulation::share_out(Ranks& ranks, const std::function<void()>& made) {
   ranks_ = &ranks;
   traffic_before_ = ranks.traffic();
   cycle_before_ = state_.cycle;
   shared_out_at_ = elapsed();
-  system_.share_out(ranks, on_first_rank() ? partition(ranks.count()) : system::Partition(system_, ranks.count()),
-                    followed_by_all());
-  for (system::Rows* rows : {&state_.v, &state_.w, &state_.f, &state_.m}) system_.share()->forget_others(*rows);
+  std::optional<system::Partition> shares;
+  {
+    const system::ContactCosts contact = contact_costs(&ranks);
+    if (on_first_rank())
+      shares.emplace(partition(ranks.count(), contact));
+    else
+      shares.emplace(system_, ranks.count());
+  }
+  system_.share_out(ranks, std::move(*shares), followed_by_all());
+  components_.contacts.take_share({*system_.share(), state_.x, state_.v});
+  if (made) made();
+  for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m})
+    system_.share()->forget_others(*rows);
   // Here, where there is room for it.
   if (on_first_rank()) shares_ = system_.share()->partition().shares(system_, followed_by_all());
 }
@@ -184,6 +199,7 @@ void Simulation::report_ranks() {
   own.busy = seconds - waiting;
   own.peak_memory = peak_memory();
   for (const auto& group : system_.groups) own.states += group->size() - group->elsewhere();
+  for (const contact::PenaltyContact& contact : components_.contacts.all()) own.segments += contact.surface().held();
   rank_reports_ = gather(*ranks_, own);
   if (!on_first_rank()) return;
   for (std::size_t r = 0; r < shares_.size(); ++r) {
@@ -201,8 +217,9 @@ void Simulation::report_ranks() {
 void Simulation::collect(system::Carried what) {
   std::vector<system::Rows*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
   const bool sums_only = what == system::Carried::energies || what == system::Carried::end;
-  if (what == system::Carried::histories) rows.clear();  // all follow the nodes that histories show
-  if (sums_only) rows = {&state_.x};
+  // All follow the nodes that histories show, and energies are summed up from NodalMotion.
+  if (what == system::Carried::histories || what == system::Carried::energies) rows.clear();
+  if (what == system::Carried::end) rows = {&state_.x};
   const double share = share_of_interval(state_);
   free_room(motion_of_others_);
   if (sums_only && ranks_ != nullptr && on_first_rank()) motion_of_others_.resize(system_.nodes);

@@ -31,6 +31,8 @@ struct Options {
   std::function<void()> write_checkpoint{};  ///< writes a restart file, between two cycles; empty: there are none
   std::function<void()> restore{};  ///< takes the state from one, in place of the start's; empty: a run from its start
   Ranks* ranks = nullptr;           ///< that compute the run together; null: this process alone
+  /// Called once, when nobody asks for places at the start (Ties::x) any more. Empty: nothing.
+  std::function<void()> made{};
   std::function<SenseSwitches()> sense_switches{};  ///< asked a few times a second; empty: nobody asks for anything
 };
 

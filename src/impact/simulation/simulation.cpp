@@ -46,6 +46,13 @@ void set_rigid_contact_mass(const system::System& system, std::vector<double>& c
   }
 }
 
+/// `model`: null, or that of the system.
+system::State take_start(system::System& system, model::Model* model) {
+  system::State start = system.initial_state();
+  if (model != nullptr) system.forget_start(*model);
+  return start;
+}
+
 }  // namespace
 
 void Simulation::interrupt(const char* by) {
@@ -56,9 +63,9 @@ bool Simulation::interrupted() {
   return interrupted_by != nullptr;
 }
 
-Simulation::Simulation(system::System& system, Findings& findings)
+Simulation::Simulation(system::System& system, Findings& findings, model::Model* model)
     : system_(system),
-      state_(system.initial_state()),
+      state_(take_start(system, model)),
       components_(system, state_.x, findings),
       assembled_step_(system, components_.supports, state_.x) {
   history_rotation_.resize(system.model.requests.history_nodes.size() + system.bodies.size());
@@ -138,11 +145,12 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   begin_ = timed_until_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
 
-  if (options.ranks != nullptr && !options.restore) share_out(*options.ranks);
+  if (options.ranks != nullptr && !options.restore) share_out(*options.ranks, options.made);
+  if (options.ranks == nullptr && options.made) options.made();
   start();
   if (options.restore) {
     resume(options);
-    if (options.ranks != nullptr) share_out(*options.ranks);  // anew, by what costs by now
+    if (options.ranks != nullptr) share_out(*options.ranks, options.made);  // anew, by what costs by now
   }
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
   if (ranks_ != nullptr) {
@@ -185,7 +193,8 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
     if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
     if (ranks_ != nullptr && on_first_rank() && (record || balance) && !last && elements_due()) {
       system_.leave_to_others();
-      for (system::Rows* rows : {&state_.v, &state_.w, &v_before_, &w_before_}) system_.share()->forget_others(*rows);
+      for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &v_before_, &w_before_})
+        system_.share()->forget_others(*rows);
     }
     if (record || balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
@@ -258,7 +267,11 @@ void Simulation::write_checkpoint_if_due(const Options& options) {
   if (!restart_file_due_) return;
   collect(system::Carried::whole);
   if (options.write_checkpoint) options.write_checkpoint();
-  if (ranks_ != nullptr) system_.leave_to_others();
+  if (ranks_ != nullptr) {
+    system_.leave_to_others();
+    for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m})
+      system_.share()->forget_others(*rows);
+  }
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
 }
 

@@ -22,7 +22,8 @@ namespace nugget::impact {
 class Simulation {
  public:
   /// Builds contacts, walls, supports and loads; faults of the input become findings. The system must outlive it.
-  Simulation(system::System& system, Findings& findings);
+  /// `model`, where it is given: what of the system's model is asked for by the start alone is set free.
+  Simulation(system::System& system, Findings& findings, model::Model* model = nullptr);
 
   /// Runs to the end. Never throws for a run that diverges: the outcome says why it stopped.
   Outcome run(const Options& options, Recorder& recorder, const ProgressCallback& progress);
@@ -53,6 +54,7 @@ class Simulation {
   struct RankReport {
     std::size_t elements = 0;  ///< that it computes
     std::size_t states = 0;    ///< elements whose states it holds
+    std::size_t segments = 0;  ///< of contact surfaces, that it holds
     std::size_t nodes = 0, shared_nodes = 0, neighbours = 0;
     double cost = 0.0;     ///< of its elements, over the mean of all ranks, as expected by system::element_cost
     double contact = 0.0;  ///< of what its nodes cost in contact, likewise; 0: there is none
@@ -70,8 +72,10 @@ class Simulation {
   ComputedByAll computed_by_all() const;
   /// Nodes, by system number, that every rank follows: those, and all others that somebody looks at between results.
   std::vector<char> followed_by_all() const;
+  /// What contact costs at the start; `ranks`: all of them look, and the first one gets it. Null: this process looks.
+  system::ContactCosts contact_costs(Ranks* ranks);
   /// How so many ranks would share out the elements.
-  system::Partition partition(int ranks);
+  system::Partition partition(int ranks, const system::ContactCosts& contact);
 
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt(const char* by = "the user");
@@ -89,7 +93,7 @@ class Simulation {
   /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
   Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
   /// From now on several ranks compute the run together.
-  void share_out(Ranks& ranks);
+  void share_out(Ranks& ranks, const std::function<void()>& made);
   /// The element that controls the step.
   system::System::Controlling controlling_of_all() const;
   void report_ranks();
