@@ -89,15 +89,12 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
   std::vector<Penetration> left = before;
   for (int pass = 0; pass < passes; ++pass) {
     bool moved = false;
-    for (auto first = left.begin(); first != left.end();) {
-      const auto of_other = [node = first->node](const Penetration& p) { return p.node != node; };
-      const auto end = std::find_if(first, left.end(), of_other);
-      // Of several penetrations of a node the deepest is mended in a pass, in whatever order segments are numbered.
-      const Penetration& deepest =
-          *std::max_element(first, end, [](const Penetration& a, const Penetration& b) { return a.depth < b.depth; });
-      first = end;
-      if (deepest.depth <= 1e-3 * setup.segments[deepest.segment].thickness) continue;
-      add(x[deepest.node], 0.5 * deepest.depth * deepest.direction);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      // Of several penetrations of a node only the first in the list is mended in a pass.
+      if (i > 0 && left[i].node == left[i - 1].node) continue;
+      const double thickness = setup.segments[left[i].segment].thickness;
+      if (left[i].depth <= 1e-3 * thickness) continue;
+      add(x[left[i].node], 0.5 * left[i].depth * left[i].direction);
       moved = true;
     }
     if (!moved) break;
