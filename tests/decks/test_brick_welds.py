@@ -6,7 +6,7 @@ import math
 import re
 import unittest
 
-from lap_joint import deck
+from lap_joint import deck, edited
 from nugget_command import CommandTest
 from welded_sheets import Sheets, weld_material
 
@@ -55,6 +55,17 @@ class BrickWelds(CommandTest):
                 for a, b in holding:
                     self.assertAlmostEqual(a, b, delta=1e-3 * holding[-1][1])
                 self.assertEqual((sections[-1], welds[-1]), (0.0, None))
+
+    def test_the_ends_of_a_leaning_beam_stay_on_their_sheets(self):
+        """Its bricks lie across it: at 27 degrees nodes lie off the sheet of their end, and some nearer to the other one. Sabotage: each node by
+        itself goes to the closest sheet, as far as a brick reaches."""
+        self.write(edited(deck(), (f"{301:8d}{9.0:16.4f}", f"{301:8d}{8.7:16.4f}"), (f"{302:8d}{9.0:16.4f}", f"{302:8d}{9.3:16.4f}"))
+                   .replace("*END", f"*CONTROL_SPOTWELD_BEAM\n{4:>60}\n*END"), "lap.k")
+        self.nugget("check", "lap.k", "-o", "audit")
+        (weld,) = csv.DictReader(io.StringIO(self.read("audit/welds.csv")))
+        self.assertEqual((weld["tied"], weld["sheet1"], weld["sheet2"]), ("yes", "1", "2"))
+        for i in range(1, 19):
+            self.assertIn(f"of part {1 if int(weld[f'node{i}']) < 312 else 2}", weld[f"reason{i}"])
 
     def held(self, elform, young, rupture, cards):
         """swforc at the end of a weld brick of 5 x 5 between two sheets all of whose nodes are held: [axial, shear]."""

@@ -155,7 +155,8 @@ Box Reference::neighbourhood(const ReferenceSegment& segment) const {
 }
 
 bool Reference::allowed(const ReferenceSegment& segment, const Tracked& tracked) const {
-  return !segment.has(tracked.node) && (tracked.only_part == none || tracked.only_part == segment.part);
+  return !segment.has(tracked.node) && (tracked.only_part == none || tracked.only_part == segment.part) &&
+         (tracked.not_part == none || tracked.not_part != segment.part);
 }
 
 double Reference::tolerance(const ReferenceSegment& segment, const Tracked& tracked) const {
@@ -170,7 +171,8 @@ Candidate Reference::candidate(Index order, const Tracked& tracked) const {
   c.order = order;
   c.segment = segments_[order];
   c.foot = project(corners(c.segment), c.segment.triangle(), x_[tracked.node]);
-  c.tolerance = tolerance(c.segment, tracked);
+  const bool aside = !c.foot.over && tracked.aside >= 0.0;
+  c.tolerance = tolerance(c.segment, aside ? Tracked{.node = tracked.node, .thickness = tracked.aside} : tracked);
   const Foot in_deck = c.segment.moved > 0.0
                            ? project(corners_in_deck(c.segment), c.segment.triangle(), model_.nodes.x[tracked.node])
                            : c.foot;

@@ -54,6 +54,8 @@ struct Tracked {
   Index node = none;
   double thickness = 0.0;  ///< t_s [length]
   Index only_part = none;  ///< of *ELEMENT_BEAM_PID
+  Index not_part = none;   ///< of the other end's sheet; see aim_clusters
+  double aside = -1.0;     ///< t_s for segments beside which the node lies; below 0: `thickness` [length]
 };
 
 /// The reference side of one tie contact, ready to be searched.

@@ -10,6 +10,7 @@
 
 #include "base/parallel.hpp"
 #include "weld/tie/assembly.hpp"
+#include "weld/tie/beam_clusters.hpp"
 #include "weld/tie/disc.hpp"
 #include "weld/tie/reference.hpp"
 #include "weld/tie/surroundings.hpp"
@@ -214,7 +215,8 @@ void Tying::read_required_parts() {
 void Tying::work_through(Index contact) {
   const Reference reference(model_, x_, contact);
   report_what_is_not_built(model_, model_.contacts[contact], reference.segments(), findings_);
-  const std::vector<Tracked> tracked = tracked_nodes(contact);
+  std::vector<Tracked> tracked = tracked_nodes(contact);
+  if (model_.contacts[contact].thickness_a == 0.0) aim_clusters(model_, reference, result_.welds, x_, tracked);
   if (reference.empty() || tracked.empty()) {
     report_empty_side(model_.contacts[contact], reference.empty(), findings_);
     return;
@@ -251,7 +253,7 @@ std::vector<Tracked> Tying::tracked_nodes(Index contact) {
       continue;
     }
     const double thickness = c.thickness_a > 0.0 ? c.thickness_a : around_.thickness[node] * c.thickness_scale_a;
-    tracked.push_back({node, thickness, only_part_[node]});
+    tracked.push_back({.node = node, .thickness = thickness, .only_part = only_part_[node]});
   }
   report_rigid_tracked_nodes(model_, c, around_, rigid, findings_);
   return tracked;

@@ -81,9 +81,11 @@ struct Projection {
   Index node = none;
   bool tied = false;  ///< attached to a sheet, by a tie or otherwise
   int projection_case = 0;
-  std::string reason;             ///< one sentence for welds.csv
-  Tie tie;                        ///< meaningful if `tied` and `projection_case` is not 0
-  Index closest_shell = none;     ///< of the closest segment, tied or not; none: there is none, or it is no shell's
+  std::string reason;  ///< one sentence for welds.csv
+  Tie tie;             ///< meaningful if `tied` and `projection_case` is not 0
+  /// Of the closest segment, tied or not; of a node of shells the first of them. none: there is none, or it is no
+  /// shell's.
+  Index closest_shell = none;
   double distance = 0.0;          ///< to the closest segment that it may be tied to; infinite: there is none [length]
   double tolerance = 0.0;         ///< within which that segment would be in reach [length]
   bool only_sheet_taken = false;  ///< not tied: what is in reach is the sheet that holds the weld's other end
