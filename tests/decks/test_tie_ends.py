@@ -65,6 +65,20 @@ class TieEnds(CommandTest):
         for state in states:
             self.assertAlmostEqual(state["kinetic energy"] / states[0]["kinetic energy"], 1.0, delta=1e-5)
 
+    def test_so_does_one_that_has_nodes_of_the_disc(self):
+        """A weld tied by area over four shells, three nodes of which are a nodal rigid body's; of one shell that is deleted the others take the share.
+        Sabotage: arms of the body's nodes out of the places at the start, which a run sets free."""
+        s, sheets = welded(cards=["*NUGGET_WELD_TIE\n1", f"*DEFINE_ELEMENT_DEATH_SHELL\n39,{END / 2}"], at=16.0)
+        s.node_set(4, s.row(sheets[1], 2)[2:4] + s.row(sheets[1], 1)[2:3])
+        s.cards.append("*CONSTRAINED_NODAL_RIGID_BODY\n77,0,4")
+        self.all_moving(s, 0.0)
+        self.write(s.text())
+        self.nugget("run", "model.k", "--quiet", "-j", 1)
+        self.assertIn("part 2: 1 of 25 elements deleted", self.read("run.log"))
+        states = self.glstat()
+        for state in states:
+            self.assertAlmostEqual(state["kinetic energy"] / states[0]["kinetic energy"], 1.0, delta=1e-5)
+
     def test_a_spring_that_ends_under_load_has_done_all_its_work(self):
         """One sheet is thrown off the other. Sabotage: the work of a spring's last force over the step in which it ends is not counted."""
         s, sheets = welded("_PENALTY", scale=0.5)

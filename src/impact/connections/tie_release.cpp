@@ -41,8 +41,9 @@ void TieReleases::find_shares(std::size_t tie, int node, double mass, double ine
   for (const system::ConstraintMap::Term& term : std::as_const(system_.map).terms(node)) {
     if (at(term.node) >= system_.nodes) {
       const std::size_t body = at(term.node) - system_.nodes;
-      const Vec3d place = system_.ties.x[system_.model_node[at(node)]];
-      shares_[tie].push_back({body, place - system_.bodies[body].center0, mass, inertia});
+      const auto [arm, is_new] = arms_.try_emplace(node);
+      if (is_new) arm->second = system_.ties.x.at(at(system_.model_node[at(node)])) - system_.bodies[body].center0;
+      shares_[tie].push_back({body, arm->second, mass, inertia});
     } else if (system_.map.dependent(term.node)) {
       find_shares(tie, term.node, term.weight * mass, term.weight * (turning + mass * dot(term.arm, term.arm)));
     }
@@ -169,7 +170,7 @@ void TieReleases::delete_welds_without_sheet(const system::State& state) {
 
 void TieReleases::archive(Archive& a) {
   a(ended_, lost_, death_times_, events_, shares_, centre_moved_);
-  a.built(system_, welds_, springs_, nodes_released_, arms_to_move_);
+  a.built(system_, welds_, springs_, arms_, nodes_released_, arms_to_move_);
 }
 
 }  // namespace nugget::impact

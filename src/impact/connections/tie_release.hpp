@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,6 +52,7 @@ class TieReleases {
   std::vector<char> ended_, lost_;          // by tie; lost: with its shell
   std::vector<std::size_t> death_times_;    // ties with a death time, the earliest last
   std::vector<std::vector<Share>> shares_;  // by tie
+  std::map<int, Vec3d> arms_;               // by node of a body that has such shares, all met at the start: Share::arm
   std::vector<Vec3d> centre_moved_;         // by body, since the start, in its axes
   std::vector<Vec3d> arms_to_move_;         // by body, what of that its nodes' arms do not know yet, in global axes
   bool nodes_released_ = false;
