@@ -106,13 +106,7 @@ class CouponMesh {
       const auto& [s, t] = section.point[static_cast<std::size_t>(i)];
       nodes_ += node_line(below + i, {s, t, lower_}) + node_line(above + i, {s, t, upper_});
     }
-    weld_ = "*ELEMENT_SOLID\n$#   eid     pid      n1      n2      n3      n4      n5      n6      n7      n8\n";
-    for (std::size_t e = 0; e < section.quad.size(); ++e) {
-      weld_ += fmt::format("{:8d}{:8d}", coupon_weld_element + static_cast<int>(e), coupon_weld);
-      for (const int first : {below, above})
-        for (const int k : section.quad[e]) weld_ += fmt::format("{:8d}", first + k);
-      weld_ += '\n';
-    }
+    weld_ = brick_header + brick_lines(section, coupon_weld_element, coupon_weld, below, above);
   }
 
   /// KS-2 is turned about x until the load is along z.
@@ -356,11 +350,7 @@ class CouponDeck {
 
   std::string bricks() {
     const int section = ++next_;
-    return "$ Bricks of one point, held against hourglassing by assumed strains (type 6, QM = 1).\n"
-           "*SECTION_SOLID\n$#   secid    elform\n" +
-           ints({section, 1}) + "*HOURGLASS\n$#    hgid       ihq        qm\n" +
-           fmt::format("{:10d}{:10d}{:10.1f}\n", 90001, 6, 1.0) +
-           "*PART\nspot weld\n$#     pid     secid       mid     eosid      hgid\n" +
+    return brick_cards(section, 90001) + "*PART\nspot weld\n$#     pid     secid       mid     eosid      hgid\n" +
            ints({coupon_weld, section, card_.weld_material, 0, 90001});
   }
 

@@ -194,13 +194,9 @@ class PlacementWriter {
     for (std::size_t i = 1; i < planes.size(); ++i) {
       const int above = node_ + 1;
       for (const Vec3d& x : planes[i]) add_node(x);
-      for (const auto& quad : section.quad) {
-        fmt::format_to(std::back_inserter(elements_), "{:8d}{:8d}", ++element_, part);
-        for (const int first : {below, above})
-          for (const int k : quad) fmt::format_to(std::back_inserter(elements_), "{:8d}", first + k);
-        elements_ += '\n';
-        ++count_;
-      }
+      elements_ += brick_lines(section, element_ + 1, part, below, above);
+      element_ += static_cast<int>(section.quad.size());
+      count_ += section.quad.size();
       below = above;
     }
   }
@@ -216,13 +212,7 @@ class PlacementWriter {
   std::string parts() {
     std::string s;
     const bool beams = form_ == WeldForm::beam;
-    if (!beams) {
-      s += fmt::format(
-          "$ Bricks of one point, held against hourglassing by assumed strains (type 6, QM = 1).\n"
-          "*SECTION_SOLID\n$#   secid    elform\n{:10d}{:10d}\n*HOURGLASS\n$#    hgid       ihq        qm\n"
-          "{:10d}{:10d}{:10.1f}\n",
-          ++section_, 1, ++hourglass_, 6, 1.0);
-    }
+    if (!beams) s += brick_cards(++section_, ++hourglass_);
     for (const WeldPart& p : weld_parts_) {
       if (beams)
         s += fmt::format(
@@ -404,11 +394,9 @@ class PlacementWriter {
 
   std::string mesh() const {
     return "*NODE\n$#   nid               x               y               z\n" + nodes_ +
-           (elements_.empty() ? ""
-            : form_ == WeldForm::beam
-                ? "*ELEMENT_BEAM\n$#   eid     pid      n1      n2      n3\n"
-                : "*ELEMENT_SOLID\n$#   eid     pid      n1      n2      n3      n4      n5      n6      "
-                  "n7      n8\n") +
+           (elements_.empty()         ? ""
+            : form_ == WeldForm::beam ? "*ELEMENT_BEAM\n$#   eid     pid      n1      n2      n3\n"
+                                      : brick_header) +
            elements_ + "*END\n";
   }
 

@@ -358,7 +358,7 @@ TEST(Followers, ThoseOfATiedNodeFollowWhatItFollows) {
     const FollowersOfNodes of_node(sheet.system, partition, {});
     const Followers first = of_node[node(1)], second = of_node[node(625)], between = of_node[node(9001)];
     ASSERT_EQ(first.owners.size() + second.owners.size(), 2u);
-    ASSERT_NE(first.owners.front(), second.owners.front());
+    ASSERT_FALSE(std::ranges::equal(first.owners, second.owners));
     EXPECT_TRUE(between.owners.empty());
     for (const Followers* one : {&first, &second, &between}) {
       EXPECT_FALSE(one->all);
