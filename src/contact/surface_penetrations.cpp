@@ -98,12 +98,14 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
   double moved = 0.0;  // since the surface was divided, at most
   for (int pass = 0; pass < passes; ++pass) {
     std::vector<Way> ways;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      // Of several penetrations of a node only the first in the list is mended in a pass.
-      if (i > 0 && left[i].node == left[i - 1].node) continue;
-      const double thickness = now->segments[left[i].segment].thickness;
-      if (left[i].depth <= 1e-3 * thickness) continue;
-      ways.push_back({0.5 * left[i].depth * left[i].direction, left[i].node});
+    for (auto first = left.begin(); first != left.end();) {
+      const auto end = std::find_if(first, left.end(), [&](const Penetration& p) { return p.node != first->node; });
+      // Of several penetrations of a node the deepest is mended in a pass, in whatever order segments are numbered.
+      const Penetration& deepest =
+          *std::max_element(first, end, [](const Penetration& a, const Penetration& b) { return a.depth < b.depth; });
+      first = end;
+      if (deepest.depth <= 1e-3 * now->segments[deepest.segment].thickness) continue;
+      ways.push_back({0.5 * deepest.depth * deepest.direction, deepest.node});
     }
     if (divided != nullptr) ways = gather_lists(divided->ranks, ways);
     if (ways.empty()) break;

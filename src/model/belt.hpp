@@ -75,6 +75,25 @@ struct Retractor {
   Place place;
 };
 
+/// *ELEMENT_SEATBELT_PRETENSIONER.
+struct Pretensioner {
+  enum class Kind {
+    limited_pull_in,  ///< SBPRTY 1: turns the retractor's spool; its tension is that of the locked retractor
+    spring_acts,      ///< 2: a spring has its force from then on
+    spring_ends,      ///< 3: a spring has no force from then on
+    pull_in           ///< 5: reels in what the curve says, whatever the tension, but for `most_tension`
+  };
+  int id = 0;
+  Kind kind = Kind::pull_in;
+  std::vector<Index> sensors;               ///< SBSID1 to SBSID4, in Model::belts
+  Index control = none;                     ///< *SENSOR_CONTROL with BELTPRET: as one more sensor
+  double delay = 0.0;                       ///< TIME [time]
+  Index retractor = none, discrete = none;  ///< SBRID
+  Index curve = none;                       ///< PTLCID: pull-in over the time since it acts
+  double most_tension = 0.0;                ///< LMTFRC: at which pull-in ends; 0: none
+  Place place;
+};
+
 /// Seat belts of a model.
 struct Belts {
   std::vector<BeltMaterial> materials;
@@ -82,7 +101,8 @@ struct Belts {
   std::vector<SlipRing> rings;
   std::vector<BeltSensor> sensors;
   std::vector<Retractor> retractors;
-  bool empty() const { return elements.empty(); }
+  std::vector<Pretensioner> pretensioners;
+  bool empty() const { return elements.empty() && pretensioners.empty(); }
 };
 
 }  // namespace nugget::model

@@ -18,6 +18,7 @@ inline constexpr auto history_files = std::to_array<std::string_view>({
     "swforc",
     "dcfail",
     "deforc",
+    "disbout",
     "jntforc",
     "sbtout",
     "rwforc",

@@ -461,6 +461,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   std::optional<Frame3d> axes(std::size_t e, const State& now) const override {
     if constexpr (requires { kernel_.frame_of(places(e, now)); }) return kernel_.frame_of(places(e, now));
+    if constexpr (requires { kernel_.axes_now(reader(e)); }) return kernel_.axes_now(reader(e));
     return {};
   }
   std::optional<Frame3d> material_axes(std::size_t e, int k, const State& now) const override {
@@ -470,6 +471,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   }
   double thickness(std::size_t e) const override { return kernel_.thickness(reader(e)); }
   std::array<double, 8> resultants(std::size_t e) const override { return kernel_.resultants(reader(e)); }
+  std::array<double, 6> displacements(std::size_t e) const override {
+    if constexpr (requires { kernel_.displacements(reader(e)); }) return kernel_.displacements(reader(e));
+    return {};
+  }
   double strain_rate(std::size_t e) const override {
     if constexpr (requires { Element::Layout::strain_rate; }) return field(e, Element::Layout::strain_rate);
     return 0.0;

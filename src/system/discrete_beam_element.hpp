@@ -67,13 +67,20 @@ struct DiscreteBeamElement {
     return r;
   }
 
- private:
+  template <class Field>
+  std::array<double, 6> displacements(const Field& field) const {
+    std::array<double, 6> u{};
+    for (int i = 0; i < 6; ++i) u[at(i)] = field(Layout::displacement + i);
+    return u;
+  }
   template <class Field>
   static Frame3d axes_now(const Field& field) {
     const Vec3d r{field(Layout::axis_r), field(Layout::axis_r + 1), field(Layout::axis_r + 2)};
     const Vec3d s{field(Layout::axis_s), field(Layout::axis_s + 1), field(Layout::axis_s + 2)};
     return {r, s, cross(r, s)};
   }
+
+ private:
   /// A global axis that is not along r: the law of a joint is the same in all directions of the sheets.
   static Vec3d any_other(const Vec3d& r) { return std::abs(r.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}; }
   /// Axes of CID; else r from node 1 to node 2 with s towards the third node; else the global ones.

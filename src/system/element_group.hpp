@@ -176,7 +176,7 @@ class ElementGroup {
   virtual bool set_layer(std::size_t, int, const Layer&, const State&) { return false; }
   /// Of a point of a weld; 0 of other elements.
   virtual double plastic_strain(std::size_t, int) const { return 0.0; }
-  /// Of shells: the axes in which their `resultants` stand, at the positions given.
+  /// Of shells, at the positions given, and of discrete beams: the axes in which their `resultants` stand.
   virtual std::optional<Frame3d> axes(std::size_t, const State&) const { return {}; }
   /// Axes a, b, c of the material in a layer, of laws that have them (AOPT).
   virtual std::optional<Frame3d> material_axes(std::size_t, int, const State&) const { return {}; }
@@ -185,6 +185,8 @@ class ElementGroup {
   /// Shells: Mx My Mxy Qx Qy Nx Ny Nxy in local axes, per unit length. Beams: N_rr N_rs N_rt M_rr M_ss M_tt; of a joint
   /// between sheets its plastic displacement and its damage besides.
   virtual std::array<double, 8> resultants(std::size_t) const { return {}; }
+  /// Of discrete beams: motion of node 2 relative to node 1 along r, s, t [length] and about them [radian].
+  virtual std::array<double, 6> displacements(std::size_t) const { return {}; }
   /// Effective strain rate of a weld element in the last cycle, sqrt(2/3 e:e) of the deviator [1/time]; 0 of others.
   virtual double strain_rate(std::size_t) const { return 0.0; }
 

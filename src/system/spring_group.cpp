@@ -71,7 +71,7 @@ void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, 
       if (s.alive) advance(s, state, dt);
       if (lived && !s.alive) ++deletions;
       // The slot's force is the internal one: on the node itself acts the opposite.
-      const Vec3d pull = s.alive ? -s.force * s.line : Vec3d{};
+      const Vec3d pull = s.alive && !s.cancelled ? -s.force * s.line : Vec3d{};
       double work = 0.0;
       for (int a = 0; a < nodes_per_element; ++a) {
         Row& row = slots[slot_row(e, a) + (rotational ? 1 : 0)];
@@ -182,7 +182,7 @@ void SpringGroup::damp(std::size_t e, const State& state, std::span<Row> slots) 
   const Rows& of = rotational ? state.w : state.v;
   const Entry& s = springs_[e];
   Vec3d pull{};
-  if (s.alive) {
+  if (s.alive && !s.cancelled) {
     const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[s.node[1]]);
     const double k = s.source->scale * law_.initial_stiffness();
     pull = (damping_time_at(s.step) * k * dot(second - vec(of[s.node[0]]), s.line)) * s.line;
@@ -339,7 +339,7 @@ void check_springs(const System& system, Findings& findings) {
 }
 
 void SpringGroup::Entry::archive(Archive& a) {
-  a(state, elongation, pressed, force, energy, step, line, alive, started, inverse_mass, stiffness_rate,
+  a(state, elongation, pressed, force, energy, step, line, alive, started, cancelled, inverse_mass, stiffness_rate,
     viscosity_rate);
   a.built(source, node, direction, ground, length);
 }

@@ -52,9 +52,13 @@ class SpringGroup final : public ElementGroup {
   void scale_mass(std::size_t, double) override {}
 
   bool torsional() const { return section_.torsional; }
-  double force(std::size_t e) const { return springs_[e].force; }            ///< or moment; positive in tension
+  /// Or moment; positive in tension.
+  double force(std::size_t e) const { return springs_[e].cancelled ? 0.0 : springs_[e].force; }
   double elongation(std::size_t e) const { return springs_[e].elongation; }  ///< or twist
   Vec3d line(std::size_t e) const { return springs_[e].line; }               ///< unit vector
+
+  /// Whether a spring, which goes on along its law, has no force on its nodes from the next cycle on.
+  void cancel_force(std::size_t e, bool cancelled) { springs_[e].cancelled = cancelled; }
 
   double greatest_stiffness(std::size_t e) const;
   double greatest_viscosity(std::size_t e, double force) const;
@@ -78,7 +82,7 @@ class SpringGroup final : public ElementGroup {
     double elongation = 0.0, pressed = 0.0;  ///< pressed: what is left of it by the clearance
     double force = 0.0, energy = 0.0, step = 0.0;
     Vec3d line;
-    bool alive = true, started = false;
+    bool alive = true, started = false, cancelled = false;
     double inverse_mass = 0.0, stiffness_rate = 0.0, viscosity_rate = 0.0;
     void archive(Archive& a);
   };

@@ -169,7 +169,6 @@ class Rings(SeatBelts):
         self.refused(self.over_a_ring(card(5, 1, 2, 0.0, 4) + card(0.3)), "k = 0.3: friction by skew, function or normal force is not built")
         self.refused(ring.replace(card(1, 1e-9, 11, 0, LEAST), card(1, 1e-9, 11, 0, 0.0)), "belts at slip rings need a least length")
         self.refused(ring.replace(card(1, 1e-9, 11, 0, LEAST), card(1, 1e-9, 11, 0, LEAST, "", "", 100.0)), "e = 100.0: bending and compression of belts are not built")
-        self.refused(ring.replace("*END", "*ELEMENT_SEATBELT_PRETENSIONER\n" + card(1, 1) + card(1) + "*END"), "pretensioners are not built")
 
 
 class Retractors(SeatBelts):
@@ -276,6 +275,97 @@ class Retractors(SeatBelts):
                 self.refused(text, message)
 
 
+class Pretensioners(SeatBelts):
+    """A belt of 100 mm between two nodes that are held, one of them a retractor whose tension is 200 N while it is free, 100 N more for each
+    mm that comes out once it is locked, 1200 N at most. A sensor at 1 ms, the pretensioner 1 ms later; pull-in over 4 ms."""
+    FREE = 100.0 / (1 + 200.0 / STIFF)
+
+    def drawn(self, kind, pull_in, limit=0.0, sensors=(2,), more=""):
+        text = material() + nodes([(100, 0, 0), (0, 0, 0)]) + held(1, 2) + belts((1, 1, 2, 0, 0.0))
+        text += curve(12, (0.0, 200.0), (10.0, 1200.0), (50.0, 1200.0)) + curve(15, (0.0, 0.0), (4e-3, pull_in), (5e-3, pull_in))
+        text += "*ELEMENT_SEATBELT_SENSOR\n" + card(1, 3) + card(1.0) + card(2, 3) + card(1e-3)
+        text += "*ELEMENT_SEATBELT_RETRACTOR\n" + card(7, 2, 1, 1) + card(0.0, 0.0, 12, 0, FED)
+        return deck(text + "*ELEMENT_SEATBELT_PRETENSIONER\n" + card(4, kind, *sensors) + card(7, 1e-3, 15, limit) + more)
+
+    def of_length(self, length):
+        return STIFF * (100.0 / length - 1.0)
+
+    def test_pull_in_behind_the_curve_of_the_retractor(self):
+        """Type 1: what is pulled out and the pull-in together make the tension, as on a spool behind a torsion bar."""
+        for pull_in in (2.0, 20.0):
+            with self.subTest(pull_in):
+                times = self.run_deck(self.drawn(1, pull_in))
+                self.assertAlmostEqual(self.tension(times, 1, 1.9e-3), 200.0, delta=0.5)
+                for time in (4e-3, 9e-3):
+                    drawn = pull_in * min(1.0, (time - 2e-3) / 4e-3)
+                    u = solve(lambda u: self.of_length(self.FREE + u - drawn) - min(1200.0, 200.0 + 100.0 * u), 0.0, 60.0)
+                    self.assertAlmostEqual(self.tension(times, 1, time), min(1200.0, 200.0 + 100.0 * u), delta=1.0)
+                    self.assertAlmostEqual(self.state(times, time)["retractor", 7][0], self.FREE - 100.0 + u - drawn, delta=0.01)
+                self.assertRegex(self.read("run/run.log"), r"time 0\.002\d*: pretensioner 4 acts\n(.*\n)*.*retractor 7 has locked")
+                self.assertAlmostEqual(self.json("run/summary.json")["energy"]["ratio"], 1.0, delta=1e-3)
+
+    def test_pull_in_whatever_the_tension(self):
+        """Type 5: the length is what the curve says; then the retractor is locked, its load limit 1200 N."""
+        times = self.run_deck(self.drawn(5, 2.0))
+        for time in (3e-3, 5.8e-3):
+            self.assertAlmostEqual(self.tension(times, 1, time), self.of_length(self.FREE - 2.0 * (time - 2e-3) / 4e-3), delta=4.0)
+        self.assertAlmostEqual(self.tension(times, 1, 6.5e-3), self.of_length(self.FREE - 2.0), delta=2.0)
+        self.assertAlmostEqual(self.tension(times, 1, 9e-3), 1200.0, delta=1.0)
+        # LMTFRC ends it, and the belt keeps that tension
+        times = self.run_deck(self.drawn(5, 2.0, limit=900.0))
+        self.assertAlmostEqual(self.tension(times, 1, 3e-3), self.of_length(self.FREE - 0.5), delta=4.0)
+        for time in (5e-3, 9e-3):
+            self.assertAlmostEqual(self.tension(times, 1, time), 900.0, delta=4.0)
+
+    def test_a_switch_makes_it_act(self):
+        switch = "*SENSOR_SWITCH\n" + card(1, "TIME", 0, "", 3e-3) + "*SENSOR_CONTROL\n" + card(3, "BELTPRET", 4) + card("OFF", 1)
+        self.run_deck(self.drawn(5, 2.0, sensors=(), more=switch))
+        self.assertRegex(self.read("run/run.log"), r"time 0\.004\d*: pretensioner 4 acts")
+
+    def on_springs(self, kind, spring, locking):
+        """A buckle of 1e-3 t on a spring of 10 N/mm that is stretched by 20 mm; a locking spring beside it."""
+        springs = f"{11:8}{2:8}{1:8}{2:8}{0:8}{1.0:16}{0:8}{20.0:16}\n" + (f"{12:8}{3:8}{1:8}{2:8}\n" if locking else "")
+        text = nodes([(0, 0, 0), (100, 0, 0)]) + held(1) + "*BOUNDARY_SPC_NODE\n" + card(2, 0, 0, 1, 1, 1, 1, 1)
+        text += f"*ELEMENT_MASS\n{1:8}{2:8}{1e-3:16}\n*SECTION_DISCRETE\n" + card(5) + card(0.0)
+        text += "*MAT_SPRING_ELASTIC\n" + card(5, 10.0) + "*MAT_SPRING_ELASTIC\n" + card(6, 1e4) + "*PART\nbuckle\n" + card(2, 5, 5)
+        text += ("*PART\nlock\n" + card(3, 5, 6) if locking else "") + "*ELEMENT_DISCRETE\n" + springs
+        text += "*ELEMENT_SEATBELT_SENSOR\n" + card(2, 3) + card(1e-3) + "*ELEMENT_SEATBELT_PRETENSIONER\n" + card(4, kind, 2) + card(spring, 1e-3)
+        text += "*DATABASE_DEFORC\n" + card(1e-4)
+        self.nugget("run", self.write(deck(text, end=1.3e-2)).name, "-o", "run", "--quiet")
+        found, time, number = {}, 0.0, 0
+        for name, value in re.findall(r"^ (time|spring/damper number|change in length|resultant force)\.+ *(\S+)", self.read("run/deforc"), re.M):
+            if name == "time":
+                time = round(float(value), 4)
+            elif name == "spring/damper number":
+                number = int(value)
+            else:
+                found[time, number, name] = float(value)
+        return found
+
+    def test_springs_that_move_a_buckle(self):
+        """Type 2: the spring has no force until then; type 3: the locking spring has none from then on. Then 20 mm cos(100 t)."""
+        for kind, spring, locking, at_rest in ((2, 11, False, 20.0), (3, 12, True, 20.0 - 200.0 / 1e4)):
+            with self.subTest(kind):
+                found = self.on_springs(kind, spring, locking)
+                self.assertAlmostEqual(found[1.9e-3, 11, "change in length"], at_rest, delta=0.021)
+                self.assertAlmostEqual(found[1.9e-3, 11, "resultant force"], 0.0 if kind == 2 else 200.0, delta=0.3)
+                for time in (7e-3, 1.2e-2):
+                    self.assertAlmostEqual(found[time, 11, "change in length"], 20.0 * math.cos(100.0 * (time - 2e-3)), delta=0.12)
+                self.assertEqual(found.get((1.2e-2, 12, "resultant force"), 0.0), 0.0)
+                self.assertIn("pretensioner 4 acts", self.read("run/run.log"))
+                self.assertAlmostEqual(self.json("run/summary.json")["energy"]["ratio"], 1.0, delta=1e-3)
+
+    def test_what_is_refused(self):
+        for text, message in ((self.drawn(4, 2.0), "sbprty = 4: this type of pretensioner is not built"),
+                              (self.drawn(5, 2.0, sensors=()), "nothing makes it act"),
+                              (self.drawn(5, 2.0, sensors=(3,)), "sbsid1 = 3: seat belt sensor 3 is not defined"),
+                              (self.drawn(5, -2.0), "expected lengths of 0 and more that do not fall"),
+                              (self.drawn(3, 2.0), "sbrid = 7: discrete element 7 is not defined"),
+                              (self.drawn(5, 2.0, more=card(5, 1, 2) + card(7, 0.0, 15)), "this retractor has a pretensioner already")):
+            with self.subTest(message):
+                self.refused(text, message)
+
+
 class SameBits(SeatBelts):
     def deck(self):
         return Retractors.out_of_a_retractor(self, card(1, 3) + card(6e-3), law=card(0.0, 0.0, 12, 13, FED), more="*DATABASE_GLSTAT\n" + card(1e-4) + "*DATABASE_NODOUT\n" + card(1e-4)
@@ -286,6 +376,11 @@ class SameBits(SeatBelts):
 
     def test_restart(self):
         self.resumed(self.deck())
+
+    def test_restart_while_pretensioners_act(self):
+        for kind in (1, 5):
+            with self.subTest(kind):
+                self.resumed(Pretensioners.drawn(self, kind, 2.0, more="*DATABASE_GLSTAT\n" + card(1e-4) + "*DATABASE_BINARY_D3PLOT\n" + card(2e-3)))
 
 
 if __name__ == "__main__":

@@ -75,6 +75,38 @@ class DiscreteBeams(CommandTest):
             displacement = 0.5 - time
             self.assertAlmostEqual(force, max(20 * displacement, 50 - 200 * time), delta=0.5, msg=time)
 
+    def test_disbout_has_motions_forces_and_axes(self):
+        """A linear beam of no length in axes turned by 30 degrees about z: node 2 goes (3, 1, 2) and turns by 0.02 about x."""
+        stiffness = (100.0, 50.0, 20.0, 4.0e3, 5.0e3, 6.0e3)
+        deck = ("*KEYWORD\n*CONTROL_TERMINATION\n" + card(1.0) + "*MAT_066\n" + card(1, 1.0, *stiffness) + card(0.0) + card(0.0) +
+                "*SECTION_BEAM\n" + card(1, 6, 1.0, 2, 0, -1.0) + card(1e-3, 1e-3, 5) + "*PART\nbeam\n" + card(7, 1, 1) +
+                f"*NODE\n{1:8}{0:16}{0:16}{0:16}\n{2:8}{0:16}{0:16}{0:16}\n*ELEMENT_BEAM\n" + "".join(f"{v:8}" for v in (31, 7, 1, 2)) +
+                "\n*BOUNDARY_SPC_NODE\n" + card(1, 0, 1, 1, 1, 1, 1, 1) + "*DEFINE_COORDINATE_VECTOR\n" + card(5, 3.0**0.5, 1.0, 0.0, -1.0, 3.0**0.5, 0.0))
+        way = (3.0, 1.0, 2.0, 0.02)
+        for freedom, u in zip((1, 2, 3, 5), way):
+            deck += curve(90 + freedom, (0.0, 0.0), (0.5, u), (9.0, u)) + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(2, freedom, 2, 90 + freedom)
+        deck += "*BOUNDARY_SPC_NODE\n" + card(2, 0, 0, 0, 0, 0, 1, 1) + curve(80, (0, 1e-3), (9, 1e-3)) + "*CONTROL_TIMESTEP\n" + card(0, 0.9, 0, 0, 0, 80)
+        self.nugget("run", self.write(deck + "*DATABASE_HISTORY_BEAM\n" + card(31) + "*DATABASE_DISBOUT\n" + card(0.1, 3) + "*END\n"))
+        cosine, sine = math.cos(math.radians(30)), 0.5
+        motion = (way[0] * cosine + way[1] * sine, way[1] * cosine - way[0] * sine, way[2], way[3] * cosine, -way[3] * sine, 0.0)
+        found = lsda.read(self.folder / "binout0000")
+        last = max(key.rsplit("/", 1)[0] for key in found if key.startswith("disbout/d"))
+        names = ("r_dis_axial", "r_dis_ns", "r_dis_nt", "axial_rot", "rot_s", "rot_t"), ("rslt_axial", "rslt_ns", "rslt_nt", "torsion", "moment_s", "moment_t")
+        for k, u in enumerate(motion):
+            self.assertAlmostEqual(found[f"{last}/{names[0][k]}"][0], u, delta=0.002 * max(motion[3 * (k // 3):3 * (k // 3) + 3]))
+            self.assertAlmostEqual(found[f"{last}/{names[1][k]}"][0], stiffness[k] * u, delta=0.002 * stiffness[k] * abs(motion[3 * (k // 3)]))
+        for axis, expected in (("axial", (cosine, sine, 0.0)), ("s_dir", (-sine, cosine, 0.0)), ("t_dir", (0.0, 0.0, 1.0))):
+            for direction, value in zip("xyz", expected):
+                self.assertAlmostEqual(found[f"{last}/{axis}_{direction}"][0], value, delta=1e-6)
+        self.assertEqual([found[f"{last}/{name}"][0] for name in ("nelb", "matid", "mtype")], [31, 7, 66])
+        text = self.read("disbout").split("d i s c r e t e  b e a m")[-1]
+        self.assertIn(" beam/truss # =      31      part ID  =         7      material type=      66\n", text)
+        rows = [[float(v) for v in line.split()] for line in text.splitlines() if line.startswith("           ")]
+        self.assertEqual([len(row) for row in rows], [6, 6, 3, 3, 3])
+        for row, expected in zip(rows, (motion, [k * u for k, u in zip(stiffness, motion)])):
+            for value, right in zip(row, expected):
+                self.assertAlmostEqual(value, right, delta=0.003 * max(abs(e) for e in expected))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,6 +3,7 @@
 import unittest
 
 import lap_joint
+from few_elements import SOLID, card, curve, nodes, part
 from lap_joint import edited
 from nugget_command import CommandTest
 from test_swforc import joined_by
@@ -88,6 +89,31 @@ class TieEnds(CommandTest):
         self.assertGreater(max(abs(state["sliding interface energy"]) for state in states), 0.1)
         for state in states:
             self.assertAlmostEqual(state["total energy"] / states[0]["total energy"], 1.0, delta=2e-5)
+
+
+class TiesToBricks(CommandTest):
+    def test_a_node_falls_when_its_brick_is_deleted(self):
+        """Two bricks are held, a point mass is tied to the upper face of each, everything is under gravity; one of the bricks is deleted. Its mass
+        falls from then on, the other one stays. Sabotage: ties to bricks last for ever."""
+        places = [(x, y, z) for x in (0.0, 10.0, 20.0) for y in (0.0, 10.0) for z in (0.0, 10.0)]
+        corner = lambda i, j, k: 1 + 4 * i + 2 * j + k
+        bricks = "".join(f"{e:8}{1:8}\n" + "".join(f"{corner(e - 1 + i, j, k):8}" for k in (0, 1) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))) + "\n"
+                         for e in (1, 2))
+        for contact in ("TIED_NODES_TO_SURFACE", "TIED_NODES_TO_SURFACE_OFFSET", "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET"):
+            with self.subTest(contact):
+                text = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(1e-3) + part(1) + SOLID + "*MAT_ELASTIC\n" + card(1, 7.85e-9, 2.1e5, 0.3)
+                text += nodes(places + [(4.0, 6.0, 10.0), (14.0, 6.0, 10.0)]) + "*ELEMENT_SOLID\n" + bricks
+                text += "*BOUNDARY_SPC_NODE\n" + "".join(card(n, 0, 1, 1, 1) for n in range(1, 13))
+                text += "*ELEMENT_MASS\n" + "".join(f"{100 + n:8}{n:8}{1e-6:16}\n" for n in (13, 14)) + "*SET_NODE_LIST\n" + card(5) + card(13, 14)
+                text += f"*CONTACT_{contact}\n" + card(5, 1, 4, 3) + "\n\n" + "*LOAD_BODY_Z\n" + card(9, 1000.0) + curve(9, (0.0, 1.0), (1.0, 1.0))
+                text += "*DEFINE_ELEMENT_DEATH_SOLID\n" + card(2, 4e-4) + "*DATABASE_HISTORY_NODE\n" + card(13, 14) + "*DATABASE_NODOUT\n" + card(1e-3)
+                self.write(text + "*END\n")
+                self.nugget("run", "model.k", "--quiet")
+                self.assertRegex(self.read("run.log"), r"tie ended  node=14 .* with brick 2\n")
+                self.assertNotIn("tie ended  node=13 ", self.read("run.log"))
+                speed = {int(line[:10]): float(line[70:82]) for line in self.read("nodout").splitlines() if line[:10].strip() in ("13", "14") and len(line) > 120}
+                self.assertAlmostEqual(speed[14], -1000.0 * 6e-4, delta=0.01)
+                self.assertAlmostEqual(speed[13], 0.0, delta=0.01)
 
 
 class ErodedKineticEnergy(CommandTest):

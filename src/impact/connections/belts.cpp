@@ -8,6 +8,7 @@
 
 #include "base/index.hpp"
 #include "system/mobility.hpp"
+#include "system/spring_group.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -34,7 +35,7 @@ Curve curve_of(const model::Model& model, model::Index curve) {
 
 }  // namespace
 
-Belts::Belts(const system::System& system, Findings& findings) : system_(system) {
+Belts::Belts(system::System& system, Findings& findings) : system_(system) {
   const model::Model& model = system.model;
   const model::Belts& given = model.belts;
   if (given.empty()) return;
@@ -69,6 +70,10 @@ Belts::Belts(const system::System& system, Findings& findings) : system_(system)
     reels_.push_back(std::move(reel));
   }
   sensors_.resize(given.sensors.size());
+  for (const model::Pretensioner& pretensioner : given.pretensioners) {
+    pretensioners_.emplace_back().source = &pretensioner;
+    if (pretensioner.kind == model::Pretensioner::Kind::spring_acts) cancel_force(pretensioner, true);
+  }
 
   mobility_.resize(system.all_nodes());
   stiffness_.resize(system.all_nodes());
@@ -255,12 +260,22 @@ double Belts::longest_change(const Reel& reel) const {
   return std::max(0.0, mouth.length - (goes_in ? shortest : 1.0) * mouth.least);
 }
 
+bool Belts::any_on(const std::vector<model::Index>& sensors, model::Index control, const system::State& state) const {
+  return (control != model::none && state.acts(control)) ||
+         std::ranges::any_of(sensors, [&](model::Index s) { return sensors_[s].on; });
+}
+
+void Belts::lock_now(Reel& reel, const system::State& state) {
+  if (reel.locked) return;
+  reel.locked = true;
+  events_.push_back(
+      fmt::format("time {:.6g}: retractor {} has locked, {:.6g} pulled out", state.time, reel.source->id, reel.paid));
+}
+
 void Belts::lock(Reel& reel, const system::State& state) {
   const model::Retractor& card = *reel.source;
   if (reel.responded < 0.0) {
-    bool any = card.control != model::none && state.acts(card.control);
-    for (const model::Index s : card.sensors) any = any || sensors_[s].on;
-    if (!any) return;
+    if (!any_on(card.sensors, card.control, state)) return;
     reel.responded = state.time;
   }
   if (reel.armed < 0.0) {
@@ -269,19 +284,20 @@ void Belts::lock(Reel& reel, const system::State& state) {
     reel.paid_then = reel.paid;
   }
   if (reel.locked || reel.paid - reel.paid_then < card.pull) return;
-  reel.locked = true;
-  events_.push_back(
-      fmt::format("time {:.6g}: retractor {} has locked, {:.6g} pulled out", state.time, card.id, reel.paid));
+  lock_now(reel, state);
 }
 
-void Belts::wind(Reel& reel, const system::State& state) {
+/// `drawn`: what a pretensioner reels in over the step, whatever the tension.
+void Belts::wind(Reel& reel, std::optional<double> drawn, const system::State& state) {
   reel.rate = 0.0;
   if (state.dt <= 0.0) return;
   lock(reel, state);
   Element& mouth = elements_[reel.mouth];
   const double most = fed_in_a_cycle * reel.source->fed_length, in = std::min(most, longest_change(reel));
   double change = 0.0;
-  if (reel.locked) {
+  if (drawn) {
+    change = -std::min(*drawn, longest_change(reel));
+  } else if (reel.locked) {
     change = where_it_falls_to_zero(-in, mouth.distance, [&](double d) {
       return tension_at(mouth, mouth.length + d) - reel.tension(reel.pulled + d, reel.state);
     });
@@ -296,6 +312,55 @@ void Belts::wind(Reel& reel, const system::State& state) {
   mouth.length += change;
   reel.paid += change;
   reel.rate = change / state.dt;
+}
+
+// ---- pretensioners
+
+void Belts::cancel_force(const model::Pretensioner& of, bool cancelled) {
+  const system::System::ElementLocation location = system_.discrete_location[of.discrete];
+  static_cast<system::SpringGroup&>(*system_.groups[location.group]).cancel_force(at(location.element), cancelled);
+}
+
+/// What a pretensioner of type 5 reels in over the step; nothing where it does not rule its retractor.
+std::optional<double> Belts::act(Tightening& pretensioner, const system::State& state) {
+  using enum model::Pretensioner::Kind;
+  const model::Pretensioner& card = *pretensioner.source;
+  if (pretensioner.ended || state.dt <= 0.0) return {};
+  if (pretensioner.responded < 0.0) {
+    if (!any_on(card.sensors, card.control, state)) return {};
+    pretensioner.responded = state.time;
+  }
+  if (pretensioner.acting < 0.0) {
+    if (state.time - pretensioner.responded < card.delay) return {};
+    pretensioner.acting = state.time;
+    events_.push_back(fmt::format("time {:.6g}: pretensioner {} acts", state.time, card.id));
+  }
+  if (card.retractor == model::none) {
+    cancel_force(card, card.kind == spring_ends);
+    pretensioner.ended = true;
+    return {};
+  }
+  Reel& reel = reels_[card.retractor];
+  const Curve& curve = system_.model.curves[card.curve];
+  const double time = state.time - pretensioner.acting, drawn = curve.clamped(time);
+  const double more = std::max(0.0, drawn - pretensioner.drawn);
+  pretensioner.drawn = std::max(pretensioner.drawn, drawn);
+  pretensioner.ended =
+      time >= curve.x.back() || (card.most_tension > 0.0 && tension(at(card.retractor)) >= card.most_tension);
+  if (card.kind == limited_pull_in) {
+    lock_now(reel, state);
+    reel.pulled += more;
+    return {};
+  }
+  if (pretensioner.ended && !reel.locked) {
+    // The spool holds what it has drawn: it goes on where its loading curve has the tension of the belt.
+    const double now = tension(at(card.retractor));
+    reel.pulled = where_it_falls_to_zero(0.0, system_.model.curves[reel.source->loading].x.back(),
+                                         [&](double x) { return now - reel.tension(x, reel.state); });
+    reel.tension.advance(reel.pulled, reel.state);
+    lock_now(reel, state);
+  }
+  return more;
 }
 
 // ---- sensors
@@ -376,7 +441,10 @@ void Belts::apply(system::State& state) {
   for (Element& e : elements_)
     if (!e.inside) measure(e, state);
   sense(state);
-  for (Reel& reel : reels_) wind(reel, state);
+  std::vector<std::optional<double>> drawn(reels_.size());
+  for (Tightening& pretensioner : pretensioners_)
+    if (const auto length = act(pretensioner, state)) drawn[at(pretensioner.source->retractor)] = length;
+  for (std::size_t i = 0; i < reels_.size(); ++i) wind(reels_[i], drawn[i], state);
   for (Ring& ring : rings_) slide(ring, state);
   for (Element& e : elements_)
     if (!e.inside) pull(e, state);
@@ -410,8 +478,13 @@ void Belts::Reel::archive(Archive& a) {
   a.built(source, tension, node);
 }
 
+void Belts::Tightening::archive(Archive& a) {
+  a(responded, acting, drawn, ended);
+  a.built(source);
+}
+
 void Belts::archive(Archive& a) {
-  a(elements_, rings_, reels_, sensors_, energy_, reeled_, stable_step_, events_);
+  a(elements_, rings_, reels_, sensors_, pretensioners_, energy_, reeled_, stable_step_, events_);
   a.built(system_, tensions_, mobility_, stiffness_, nodes_, fixed_);
 }
 

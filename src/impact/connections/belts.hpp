@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,15 +28,21 @@ namespace nugget::impact {
 /// tension goes by its curves over what is pulled out from there. A belt that is longer than LFED + LMIN lets the next
 /// one come out, 1.1 LMIN long; one that is shorter than LMIN goes in.
 ///
+/// Pretensioner: acts TIME after one of its sensors has responded. Type 1 locks its retractor and adds the pull-in of
+/// its curve to what is pulled out, as a spool turned behind a torsion bar whose twist is both: the curves of the
+/// retractor limit the tension. Type 5 reels that in whatever the tension, until the curve or LMTFRC ends it; then the
+/// retractor locks where its loading curve has the tension of its belt. Type 2 has the force of a spring cancelled
+/// until it acts, type 3 from then on.
+///
 /// Energy: minus the work of the belts' forces on the nodes, and what nodes gain or lose in kinetic energy when they
 /// pass a ring or go in and out. What retractors reel in is put in from outside, tension times length; what is pulled
 /// out of them stays in the belts' energy. Source: LS-DYNA theory manual, seat belts; docs/decisions/0118 for what is
 /// ours.
 class Belts {
  public:
-  Belts(const system::System& system, Findings& findings);
+  Belts(system::System& system, Findings& findings);
 
-  bool empty() const { return elements_.empty(); }
+  bool empty() const { return elements_.empty() && pretensioners_.empty(); }
   /// Nodes have moved: belts pass rings, and come out of retractors.
   void move(system::State& state);
   /// Material slides; adds the forces at state.time to the nodes.
@@ -55,7 +62,7 @@ class Belts {
   double tension(std::size_t retractor) const { return elements_[reels_[retractor].mouth].force; }
   bool is_inside(std::size_t belt) const { return elements_[belt].inside; }
   bool locked(std::size_t retractor) const { return reels_[retractor].locked; }
-  /// When retractors locked and belts passed, lines of run.log.
+  /// When retractors locked, pretensioners acted and belts passed, lines of run.log.
   const std::vector<std::string>& events() const { return events_; }
 
   void add_energy(Energy& sum) const {
@@ -98,6 +105,14 @@ class Belts {
     Tension::State state;
     void archive(Archive& a);
   };
+  struct Tightening {
+    const model::Pretensioner* source = nullptr;
+    double responded = -1.0;  ///< when a sensor did; below 0: none has
+    double acting = -1.0;     ///< TIME after that
+    double drawn = 0.0;       ///< of its curve so far [length]
+    bool ended = false;
+    void archive(Archive& a);
+  };
   struct Sensing {
     double since = -1.0;  ///< from when it has responded without a break
     bool on = false;      ///< once it was for long enough, for good
@@ -120,18 +135,23 @@ class Belts {
   double friction(const Ring& ring, const system::State& state) const;
   void come_out(Reel& reel, system::State& state);
   void go_in(Reel& reel, system::State& state);
-  void wind(Reel& reel, const system::State& state);
+  void wind(Reel& reel, std::optional<double> drawn, const system::State& state);
   void lock(Reel& reel, const system::State& state);
+  void lock_now(Reel& reel, const system::State& state);
+  bool any_on(const std::vector<model::Index>& sensors, model::Index control, const system::State& state) const;
+  std::optional<double> act(Tightening& pretensioner, const system::State& state);
+  void cancel_force(const model::Pretensioner& of, bool cancelled);
   double longest_change(const Reel& reel) const;
   void pull(Element& e, system::State& state);
   void find_step();
 
-  const system::System& system_;
+  system::System& system_;
   std::vector<Tension> tensions_;  ///< by material
   std::vector<Element> elements_;
   std::vector<Ring> rings_;
   std::vector<Reel> reels_;
   std::vector<Sensing> sensors_;
+  std::vector<Tightening> pretensioners_;
   std::vector<double> mobility_;   ///< by system node, of belts' nodes: largest inverse mass that a force meets there
   std::vector<double> stiffness_;  ///< the same: sum of its belts'
   std::vector<int> nodes_;         ///< of belts

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "weld/tie/disc.hpp"
@@ -21,11 +22,30 @@ TieReleases::TieReleases(system::System& system, Welds& welds, TieForces& spring
       centre_moved_(system.bodies.size()),
       arms_to_move_(system.bodies.size()) {
   for (std::size_t t = 0; t < shares_.size(); ++t) find_shares(t);
+  find_bricks();
   const auto death = [&](std::size_t t) { return system.model.contacts[system.ties.ties[t].contact].death; };
   for (std::size_t t = 0; t < ended_.size(); ++t)
     if (death(t) < model::forever) death_times_.push_back(t);
   std::stable_sort(death_times_.begin(), death_times_.end(),
                    [&](std::size_t a, std::size_t b) { return death(a) > death(b); });
+}
+
+void TieReleases::find_bricks() {
+  const model::Model& model = system_.model;
+  std::multimap<model::Index, std::size_t> ties_at;  // by the first node of their segment
+  for (std::size_t t = 0; t < ended_.size(); ++t) {
+    const weld::Tie& tie = system_.ties.ties[t];
+    if (tie.shell == model::none && tie.part != model::none && model.parts[tie.part].kind == model::ElementKind::solid)
+      ties_at.emplace(tie.segment[0], t);
+  }
+  for (std::size_t e = 0; !ties_at.empty() && e < model.solids.size(); ++e) {
+    const auto nodes = model.solids.nodes(e);
+    const auto has = [&](model::Index n) { return std::ranges::find(nodes, n) != nodes.end(); };
+    for (const model::Index corner : std::set(nodes.begin(), nodes.end()))
+      for (auto [at_corner, last] = ties_at.equal_range(corner); at_corner != last; ++at_corner)
+        if (std::ranges::all_of(system_.ties.ties[at_corner->second].segment, has))
+          bricks_[at_corner->second].push_back(static_cast<model::Index>(e));
+  }
 }
 
 void TieReleases::find_shares(std::size_t tie) {
@@ -83,9 +103,11 @@ void TieReleases::move_arms() {
   std::ranges::fill(arms_to_move_, Vec3d{});
 }
 
-bool TieReleases::update(system::State& state, std::span<const unsigned char> shell_alive, bool shells_deleted) {
+bool TieReleases::update(system::State& state, std::span<const unsigned char> alive, bool shells_deleted,
+                         bool any_deleted) {
   nodes_released_ = false;
-  if (shells_deleted) release_from_deleted_shells(state, shell_alive);
+  if (shells_deleted) release_from_deleted_shells(state, alive);
+  if (any_deleted && !bricks_.empty()) release_from_deleted_bricks(state, alive.subspan(system_.model.shells.size()));
   while (!death_times_.empty()) {
     const weld::Tie& tie = system_.ties.ties[death_times_.back()];
     const model::Contact& contact = system_.model.contacts[tie.contact];
@@ -117,18 +139,34 @@ bool TieReleases::end(std::size_t tie, system::State& state) {
   return true;
 }
 
+/// A tie ends with what carried it.
+void TieReleases::lose(std::size_t tie, std::string_view with, system::State& state) {
+  end(tie, state);
+  lost_[tie] = 1;
+  events_.push_back(fmt::format("tie ended  node={} time={:12.5E} cycle={} with {}",
+                                system_.model.nodes.id[system_.ties.ties[tie].node], state.time, state.cycle, with));
+}
+
+void TieReleases::release_from_deleted_bricks(system::State& state, std::span<const unsigned char> brick_alive) {
+  const model::Model& model = system_.model;
+  const auto is_left = [brick_alive](model::Index brick) { return brick_alive[brick] != 0; };
+  bool lost = false;
+  for (const auto& [t, bricks] : bricks_) {
+    if (ended_[t] || std::ranges::any_of(bricks, is_left)) continue;
+    lose(t, fmt::format("brick {}", model.solids.id[bricks.front()]), state);
+    lost = true;
+  }
+  if (lost && model.control.weld_of_deleted_shell == 1) delete_welds_without_sheet(state);
+}
+
 void TieReleases::release_from_deleted_shells(system::State& state, std::span<const unsigned char> shell_alive) {
   bool lost = false;
   for (std::size_t t = 0; t < ended_.size(); ++t) {
     const weld::Tie& tie = system_.ties.ties[t];
     if (tie.shell == model::none || ended_[t]) continue;
     if (tie.by_area() ? keep_to_living_shells(t, shell_alive, state) : shell_alive[tie.shell]) continue;
-    end(t, state);
-    lost_[t] = 1;
+    lose(t, fmt::format("shell {}", system_.model.shells.id[tie.shell]), state);
     lost = true;
-    events_.push_back(fmt::format("tie ended  node={} time={:12.5E} cycle={} with shell {}",
-                                  system_.model.nodes.id[tie.node], state.time, state.cycle,
-                                  system_.model.shells.id[tie.shell]));
   }
   if (lost && system_.model.control.weld_of_deleted_shell == 1) delete_welds_without_sheet(state);
 }
@@ -170,7 +208,7 @@ void TieReleases::delete_welds_without_sheet(const system::State& state) {
 
 void TieReleases::archive(Archive& a) {
   a(ended_, lost_, death_times_, events_, shares_, centre_moved_);
-  a.built(system_, welds_, springs_, arms_, nodes_released_, arms_to_move_);
+  a.built(system_, welds_, springs_, bricks_, arms_, nodes_released_, arms_to_move_);
 }
 
 }  // namespace nugget::impact

@@ -72,31 +72,13 @@ output::EloutShell thick_shell(const Snapshot& now, model::Index index, const sy
   return row;
 }
 
-/// LS-DYNA's number of the laws that beams can have; 0 where this table does not know it.
-int material_type(const model::Material& material) {
-  static constexpr std::pair<std::string_view, int> numbers[] = {{"MAT_SPOTWELD", 100},
-                                                                 {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", 66},
-                                                                 {"MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM", 67},
-                                                                 {"MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM", 68},
-                                                                 {"MAT_ELASTIC_SPRING_DISCRETE_BEAM", 74},
-                                                                 {"MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", 119},
-                                                                 {"MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM", 121},
-                                                                 {"MAT_GENERAL_SPRING_DISCRETE_BEAM", 196},
-                                                                 {"MAT_ELASTIC", 1},
-                                                                 {"MAT_PLASTIC_KINEMATIC", 3},
-                                                                 {"MAT_PIECEWISE_LINEAR_PLASTICITY", 24}};
-  for (const auto& [keyword, number] : numbers)
-    if (material.keyword.starts_with(keyword)) return number;
-  return 0;
-}
-
 output::EloutBeam beam(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e) {
   const model::Model& model = now.system.model;
   const model::Part& part = model.parts[group.part];
   output::EloutBeam row;
   row.id = model.beams.id[index];
   row.part = part.id;
-  row.material_type = material_type(model.materials[part.material]);
+  row.material_type = number_of_law(model.materials[part.material]);
   if (group.alive(e)) {
     const std::array<double, 8> r = group.resultants(e);
     row.axial = r[0];
@@ -114,6 +96,23 @@ output::EloutBeam beam(const Snapshot& now, model::Index index, const system::El
 }
 
 }  // namespace
+
+int number_of_law(const model::Material& material) {
+  static constexpr std::pair<std::string_view, int> numbers[] = {{"MAT_SPOTWELD", 100},
+                                                                 {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", 66},
+                                                                 {"MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM", 67},
+                                                                 {"MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM", 68},
+                                                                 {"MAT_ELASTIC_SPRING_DISCRETE_BEAM", 74},
+                                                                 {"MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", 119},
+                                                                 {"MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM", 121},
+                                                                 {"MAT_GENERAL_SPRING_DISCRETE_BEAM", 196},
+                                                                 {"MAT_ELASTIC", 1},
+                                                                 {"MAT_PLASTIC_KINEMATIC", 3},
+                                                                 {"MAT_PIECEWISE_LINEAR_PLASTICITY", 24}};
+  for (const auto& [keyword, number] : numbers)
+    if (material.keyword.starts_with(keyword)) return number;
+  return 0;
+}
 
 output::EloutState elout_state(const Snapshot& now) {
   const model::Model& model = now.system.model;

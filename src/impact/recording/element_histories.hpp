@@ -10,4 +10,7 @@ namespace nugget::impact {
 /// are not in it; deleted ones stay, without stress.
 output::EloutState elout_state(const Snapshot& now);
 
+/// LS-DYNA's number of the laws that beams can have; 0 where it is not known.
+int number_of_law(const model::Material& material);
+
 }  // namespace nugget::impact

@@ -597,7 +597,8 @@ void Simulation::applied_forces() {
 void Simulation::remove_deleted_elements() {
   const ElementAlive::Deletions deletions = components_.element_alive.update(system_);
   if (deletions.any) components_.contacts.surface_changed();
-  if (!components_.tie_releases.update(state_, components_.element_alive.all(), deletions.shells)) return;
+  if (!components_.tie_releases.update(state_, components_.element_alive.all(), deletions.shells, deletions.any))
+    return;
   update_mass_bounds();
 }
 

@@ -163,7 +163,7 @@ class Builder {
   Ids nodes, shells, solids, beams, discretes, parts, shell_sections, solid_sections, beam_sections, discrete_sections,
       materials, hourglass, curves, tables, systems, vectors, boxes, spring_orientations, part_friction;
   Ids sensors, sensor_switches;
-  Ids belts, slip_rings, belt_sensors, retractors, belt_sections;
+  Ids belts, slip_rings, belt_sensors, retractors, pretensioners, belt_sections;
   std::map<Index, Index> belt_materials;  ///< by material: its place in Belts::materials
   std::vector<Index> nodes_of_rings;      ///< for which a slip ring or retractor stands in belts
   std::map<Index, std::pair<deck::Entry, std::string>> sensor_faults;  ///< by sensor: what of it is not built

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -385,6 +386,106 @@ void read_retractor(Builder& builder, const Block& block, const Options&) {
   }
 }
 
+// ---- pretensioners
+
+struct PretensionerCard {
+  int sbprid = 0, sbprty = 0;
+  std::array<int, 4> sbsid{};
+};
+const CardOf<PretensionerCard> pretensioner_card{
+    {&PretensionerCard::sbprid, id("sbprid", IdSpace::other, required, "pretensioner")},
+    {&PretensionerCard::sbprty,
+     integer("sbprty", 1, between(1, 9),
+             "1 pull-in of a retractor, its tension limited by LLCID; 2 a spring acts from then on; 3 a spring's force "
+             "ends; 5 pull-in of a retractor whatever the tension; others are not built")},
+    {at(&PretensionerCard::sbsid, 0), id("sbsid1", IdSpace::other, 0, "*ELEMENT_SEATBELT_SENSOR that makes it act")},
+    {at(&PretensionerCard::sbsid, 1), id("sbsid2", IdSpace::other, 0, "or this one")},
+    {at(&PretensionerCard::sbsid, 2), id("sbsid3", IdSpace::other, 0, "or this one")},
+    {at(&PretensionerCard::sbsid, 3), id("sbsid4", IdSpace::other, 0, "or this one")},
+};
+struct PretensionerActsCard {
+  int sbrid = 0, ptlcid = 0;
+  double time = 0, lmtfrc = 0;
+};
+const CardOf<PretensionerActsCard> pretensioner_acts_card{
+    {&PretensionerActsCard::sbrid, id("sbrid", IdSpace::other, required, "its retractor; of types 2 and 3 its spring")},
+    {&PretensionerActsCard::time,
+     real("time", dimension::time, 0, at_least(0), "delay after the sensor has responded")},
+    {&PretensionerActsCard::ptlcid,
+     id("ptlcid", IdSpace::function, 0, "types 1 and 5: pull-in over the time since it acts")},
+    {&PretensionerActsCard::lmtfrc,
+     real("lmtfrc", dimension::force, 0, at_least(0), "type 5: tension at which pull-in ends; 0: none")},
+};
+
+/// Runs when *SENSOR_CONTROL has said what it controls.
+void behind_controls(Builder& builder, std::function<void(Builder&)> work) {
+  builder.defer(Phase::checks, [work = std::move(work)](Builder& b) {
+    b.defer(Phase::checks, [work](Builder& late) { late.defer(Phase::checks, work); });
+  });
+}
+
+void add_pretensioner(Builder& b, const RowOf<PretensionerCard>& row, const RowOf<PretensionerActsCard>& acts,
+                      Index index) {
+  using enum Pretensioner::Kind;
+  Pretensioner& of = b.model.belts.pretensioners[at(index)];
+  for (std::size_t i = 0; i < row->sbsid.size(); ++i) {
+    if (row->sbsid[i] == 0) continue;
+    const deck::Entry field = row[at(&PretensionerCard::sbsid, i)];
+    if (const Index found = b.find(b.belt_sensors, "seat belt sensor", field); found != none)
+      of.sensors.push_back(found);
+  }
+  const deck::Entry target = acts[&PretensionerActsCard::sbrid];
+  if (of.kind == spring_acts || of.kind == spring_ends) {
+    of.discrete = b.find(b.discretes, "discrete element", target);
+    return;
+  }
+  of.retractor = b.find(b.retractors, "retractor", target);
+  for (Index other = 0; other < index && of.retractor != none; ++other)
+    if (b.model.belts.pretensioners[at(other)].retractor == of.retractor)
+      refuse(b, target, "this retractor has a pretensioner already", "give it one");
+  of.curve = b.curve(acts[&PretensionerActsCard::ptlcid]);
+  if (of.curve == none) return;
+  const std::vector<double>& lengths = b.model.curves[of.curve].y;
+  if (lengths.front() < 0.0 || !std::ranges::is_sorted(lengths))
+    refuse(b, acts[&PretensionerActsCard::ptlcid], "expected lengths of 0 and more that do not fall",
+           "correct the curve");
+}
+
+void read_pretensioner(Builder& builder, const Block& block, const Options&) {
+  using enum Pretensioner::Kind;
+  static const std::map<int, Pretensioner::Kind> kinds{
+      {1, limited_pull_in}, {2, spring_acts}, {3, spring_ends}, {5, pull_in}};
+  for (Cursor cursor(builder.deck, block, builder.findings); !at_end(cursor);) {
+    const auto row = cursor.read(pretensioner_card);
+    const auto acts = cursor.read(pretensioner_acts_card);
+    const auto kind = kinds.find(row->sbprty);
+    if (kind == kinds.end()) {
+      refuse(builder, row[&PretensionerCard::sbprty], "this type of pretensioner is not built",
+             "give the pull-in over time (types 1 and 5), or a spring that acts (2) or ends (3)");
+      continue;
+    }
+    Pretensioner of;
+    of.id = row->sbprid;
+    of.kind = kind->second;
+    of.place = row.place();
+    of.delay = acts->time;
+    of.most_tension = of.kind == pull_in ? acts->lmtfrc : 0.0;
+    if (of.kind != pull_in && acts->lmtfrc > 0.0)
+      expect(builder, Severity::warning,
+             {{acts[&PretensionerActsCard::lmtfrc], 0, "of type 5 only: it has no effect"}});
+    const auto index = static_cast<Index>(builder.model.belts.pretensioners.size());
+    builder.pretensioners.add(of.id, index, of.place, row.keyword(), "pretensioner", builder.findings);
+    builder.model.belts.pretensioners.push_back(std::move(of));
+    builder.defer(Phase::conditions, [row, acts, index](Builder& b) { add_pretensioner(b, row, acts, index); });
+    behind_controls(builder, [row, index](Builder& b) {
+      const Pretensioner& known = b.model.belts.pretensioners[at(index)];
+      if (known.sensors.empty() && known.control == none)
+        refuse(b, row[at(&PretensionerCard::sbsid, 0)], "nothing makes it act",
+               "name a *ELEMENT_SEATBELT_SENSOR, or control it (*SENSOR_CONTROL, BELTPRET)");
+    });
+  }
+}
+
 // ---- sensors
 
 struct BeltSensorCard {
@@ -494,6 +595,9 @@ std::vector<Keyword> belt_keywords() {
       {.name = "ELEMENT_SEATBELT_RETRACTOR",
        .layout = {{"", &retractor_card}, {"", &retractor_law_card}},
        .read = read_retractor},
+      {.name = "ELEMENT_SEATBELT_PRETENSIONER",
+       .layout = {{"", &pretensioner_card}, {"", &pretensioner_acts_card}},
+       .read = read_pretensioner},
       {.name = "ELEMENT_SEATBELT_SENSOR",
        .layout = {{"", &belt_sensor_card},
                   {"SBSTYP 1", &belt_by_acceleration},

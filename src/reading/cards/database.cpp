@@ -500,8 +500,6 @@ std::vector<Keyword> database_keywords() {
        .read = read_discrete_history},
 
       not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
-      not_written("DATABASE_DISBOUT",
-                  "discrete beams (disbout) are not written; swforc has the forces of those that join sheets"),
 
       request_without_effect("DATABASE_BINARY_RUNRSF",
                              "restart files are asked for on the command line (--checkpoint)"),

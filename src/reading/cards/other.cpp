@@ -113,8 +113,6 @@ Rows other_physics() {
 Rows other_elements() {
   return {
       refused("ELEMENT_DISCRETE_*", "this form of a spring is not built; write *ELEMENT_DISCRETE"),
-      refused("ELEMENT_SEATBELT_PRETENSIONER",
-              "pretensioners are not built; let the retractor reel in, or move its node"),
       refused("SET_TSHELL*", "sets of thick shells are not built; name their parts, or write *DATABASE_HISTORY_TSHELL"),
       refused("ELEMENT_TSHELL_*",
               "thick shells with angles or layers of their own (_BETA, _COMPOSITE) are not built; *ELEMENT_TSHELL is"),

@@ -26,17 +26,18 @@ struct ControlCard {
 };
 CardOf<ControlCard> control_card(const FieldOf<ControlCard>& target, const FieldOf<ControlCard>& fourth,
                                  const FieldOf<ControlCard>& sixth) {
-  return {{&ControlCard::cntlid, id("cntlid", IdSpace::other, 0, "number of the control in messages")},
-          {&ControlCard::type,
-           text("type", 10,
-                "what is controlled: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, BELTRETRA, ELESET; others "
-                "are not built")},
-          target,
-          fourth,
-          {&ControlCard::nrep, integer("nrep", 0, any_value, "-1: behind the last switch the first one again; 0 not")},
-          sixth,
-          {&ControlCard::sidr, integer("sidr", 0, any_value, "0: switches are looked at in the run only")},
-          unused()};
+  return {
+      {&ControlCard::cntlid, id("cntlid", IdSpace::other, 0, "number of the control in messages")},
+      {&ControlCard::type,
+       text("type", 10,
+            "what is controlled: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, BELTRETRA, BELTPRET, ELESET; others "
+            "are not built")},
+      target,
+      fourth,
+      {&ControlCard::nrep, integer("nrep", 0, any_value, "-1: behind the last switch the first one again; 0 not")},
+      sixth,
+      {&ControlCard::sidr, integer("sidr", 0, any_value, "0: switches are looked at in the run only")},
+      unused()};
 }
 const FieldOf<ControlCard> whole_target{&ControlCard::target,
                                         id("typeid", IdSpace::other, required, "its number, of _ID of its keyword")},
@@ -178,6 +179,16 @@ void take_retractors(Builder& b, const ControlCards& of) {
            "write OFF and one switch");
 }
 
+void take_pretensioners(Builder& b, const ControlCards& of) {
+  const auto found = std::ranges::find(b.model.belts.pretensioners, of.row->target, &Pretensioner::id);
+  if (found == b.model.belts.pretensioners.end()) return nothing_controlled(b, of, "*ELEMENT_SEATBELT_PRETENSIONER");
+  found->control = of.index;
+  const SensorControl& control = b.model.sensor_controls[of.index];
+  if (control.starts_on || !changes_once(control))
+    refuse(b, of.switches[&SwitchesCard::initstt], "a pretensioner acts once, when it is turned on",
+           "write OFF and one switch");
+}
+
 /// Where the elements of one kind and their sets are found.
 struct ControlledElements {
   ElementKind kind;
@@ -228,11 +239,15 @@ struct ControlledKind {
   const CardOf<ControlCard>* card;
 };
 const std::map<std::string, ControlledKind>& controlled_kinds() {
-  static const std::map<std::string, ControlledKind> kinds{
-      {"PRESC-MOT", {take_motions, &controlled_curve_card}},    {"PRESSURE", {take_pressures, &controlled_curve_card}},
-      {"SPC", {take_supports, &controlled_whole_card}},         {"RWALL", {take_walls, &controlled_whole_card}},
-      {"CONTACT", {take_contacts, &controlled_whole_card}},     {"JOINT", {take_joints, &controlled_whole_card}},
-      {"BELTRETRA", {take_retractors, &controlled_whole_card}}, {"ELESET", {take_elements, &controlled_elements_card}}};
+  static const std::map<std::string, ControlledKind> kinds{{"PRESC-MOT", {take_motions, &controlled_curve_card}},
+                                                           {"PRESSURE", {take_pressures, &controlled_curve_card}},
+                                                           {"SPC", {take_supports, &controlled_whole_card}},
+                                                           {"RWALL", {take_walls, &controlled_whole_card}},
+                                                           {"CONTACT", {take_contacts, &controlled_whole_card}},
+                                                           {"JOINT", {take_joints, &controlled_whole_card}},
+                                                           {"BELTRETRA", {take_retractors, &controlled_whole_card}},
+                                                           {"BELTPRET", {take_pretensioners, &controlled_whole_card}},
+                                                           {"ELESET", {take_elements, &controlled_elements_card}}};
   return kinds;
 }
 
@@ -281,7 +296,8 @@ void read_control(Builder& builder, const Block& block, const Options& options) 
     of.switches = cursor.read(switches_card);
     if (kind == controlled_kinds().end()) {
       refuse(builder, of.row[&ControlCard::type],
-             "this is not turned on and off: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, BELTRETRA and ELESET are",
+             "this is not turned on and off: PRESC-MOT, SPC, PRESSURE, RWALL, CONTACT, JOINT, BELTRETRA, BELTPRET and "
+             "ELESET are",
              remedy_of(type));
       continue;
     }
@@ -314,7 +330,7 @@ std::vector<Keyword> sensor_control_keywords() {
   return {{.name = "SENSOR_CONTROL",
            .options = {"TITLE"},
            .layout = {{"PRESC-MOT, PRESSURE", &controlled_curve_card},
-                      {"SPC, RWALL, CONTACT, JOINT, BELTRETRA", &controlled_whole_card},
+                      {"SPC, RWALL, CONTACT, JOINT, BELTRETRA, BELTPRET", &controlled_whole_card},
                       {"ELESET", &controlled_elements_card},
                       {"", &switches_card}},
            .read = read_control}};
