@@ -463,10 +463,10 @@ void Supports::meet(const Together& group, system::State& state, double velocity
       if (body->fixed >> (3 + i) & 1u) add_direction(own[i], 0.0, false, nullptr, nullptr);
   }
   // Where more is asked for than can be met, what holds the node holds it across the motions.
-  const auto acting = [&](const auto& dofs, const std::vector<std::size_t>& places) {
+  const auto count = [&](const auto& dofs, const std::vector<std::size_t>& places) {
     return std::count_if(places.begin(), places.end(), [&](std::size_t i) { return acts(dofs[i], state); });
   };
-  const bool too_much = n + acting(prescribed_dofs_, group.driven) + acting(constrained_dofs_, group.held) > 3;
+  const bool too_much = n + count(prescribed_dofs_, group.driven) + count(constrained_dofs_, group.held) > 3;
   for (const std::size_t d : group.driven) {
     PrescribedDof& driven = prescribed_dofs_[d];
     if (!acts(driven, state)) continue;
@@ -529,8 +529,8 @@ void Supports::meet(const Together& group, system::State& state, double velocity
     dof.before = dof.velocity;
     dof.velocity = dot(dof.axis, velocity);
   }
-  const auto pass = [&](ConstrainedDof& dof, bool acting) {
-    if (!acting) return release(dof, state);
+  const auto pass = [&](ConstrainedDof& dof, bool is_in_force) {
+    if (!is_in_force) return release(dof, state);
     if (std::any_of(met.begin(), met.begin() + n, [&](const Met& m) { return m.dof == &dof; })) return;
     dof.force = 0.0;
     dof.before = dof.velocity;
