@@ -65,6 +65,15 @@ class Driven(CommandTest):
             self.assertAlmostEqual(dot(v, (0.6, 0.8, 0)), -60, 6)
             self.assertAlmostEqual(v[2], 50, 6)
 
+    def test_two_motions_of_a_body_in_one_direction(self):
+        """The last card counts, and that is said."""
+        energies, states = self.run_deck(RIGID.format("") + BODY + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,1,0,4\n1,1,0,3\n")
+        self.assertIn("rigid body 1 is driven by two cards in one direction at one time: the last one counts", self.read("run.log"))
+        for state in states[1:-1]:
+            self.assertAlmostEqual(self.velocity(state, 0)[0], 100, 6)
+        for state in energies[1:]:
+            self.assertAlmostEqual(state["external_work"][0] / state["kinetic_energy"][0], 1.0, 6)
+
     # A mass of 1e-6 t on a spring of 1000 N/mm that is held at its other end, held in the directions of a system that is askew.
     MASS = ("*NODE\n1,0,0,0\n2,10,0,0\n*ELEMENT_MASS\n7,1,1e-6\n8,2,1e-6\n*MAT_SPRING_ELASTIC\n1,1000\n*SECTION_DISCRETE\n1,0\n\n*PART\nspring\n1,1,1\n"
             "*ELEMENT_DISCRETE\n1,1,1,2\n*BOUNDARY_SPC_NODE\n2,0,1,1,1\n*DATABASE_HISTORY_NODE\n1\n*DEFINE_COORDINATE_VECTOR\n1,0.8,0.6,0.1,-0.5,0.9,0.2\n"

@@ -241,10 +241,10 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
                                     prescribed_dofs_[one].motion != prescribed_dofs_[other].motion;
                            });
   orthogonalize(constrained_dofs_, system, findings);
-  find_together();
+  find_together(findings);
 }
 
-void Supports::find_together() {
+void Supports::find_together(Findings& findings) {
   std::map<std::tuple<int, bool, int>, Together> groups;
   for (std::size_t d = 0; d < prescribed_dofs_.size(); ++d) {
     const PrescribedDof& p = prescribed_dofs_[d];
@@ -277,6 +277,13 @@ void Supports::find_together() {
         if (e == d || !at_one_time(one, other)) continue;
         const bool turning = group.body >= 0 && local(d) != local(e);
         one.oblique = one.oblique || turning || are_oblique(one.axis, other.axis);
+        if (group.body >= 0 && !turning && d < e && !one.constrain_others && !other.constrain_others &&
+            one.motion != other.motion && std::abs(dot(one.axis, other.axis)) >= 1.0 - 1e-9)
+          findings.warning(other.motion->place, "*BOUNDARY_PRESCRIBED_MOTION",
+                           fmt::format("rigid body {} is driven by two cards in one direction at one time: the last "
+                                       "one counts",
+                                       system_.bodies[group.body].id),
+                           "take it out of one of the two cards");
         needed = needed || turning || std::abs(dot(one.axis, other.axis)) > 1e-9;
       }
       for (const std::size_t h : group.held)

@@ -107,7 +107,7 @@ class Supports {
     std::vector<std::size_t> driven,
         held;  ///< places in prescribed_dofs_, of the last card first; in constrained_dofs_
   };
-  void find_together();
+  void find_together(Findings& findings);
   double target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
                 double velocity_interval) const;
   double circular_target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
