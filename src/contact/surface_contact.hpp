@@ -393,6 +393,8 @@ class SurfaceContact {
   bool presses(Candidates candidates, const Candidate& candidate, int node, const Step& step) const;
   bool is_own_neighbourhood(const Candidate& candidate, int node, std::span<const unsigned char> element_alive) const;
   bool hidden_by(const Candidate& other, const Candidate& candidate) const;
+  bool in_one_place(const Candidate& a, const Candidate& b) const;
+  bool goes_before(const Candidate& a, const Candidate& b) const;
   const Candidate* predecessor(Candidates candidates, const Candidate& candidate) const;
   int remembered_side(const Candidate& candidate, const Candidate* from) const;
   bool handled_by_edge_contact(const Candidate& candidate, int node, const Step& step) const;

@@ -300,6 +300,24 @@ bool SurfaceContact::is_own_neighbourhood(const Candidate& candidate, int node,
   });
 }
 
+/// Both feet are one point of a common edge or corner, but for round-off.
+bool SurfaceContact::in_one_place(const Candidate& a, const Candidate& b) const {
+  const double reach = round_off * (b.contact_distance + faces_[b.segment].inner);
+  return std::abs(a.foot.distance - b.foot.distance) <= reach && norm(a.foot.point - b.foot.point) <= reach &&
+         share_a_node(faces_[a.segment], faces_[b.segment]);
+}
+
+/// Of two feet in one place, where round-off would decide which segment is closer and the stiffness of the pair with
+/// it: the one that is pressed stays, else the one that faces the node more, else the stiffer one.
+bool SurfaceContact::goes_before(const Candidate& a, const Candidate& b) const {
+  if (a.before.touching != b.before.touching) return a.before.touching;
+  const double faces_a = std::abs(dot(a.away, a.foot.normal)), faces_b = std::abs(dot(b.away, b.foot.normal));
+  if (std::abs(faces_a - faces_b) > round_off) return faces_a > faces_b;
+  const double stiffness_a = faces_[a.segment].stiffness, stiffness_b = faces_[b.segment].stiffness;
+  if (std::abs(stiffness_a - stiffness_b) > round_off * stiffness_b) return stiffness_a > stiffness_b;
+  return a.segment < b.segment;
+}
+
 /// `other` is closer and the two are one stretch of surface: the foot lies on their common edge or corner, or they push
 /// in much the same direction (a facetted hollow, where both have a foot inside).
 bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidate) const {
@@ -313,8 +331,12 @@ bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidat
   if (candidate.gap < 0.0 && other.came_through != candidate.came_through && !candidate.before.touching &&
       !other.before.touching && share_a_node(faces_[other.segment], faces_[candidate.segment]))
     return other.came_through;
-  if (other.foot.distance > candidate.foot.distance) return false;
-  if (other.foot.distance == candidate.foot.distance && other.segment > candidate.segment) return false;
+  if (in_one_place(other, candidate)) {
+    if (!goes_before(other, candidate)) return false;
+  } else {
+    if (other.foot.distance > candidate.foot.distance) return false;
+    if (other.foot.distance == candidate.foot.distance && other.segment > candidate.segment) return false;
+  }
   const Face &a = faces_[other.segment], &b = faces_[candidate.segment];
   const bool alike = dot(other.away, candidate.away) > 0.5;
   if (has_boundary(a, b, candidate.foot.boundary))

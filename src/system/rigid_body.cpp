@@ -47,22 +47,32 @@ Vec3d RigidBody::spin(const Vec3d& momentum, const Frame3d& at) const {
   return at.global(solve(inertia, at.local(momentum)));
 }
 
-Vec3d RigidBody::constrained_spin(const Vec3d& momentum, const Frame3d& at) const {
-  if (!(fixed >> 3)) return spin(momentum, at);
-  const std::array<Vec3d, 3> e{fixed_axes.e1, fixed_axes.e2, fixed_axes.e3};
-  // I w = L about the axes that are free; w = 0 about the others, whose supports take what moment it needs.
+Vec3d RigidBody::spin_of(const Vec3d& momentum, const Frame3d& at, const Frame3d& basis, unsigned given,
+                         const Vec3d& values) const {
+  const std::array<Vec3d, 3> e{basis.e1, basis.e2, basis.e3};
+  const std::array<double, 3> value{values.x, values.y, values.z};
+  // I w = L about the axes that are free; moments about the others make w there what it is to be.
   constexpr int place[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
   std::array<double, 3> b{};
   Inertia a{};
+  const auto is_given = [given](int i) { return (given >> i & 1u) != 0; };
+  for (int i = 0; i < 3; ++i) b[i] = is_given(i) ? 0.0 : dot(e[i], momentum);
   for (int i = 0; i < 3; ++i) {
     const Vec3d turning = RigidBody::momentum(e[i], at);
     for (int j = 0; j <= i; ++j) {
-      const bool held = i != j && ((fixed >> (3 + i) & 1u) || (fixed >> (3 + j) & 1u));
-      a[place[i][j]] = held ? 0.0 : dot(e[j], turning);
+      const double coupling = dot(e[j], turning);
+      if (i == j || (!is_given(i) && !is_given(j))) a[place[i][j]] = coupling;
+      if (is_given(i) && (i == j || !is_given(j)) && value[i] != 0.0)
+        b[j] += (i == j ? 1.0 : -1.0) * coupling * value[i];
+      if (is_given(j) && !is_given(i) && value[j] != 0.0) b[i] -= coupling * value[j];
     }
-    b[i] = (fixed >> (3 + i) & 1u) ? 0.0 : dot(e[i], momentum);
   }
-  return fixed_axes.global(solve(a, {b[0], b[1], b[2]}));
+  return basis.global(solve(a, {b[0], b[1], b[2]}));
+}
+
+Vec3d RigidBody::constrained_spin(const Vec3d& momentum, const Frame3d& at) const {
+  if (!(fixed >> 3)) return spin(momentum, at);
+  return spin_of(momentum, at, fixed_axes, fixed >> 3, {});
 }
 
 Vec3d RigidBody::momentum(const Vec3d& spin, const Frame3d& at) const {
@@ -98,12 +108,16 @@ void RigidBody::turn(double dt, const State& state) {
   axes.e3 = cross(axes.e1, axes.e2);
 }
 
-void RigidBody::set_spin(const Vec3d& axis, double value, double dt, State& state) {
-  const auto k = at(node);
-  Vec3d w = vec(state.w[k]);
-  w += (value - dot(axis, w)) * axis;
+void RigidBody::drive_spin(const Frame3d& basis, unsigned given, const Vec3d& values, double dt, State& state) {
+  Vec3d w = vec(state.w[node]);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3d next = spin_of(angular_momentum, turned_axes(axes, (0.5 * dt) * w), basis, given, values);
+    const Vec3d change = next - w;
+    w = next;
+    if (dot(change, change) <= 1e-30 * dot(w, w)) break;
+  }
   angular_momentum = momentum(w, turned_axes(axes, (0.5 * dt) * w));
-  set(state.w[k], w);
+  set(state.w[node], w);
 }
 
 void RigidBody::archive(Archive& a) {

@@ -35,6 +35,9 @@ struct RigidBody {
   /// The same where the body cannot turn about some axes: those of them that are not its own ask for a moment of the
   /// supports, which does no work.
   Vec3d constrained_spin(const Vec3d& momentum, const Frame3d& at) const;
+  /// The spin that has given components along some axes of a basis, and whose momentum about the others is that given.
+  Vec3d spin_of(const Vec3d& momentum, const Frame3d& at, const Frame3d& basis, unsigned given,
+                const Vec3d& values) const;
 
   /// From t(n-1/2) to t(n+1/2): momentum by force and torque over `velocity_interval`, then the spin that turns the
   /// body over `dt`. The spin satisfies the midpoint rule w = I(t+dt/2)^-1 L with I at the half-turned axes
@@ -42,8 +45,10 @@ struct RigidBody {
   double advance(double velocity_interval, double dt, State& state);
   /// Turns the axes over the step with the spin in `state`.
   void turn(double dt, const State& state);
-  /// Makes the spin component along unit vector `axis` equal to `value`; momentum follows.
-  void set_spin(const Vec3d& axis, double value, double dt, State& state);
+  /// Makes the components of the spin along those axes of a basis whose bits are set in `given` equal to `values`
+  /// [1/time], by moments about these axes alone: about the others the angular momentum stays, and products of inertia
+  /// turn the body there.
+  void drive_spin(const Frame3d& basis, unsigned given, const Vec3d& values, double dt, State& state);
   void archive(Archive& a);
 };
 

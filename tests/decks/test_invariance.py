@@ -188,6 +188,26 @@ def rubber(c):
     return cards.text(2e-4, "GLSTAT")
 
 
+def over_an_edge(c):
+    """A sheet whose end falls beside the edge of a block of bricks: the edge is the closest of two of its faces, whose stiffnesses differ."""
+    cards = Cards(c)
+    cards.add("SECTION_SOLID", (1, 1))
+    cards.add("SECTION_SHELL", (2, 2, 0.8333, 3), [c.of(1.25, 0, 1)] * 4)
+    cards.add("MAT_PLASTIC_KINEMATIC", (1, c.of(7.85e-9, 1, -3), c.of(210000, 1, -1, -2), 0.3, c.of(300, 1, -1, -2), c.of(1500, 1, -1, -2), 1), ())
+    cards.append("*PART\nblock\n1,1,1\n*PART\nsheet\n2,2,1")
+    block = [[[cards.node((5.0 * i, 4.0 * j, 6.0 * k)) for i in range(5)] for j in range(3)] for k in range(2)]
+    sheet = [[cards.node((5.5 * i + 3.75 - 1.25 * j, 5.5 * j + 1.25 * i + 0.5, 7.0 + 0.125 * i * j)) for i in range(4)] for j in range(2)]
+    ring = ((0, 0), (0, 1), (1, 1), (1, 0))
+    bricks = [[layer[j + b][i + a] for layer in block for b, a in ring] for j in range(2) for i in range(4)]
+    shells = [[sheet[b][i + a] for b, a in ring] for i in range(3)]
+    for keyword, part, elements in (("ELEMENT_SOLID", 1, bricks), ("ELEMENT_SHELL", 2, shells)):
+        cards.add(keyword, *((c.first + n, part, *nodes) for n, nodes in enumerate(elements)))
+    cards.add("INITIAL_VELOCITY_NODE", *((n, c.vector((1000.0, 0.0, -8000.0), c.velocity)) for row in sheet for n in row))
+    cards.add("CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", (2, 1, 3, 3), (0.2, 0.2), ())
+    cards.add("CONTROL_TIMESTEP", (0, 0.7))
+    return cards.text(2e-4, "GLSTAT", "RCFORC")
+
+
 AXIS, COSINE, SINE = (1 / 3, 2 / 3, 2 / 3), 0.6, 0.8  # the angle is math.atan2(SINE, COSINE)
 
 
@@ -315,6 +335,15 @@ class Invariance(CommandTest):
             found.append(lsda.states(self.run_deck(f"weld{first}", cards.text(1e-6, "SWFORC")), "swforc")[0]["length"][0])
         for length in found[1:]:
             self.assertAlmostEqual(length, found[0], 10)
+
+    def test_over_an_edge(self):
+        """Sabotage: of two segments whose common edge is closest, the one that round-off makes closer, or the first of the list."""
+        found = []
+        for case in (Case(), Case(turn=oblique()), Case(turn=oblique(), shift=(64.0, -32.0, 16.0))):
+            states = lsda.states(self.run_deck("edge", over_an_edge(case)), "glstat")
+            found.append({q: [s[q][0] for s in states] for q in ("kinetic_energy", "internal_energy", "sliding_interface_energy")})
+        for other in found[1:]:
+            self.compare(found[0], other)
 
     def test_rubber(self):
         found = []

@@ -3,7 +3,7 @@
 import unittest
 
 import lap_joint
-from few_elements import BRICK, CORNERS, SOLID, card, nodes, part
+from few_elements import BRICK, CORNERS, SOLID, card, curve, nodes, part
 from nugget_command import CommandTest
 
 MESH = SOLID + "*MAT_ELASTIC\n" + card(1, 1.0, 10.0, 0.3) + part(1) + nodes(CORNERS) + BRICK
@@ -36,6 +36,28 @@ class SilentMistakes(CommandTest):
         self.write("".join(moved))
         run = self.nugget("run", "model.k", "--quiet", "--max-cycles", 5)
         self.assertIn("warning: 1 of 1 welds are not tied to their sheets", run.stderr)
+
+    def test_a_displacement_that_does_not_begin_with_0(self):
+        drive = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(1, 1, 2, 1) + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + card(2, 1, 2, 2)
+        for first, said in ((0.0, False), (0.1, True)):
+            self.write(HEAD + MESH + curve(1, (0.0, first), (1.0, 0.2)) + curve(2, (0.0, 0.0), (1.0, 0.2)) + drive + "*END\n")
+            run = self.nugget("run", "model.k", "--quiet", "--max-cycles", 3).stderr
+            self.assertEqual("curve 1 begins with the displacement 0.1: that is where the motion finds what it drives" in run, said, run)
+            self.assertNotIn("curve 2 begins", run)
+
+    def test_a_joint_stiffness_at_the_global_origin(self):
+        """The displacement of a translational stiffness is that of its systems' origins."""
+        bodies = (SOLID + "*MAT_RIGID\n" + card(1, 1.0, 10.0, 0.3) + "\n\n" + part(1) + part(2) + nodes(CORNERS) + BRICK +
+                  "*NODE\n" + "".join(f"{i + 9:8}{x + 1.5:16.9f}{y:16.9f}{z:16.9f}\n" for i, (x, y, z) in enumerate(CORNERS)) +
+                  "*ELEMENT_SOLID\n       2       2\n" + "".join(f"{i:8}" for i in range(9, 17)) + "\n")
+        stiffness = "*CONSTRAINED_JOINT_STIFFNESS_{}\n" + card(1, 1, 2, 1) + card(1) + "\n\n" + curve(1, (-1.0, -1.0), (1.0, 1.0))
+        vectors = "*DEFINE_COORDINATE_VECTOR\n" + card(1, 1, 0, 0, 0, 1, 0)
+        points = "*DEFINE_COORDINATE_SYSTEM\n" + card(1, 1, 0, 0, 2, 0, 0) + card(1, 1, 0)
+        for form, system, said in (("TRANSLATIONAL", vectors, True), ("TRANSLATIONAL", points, False), ("GENERALIZED", vectors, False)):
+            with self.subTest(form, said=said):
+                self.write(HEAD + bodies + system + stiffness.format(form) + "*END\n")
+                run = self.nugget("run", "model.k", "--quiet", "--max-cycles", 3).stderr
+                self.assertEqual("coordinate system 1 of *DEFINE_COORDINATE_VECTOR has the global origin" in run, said, run)
 
     def test_an_include_file_of_the_same_name_elsewhere(self):
         self.write(HEAD + "*INCLUDE\nmesh.inc\n*END\n", "deck/model.k")

@@ -50,6 +50,14 @@ class Stoppers(RepeatedRuns):
                     self.assertAlmostEqual(velocity[0], 400.0 if time < 1.0 / 400.0 else 0.0, delta=1e-6)
             self.assertAlmostEqual(last["external work"], -0.5 * MASS * 400.0**2, delta=1e-3 * 0.5 * MASS * 400.0**2)
 
+    def test_bounds_of_a_file_that_is_moved(self):
+        """Coordinates are not moved with the file; displacements need not be."""
+        for most, said in ((1, True), (-1, False)):
+            self.write(deck(level(1, (0, 6.0), (1, 6.0)) + stopper(most=most)), "inner.k")
+            self.write("*KEYWORD\n*INCLUDE_TRANSFORM\ninner.k\n0,0,0,0,0,0,0\n0\n\n5\n*DEFINE_TRANSFORMATION\n5\nTRANSL,100,0,0\n*END\n", "outer.k")
+            run = self.nugget("run", "outer.k", "-o", "moved", "--quiet", "--max-cycles", 2).stderr
+            self.assertEqual("lcmax = 1: bounds by coordinate are those of the main deck" in run, said, run)
+
     def test_from_below_along_a_vector(self):
         cards = "*DEFINE_VECTOR\n3,0,0,0,0,3,4\n" + level(2, (0, -2.0), (1, -2.0)) + stopper(least=-2, direction=4, vector=3)
         states, _ = self.places(cards, (0.0, -300.0, -400.0))

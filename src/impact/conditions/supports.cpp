@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "base/index.hpp"
 #include "impact/conditions/in_force.hpp"
@@ -239,19 +241,60 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
                                     prescribed_dofs_[one].motion != prescribed_dofs_[other].motion;
                            });
   orthogonalize(constrained_dofs_, system, findings);
-  // Several motions of a node beside an oblique support may ask for too much: the motions are obeyed then.
-  std::map<std::pair<int, bool>, int> motions;
-  std::map<std::pair<int, bool>, std::vector<std::size_t>> constrained_at;
-  for (const PrescribedDof& d : prescribed_dofs_) ++motions[{d.node, d.rotation}];
-  if (!prescribed_dofs_.empty())
-    for (std::size_t h = 0; h < constrained_dofs_.size(); ++h)
-      constrained_at[{constrained_dofs_[h].node, constrained_dofs_[h].rotation}].push_back(h);
-  for (PrescribedDof& d : prescribed_dofs_) {
-    if (d.body >= 0 || d.motion->circular || motions[{d.node, d.rotation}] > 1) continue;
-    const auto beside = constrained_at.find({d.node, d.rotation});
-    if (beside == constrained_at.end()) continue;
-    for (const std::size_t h : beside->second)
-      if (are_oblique(constrained_dofs_[h].axis, d.axis)) d.oblique_to.push_back(h);
+  find_together(findings);
+}
+
+void Supports::find_together(Findings& findings) {
+  std::map<std::tuple<int, bool, int>, Together> groups;
+  for (std::size_t d = 0; d < prescribed_dofs_.size(); ++d) {
+    const PrescribedDof& p = prescribed_dofs_[d];
+    if (p.motion->circular) continue;
+    Together& group =
+        groups.try_emplace({p.node, p.rotation, p.body}, Together{p.node, p.rotation, p.body, {}, {}}).first->second;
+    // Where more is asked for than can be met, the last card counts; of one card, its direction before what is across.
+    auto after = group.driven.begin();
+    while (after != group.driven.end() && prescribed_dofs_[*after].motion == p.motion) ++after;
+    group.driven.insert(after, d);
+  }
+  if (groups.empty()) return;
+  for (std::size_t h = 0; h < constrained_dofs_.size(); ++h) {
+    const ConstrainedDof& held = constrained_dofs_[h];
+    if (const auto group = groups.find({held.node, held.rotation, -1}); group != groups.end())
+      group->second.held.push_back(h);
+  }
+  for (auto& [place, group] : groups) {
+    const auto local = [&](std::size_t d) {
+      return prescribed_dofs_[d].motion->target == model::PrescribedMotion::Target::rigid_body_local;
+    };
+    bool needed = group.body >= 0 && group.rotation;
+    const auto at_one_time = [](const ConstrainedDof& a, const ConstrainedDof& b) {
+      return a.birth < b.death && b.birth < a.death;
+    };
+    for (const std::size_t d : group.driven) {
+      PrescribedDof& one = prescribed_dofs_[d];
+      for (const std::size_t e : group.driven) {
+        const PrescribedDof& other = prescribed_dofs_[e];
+        if (e == d || !at_one_time(one, other)) continue;
+        const bool turning = group.body >= 0 && local(d) != local(e);
+        one.oblique = one.oblique || turning || are_oblique(one.axis, other.axis);
+        if (group.body >= 0 && !turning && d < e && !one.constrain_others && !other.constrain_others &&
+            one.motion != other.motion && std::abs(dot(one.axis, other.axis)) >= 1.0 - 1e-9)
+          findings.warning(other.motion->place, "*BOUNDARY_PRESCRIBED_MOTION",
+                           fmt::format("rigid body {} is driven by two cards in one direction at one time: the last "
+                                       "one counts",
+                                       system_.bodies[group.body].id),
+                           "take it out of one of the two cards");
+        needed = needed || turning || std::abs(dot(one.axis, other.axis)) > 1e-9;
+      }
+      for (const std::size_t h : group.held)
+        one.oblique =
+            one.oblique || (at_one_time(one, constrained_dofs_[h]) && are_oblique(constrained_dofs_[h].axis, one.axis));
+      needed = needed || one.oblique;
+    }
+    if (!needed) continue;
+    for (const std::size_t d : group.driven) prescribed_dofs_[d].together = true;
+    for (const std::size_t h : group.held) constrained_dofs_[h].together = true;
+    together_.push_back(std::move(group));
   }
 }
 
@@ -272,7 +315,7 @@ void Supports::hold_for_good(std::span<Row> v, std::span<Row> w) const {
   };
   for (const ConstrainedDof& h : constrained_dofs_) hold(h);
   for (const PrescribedDof& d : prescribed_dofs_)
-    if (!d.motion->circular && d.oblique_to.empty() && !(d.body >= 0 && d.rotation)) hold(d);
+    if (!d.motion->circular && !d.oblique && !(d.body >= 0 && d.rotation)) hold(d);
 }
 
 Supports::OfNode Supports::of_node(int node, bool rotation) const {
@@ -288,7 +331,7 @@ Supports::OfNode Supports::of_node(int node, bool rotation) const {
     if (p.node != node || p.rotation != rotation || p.body >= 0) continue;
     found.driven.push_back(d);
     found.passing = found.passing || p.birth > 0.0 || p.death < end || p.control != model::none;
-    found.turning = found.turning || p.motion->circular || !p.oblique_to.empty();
+    found.turning = found.turning || p.motion->circular || p.oblique;
   }
   return found;
 }
@@ -349,67 +392,21 @@ double Supports::circular_target(PrescribedDof& prescribed, const system::State&
   return (place.radius + dt * dot(place.outwards, vec(state.v[node]))) * std::tan(turned) / dt;
 }
 
-void Supports::prescribe_beside_supports(PrescribedDof& prescribed, double target, system::State& state,
-                                         double velocity_interval) {
-  // A push along what the supports leave free; it is the motion's along its direction, and theirs across.
-  Vec3d free = prescribed.axis;
-  for (const std::size_t h : prescribed.oblique_to)
-    if (constrained_dofs_[h].active)
-      free -= dot(constrained_dofs_[h].axis, prescribed.axis) * constrained_dofs_[h].axis;
-  const double share = norm(free);
-  // Held all round, it follows the motion.
-  if (share < 1e-3) return set_component(prescribed, target, prescribed.body, state, velocity_interval, {}, motion_);
-  const Vec3d direction = prescribed.axis;
-  prescribed.axis = (1.0 / share) * free;
-  std::vector<Reaction> along(1);
-  const std::size_t reaction = prescribed.reaction;
-  const double before = prescribed.velocity;
-  prescribed.reaction = 0;
-  prescribed.velocity = before / share;
-  set_component(prescribed, target / share, prescribed.body, state, velocity_interval, {}, along);
-  prescribed.reaction = reaction;
-  prescribed.axis = direction;
-  prescribed.force /= share;
-  prescribed.before = before;
-  prescribed.velocity = target;
-  Reaction& own = motion_[reaction];
-  (prescribed.rotation ? own.moment : own.force) += prescribed.force * direction;
-  own.energy += along.front().energy;
-  own.power += along.front().power;
-  for (const std::size_t h : prescribed.oblique_to) {
-    if (!constrained_dofs_[h].active) continue;
-    const double force = -prescribed.force * dot(constrained_dofs_[h].axis, direction);
-    constrained_dofs_[h].force += force;
-    Reaction& other = spc_[constrained_dofs_[h].reaction];
-    (prescribed.rotation ? other.moment : other.force) += force * constrained_dofs_[h].axis;
-  }
-}
-
-void Supports::set_component(ConstrainedDof& dof, double target, int body, system::State& state,
-                             double velocity_interval, std::span<system::RigidBody> bodies,
-                             std::vector<Reaction>& reactions) {
+void Supports::set_component(ConstrainedDof& dof, double target, const system::RigidBody* body, system::State& state,
+                             double velocity_interval, std::vector<Reaction>& reactions) {
   const auto node = at(dof.node);
   Row& row = dof.rotation ? state.w[node] : state.v[node];
   const double free_velocity = dot(dof.axis, vec(row));
-  double impulse;
   const Vec3d load = vec(dof.rotation ? state.m[node] : state.f[node]);
-  if (body >= 0 && dof.rotation) {
-    system::RigidBody& b = bodies[body];
-    const Vec3d before = b.angular_momentum;
-    b.set_spin(dof.axis, target, state.dt, state);
-    impulse = dot(dof.axis, b.angular_momentum - before);
-  } else {
-    const double inertia = body >= 0 ? bodies[body].mass : (dof.rotation ? system_.inertia[node] : system_.mass[node]);
-    impulse = inertia * (target - free_velocity);
-    add(row, (target - free_velocity) * dof.axis);
-  }
+  const double inertia = body ? body->mass : (dof.rotation ? system_.inertia[node] : system_.mass[node]);
+  const double impulse = inertia * (target - free_velocity);
+  add(row, (target - free_velocity) * dof.axis);
   Reaction& reaction = reactions[dof.reaction];
   reaction.power += (target - free_velocity) * dot(dof.axis, load);
   dof.force = velocity_interval > 0.0 ? impulse / velocity_interval : 0.0;
   // A node without mass, as the end of a spring may be, feels what pulls at it and nothing else. The first card that
   // holds it takes that.
-  const bool massless = body < 0 && !((dof.rotation ? system_.inertia[node] : system_.mass[node]) > 0.0);
-  if (massless) {
+  if (!body && !(inertia > 0.0)) {
     dof.force = -dot(dof.axis, load);
     add(dof.rotation ? state.m[node] : state.f[node], dof.force * dof.axis);
   }
@@ -420,64 +417,173 @@ void Supports::set_component(ConstrainedDof& dof, double target, int body, syste
   dof.velocity = target;
 }
 
+bool Supports::acts(const PrescribedDof& dof, const system::State& state) const {
+  return acts(static_cast<const ConstrainedDof&>(dof), state) &&
+         in_force(system_.model.curves[dof.motion->curve], state);
+}
+
+void Supports::release(ConstrainedDof& dof, const system::State& state) const {
+  dof.active = false;
+  dof.force = 0.0;
+  dof.velocity = dot(dof.axis, vec(dof.rotation ? state.w[dof.node] : state.v[dof.node]));
+}
+
+double Supports::wanted(PrescribedDof& dof, const system::State& state, double velocity_interval,
+                        std::span<const system::RigidBody> bodies) const {
+  // The body's axes at time 0 were the global ones.
+  if (dof.body >= 0 && dof.motion->target == model::PrescribedMotion::Target::rigid_body_local)
+    dof.axis = bodies[dof.body].axes.global(dof.at_start);
+  if (!dof.active && state.cycle == 0)
+    dof.velocity = dot(dof.axis, vec(dof.rotation ? state.w[dof.node] : state.v[dof.node]));
+  const double velocity = target(dof, state, dof.velocity, velocity_interval);
+  dof.active = true;
+  return velocity;
+}
+
+void Supports::meet(const Together& group, system::State& state, double velocity_interval,
+                    std::span<system::RigidBody> bodies) {
+  // The directions at right angles to each other (Gram and Schmidt), what adds none is left out: b = (d - sum (b_k.d)
+  // b_k)/share for a direction d. Below a share of 0.001 it is held already.
+  struct Met {
+    ConstrainedDof* dof = nullptr;  // none: a body's own constraint
+    Reaction* reaction = nullptr;
+    Vec3d direction;
+    double share = 1.0, speed = 0.0, impulse = 0.0;
+  };
+  std::array<Met, 3> met;
+  int n = 0;
+  const auto add_direction = [&](const Vec3d& d, double speed, bool across, ConstrainedDof* dof, Reaction* reaction) {
+    if (n == 3) return;
+    Vec3d rest = d;
+    for (int k = 0; k < n; ++k) {
+      const double along = dot(met[k].direction, d);
+      rest -= along * met[k].direction;
+      if (!across) speed -= along * met[k].speed;
+    }
+    const double share = norm(rest);
+    if (share >= 1e-3) met[n++] = {dof, reaction, (1.0 / share) * rest, share, speed / share};
+  };
+  system::RigidBody* body = group.body >= 0 ? &bodies[group.body] : nullptr;
+  if (body && group.rotation) {
+    const std::array<Vec3d, 3> own{body->fixed_axes.e1, body->fixed_axes.e2, body->fixed_axes.e3};
+    for (int i = 0; i < 3; ++i)
+      if (body->fixed >> (3 + i) & 1u) add_direction(own[i], 0.0, false, nullptr, nullptr);
+  }
+  // Where more is asked for than can be met, what holds the node holds it across the motions.
+  const auto count = [&](const auto& dofs, const std::vector<std::size_t>& places) {
+    return std::count_if(places.begin(), places.end(), [&](std::size_t i) { return acts(dofs[i], state); });
+  };
+  const bool too_much = n + count(prescribed_dofs_, group.driven) + count(constrained_dofs_, group.held) > 3;
+  for (const std::size_t d : group.driven) {
+    PrescribedDof& driven = prescribed_dofs_[d];
+    if (!acts(driven, state)) continue;
+    const double speed = wanted(driven, state, velocity_interval, bodies);
+    add_direction(driven.axis, speed, too_much && driven.constrain_others, &driven, &motion_[driven.reaction]);
+  }
+  for (const std::size_t h : group.held) {
+    ConstrainedDof& held = constrained_dofs_[h];
+    if (!acts(held, state)) continue;
+    held.active = true;
+    add_direction(held.axis, 0.0, too_much, &held, &spc_[held.reaction]);
+  }
+
+  const auto node = at(group.node);
+  Row& row = group.rotation ? state.w[node] : state.v[node];
+  Row& load_row = group.rotation ? state.m[node] : state.f[node];
+  const Vec3d free_velocity = vec(row), load = vec(load_row);
+  bool massless = false;
+  if (body && group.rotation) {
+    const bool any = std::any_of(met.begin(), met.begin() + n, [](const Met& m) { return m.dof; });
+    const Vec3d before = body->angular_momentum;
+    if (any) {
+      Frame3d basis{met[0].direction, met[1].direction, met[2].direction};
+      if (n == 1) {
+        const std::array<Vec3d, 2> across = normals(basis.e1);
+        basis.e2 = across[0];
+        basis.e3 = across[1];
+      }
+      if (n == 2) basis.e3 = cross(basis.e1, basis.e2);
+      body->drive_spin(basis, (1u << n) - 1u, {met[0].speed, met[1].speed, met[2].speed}, state.dt, state);
+    }
+    for (Met& m : std::span(met).first(at(n))) m.impulse = dot(m.direction, body->angular_momentum - before);
+  } else {
+    const double mass = body ? body->mass : (group.rotation ? system_.inertia[node] : system_.mass[node]);
+    massless = !body && !(mass > 0.0);
+    for (Met& m : std::span(met).first(at(n))) {
+      const double change = m.speed - dot(m.direction, free_velocity);
+      add(row, change * m.direction);
+      m.impulse = mass * change;
+      // A node without mass, as the end of a spring may be, feels what pulls at it and nothing else.
+      if (!massless) continue;
+      m.impulse = -dot(m.direction, load);
+      add(load_row, m.impulse * m.direction);
+    }
+  }
+  // Their sum as impulses along the directions that the cards name.
+  const Vec3d velocity = vec(row);
+  bool counted = false;
+  for (int j = n - 1; j >= 0; --j) {
+    Met& m = met[j];
+    if (!m.dof) continue;
+    ConstrainedDof& dof = *m.dof;
+    const double impulse = m.impulse / m.share;
+    for (int k = 0; k < j; ++k) met[k].impulse -= impulse * dot(met[k].direction, dof.axis);
+    dof.force = massless ? impulse : velocity_interval > 0.0 ? impulse / velocity_interval : 0.0;
+    (dof.rotation ? m.reaction->moment : m.reaction->force) += dof.force * dof.axis;
+    m.reaction->energy += 0.5 * dof.force * dof.velocity * state.dt_previous;
+    if (!counted) m.reaction->power += dot(velocity - free_velocity, load);
+    counted = true;
+    dof.before = dof.velocity;
+    dof.velocity = dot(dof.axis, velocity);
+  }
+  const auto pass = [&](ConstrainedDof& dof, bool is_in_force) {
+    if (!is_in_force) return release(dof, state);
+    if (std::any_of(met.begin(), met.begin() + n, [&](const Met& m) { return m.dof == &dof; })) return;
+    dof.force = 0.0;
+    dof.before = dof.velocity;
+    dof.velocity = dot(dof.axis, velocity);
+  };
+  for (const std::size_t d : group.driven) pass(prescribed_dofs_[d], acts(prescribed_dofs_[d], state));
+  for (const std::size_t h : group.held) pass(constrained_dofs_[h], acts(constrained_dofs_[h], state));
+}
+
 void Supports::prescribe(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies) {
-  const auto alive = [&](const ConstrainedDof& h) {
-    return state.time >= h.birth && state.time < h.death && state.acts(h.control);
-  };
   dt_previous_ = state.dt_previous;
-  const auto component = [&](const ConstrainedDof& h) {
-    return dot(h.axis, vec(h.rotation ? state.w[h.node] : state.v[h.node]));
-  };
-  // What is held or driven from the next step on starts from the velocity that it has now: the forces of that step are
-  // not in it.
-  const auto release = [&](ConstrainedDof& h) {
-    h.active = false;
-    h.force = 0.0;
-    h.velocity = component(h);
-  };
   for (std::vector<Reaction>* reactions : {&spc_, &motion_})
     for (Reaction& r : *reactions) {
       r.force = r.moment = {};
       r.power = 0.0;
     }
   for (ConstrainedDof& h : constrained_dofs_) {
-    if (!meets(h)) continue;
-    if (!alive(h)) {
-      release(h);
+    if (h.together || !meets(h)) continue;
+    if (!acts(h, state)) {
+      release(h, state);
       continue;
     }
     // What moved before it was held gives up its energy; at time 0 it stands still already (constrain_at_start).
     h.active = true;
-    set_component(h, 0.0, -1, state, velocity_interval, bodies, spc_);
+    set_component(h, 0.0, nullptr, state, velocity_interval, spc_);
   }
   for (PrescribedDof& d : prescribed_dofs_) {
-    if (!meets(d)) continue;
-    if (!alive(d) || !in_force(system_.model.curves[d.motion->curve], state)) {
-      release(d);
+    if (d.together || !meets(d)) continue;
+    if (!acts(d, state)) {
+      release(d, state);
       continue;
-    }
-    if (d.motion->target == model::PrescribedMotion::Target::rigid_body_local && d.body >= 0) {
-      // The body's axes at time 0 were the global ones.
-      const Frame3d& axes = bodies[d.body].axes;
-      d.axis = axes.global(d.at_start);
     }
     if (d.motion->circular) {
       const model::PlaceOnCircle place = model::place_on_circle(*d.motion, vec(state.x[d.node]));
       if (place.radius == 0.0 && !d.motion->radius_fixed) {
-        release(d);  // on the axis, where there is no way around it
+        release(d, state);  // on the axis, where there is no way around it
         continue;
       }
       d.axis = d.constrain_others ? place.outwards : place.around;
       d.velocity = dot(d.axis, d.left);
     }
-    if (!d.active && state.cycle == 0) d.velocity = component(d);
-    const double wanted = target(d, state, d.velocity, velocity_interval);
-    d.active = true;
-    if (d.oblique_to.empty())
-      set_component(d, wanted, d.body, state, velocity_interval, bodies, motion_);
-    else
-      prescribe_beside_supports(d, wanted, state, velocity_interval);
+    const double velocity = wanted(d, state, velocity_interval, bodies);
+    set_component(d, velocity, d.body >= 0 ? &bodies[d.body] : nullptr, state, velocity_interval, motion_);
   }
+  for (const Together& group : together_)
+    if (system_.follows(at(group.node))) meet(group, state, velocity_interval, bodies);
   for (PrescribedDof& d : prescribed_dofs_)
     if (d.motion->circular && meets(d)) d.left = vec(state.v[d.node]);
   if (state.period > 1) average_reactions(state);
@@ -535,18 +641,18 @@ void Supports::Reaction::archive(Archive& a) {
 
 void Supports::ConstrainedDof::archive(Archive& a) {
   a(axis, force, before, velocity, active);
-  a.built(reaction, node, rotation, birth, death, control);
+  a.built(reaction, node, rotation, birth, death, control, together);
 }
 
 void Supports::PrescribedDof::archive(Archive& a) {
   ConstrainedDof::archive(a);
   a(left, rate);
-  a.built(motion, body, constrain_others, at_start, oblique_to);
+  a.built(motion, body, constrain_others, at_start, oblique);
 }
 
 void Supports::archive(Archive& a) {
   a(constrained_dofs_, prescribed_dofs_, spc_, motion_, dt_previous_);
-  a.built(system_);
+  a.built(system_, together_);
 }
 
 }  // namespace nugget::impact

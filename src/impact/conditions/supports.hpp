@@ -84,6 +84,7 @@ class Supports {
     model::Index control = model::none;                ///< *SENSOR_CONTROL that turns it on and off
     double force = 0.0, before = 0.0, velocity = 0.0;  // of the last prescribe: velocities before and after it
     bool active = false;
+    bool together = false;  ///< in one of together_
     void archive(Archive& a);
   };
   struct PrescribedDof : ConstrainedDof {
@@ -91,22 +92,40 @@ class Supports {
     int body = -1;
     bool constrain_others = false;  ///< across the direction that is driven; of a circle: the radius
     Vec3d at_start;                 ///< the axis at time 0: a body's own axes turn with it
-    std::vector<std::size_t>
-        oblique_to;  ///< places in constrained_dofs_: supports of its node neither along nor across it
+    bool oblique = false;           ///< to another motion or support of its node
     // Of a circle, whose directions turn:
     Vec3d left;         ///< velocity of the node after the last prescribe
     double rate = 0.0;  ///< angular velocity, where the curve is its rate [1/time]
     void archive(Archive& a);
   };
+  /// What holds and drives one node or body in directions that are not all at right angles, or a body's spin, whose
+  /// components are coupled by its inertia: met at one time, each with its own reaction.
+  struct Together {
+    int node;
+    bool rotation;
+    int body;
+    std::vector<std::size_t> driven,
+        held;  ///< places in prescribed_dofs_, of the last card first; in constrained_dofs_
+  };
+  void find_together(Findings& findings);
   double target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
                 double velocity_interval) const;
   double circular_target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
                          double velocity_interval) const;
-  void set_component(ConstrainedDof& dof, double target, int body, system::State& state, double velocity_interval,
-                     std::span<system::RigidBody> bodies, std::vector<Reaction>& reactions);
-  /// Drives a node that supports hold in oblique directions: both are met, and both have their reactions.
-  void prescribe_beside_supports(PrescribedDof& prescribed, double target, system::State& state,
-                                 double velocity_interval);
+  /// `body`: the rigid body whose virtual node this is, if any.
+  void set_component(ConstrainedDof& dof, double target, const system::RigidBody* body, system::State& state,
+                     double velocity_interval, std::vector<Reaction>& reactions);
+  void meet(const Together& group, system::State& state, double velocity_interval, std::span<system::RigidBody> bodies);
+  bool acts(const ConstrainedDof& dof, const system::State& state) const {
+    return state.time >= dof.birth && state.time < dof.death && state.acts(dof.control);
+  }
+  bool acts(const PrescribedDof& dof, const system::State& state) const;
+  /// What is held or driven from the next step on starts from the velocity that it has now: the forces of that step are
+  /// not in it.
+  void release(ConstrainedDof& dof, const system::State& state) const;
+  /// The velocity that the coming step asks for.
+  double wanted(PrescribedDof& dof, const system::State& state, double velocity_interval,
+                std::span<const system::RigidBody> bodies) const;
 
   /// In sub-cycling: what results show.
   void average_reactions(const system::State& state);
@@ -114,6 +133,7 @@ class Supports {
   const system::System& system_;
   std::vector<ConstrainedDof> constrained_dofs_;
   std::vector<PrescribedDof> prescribed_dofs_;
+  std::vector<Together> together_;
   double sum_of(double Reaction::*value) const {
     double sum = 0.0;
     for (const std::vector<Reaction>* reactions : {&spc_, &motion_})

@@ -221,7 +221,8 @@ class Builder {
 
   // What stands in files that *INCLUDE_TRANSFORM mirrors, by index: 1. Shorter than what it is of where none does.
   std::vector<char> mirrored_materials, mirrored_shells, mirrored_solids;
-  std::set<int> mirrored_systems;  ///< by id
+  std::set<int> mirrored_systems;        ///< by id
+  std::set<int> systems_without_origin;  ///< ids of *DEFINE_COORDINATE_VECTOR, whose origin is the global one
 
   bool skip_unsupported = false;           ///< refused keywords are left out with a warning
   const Coarsening* coarsening = nullptr;  ///< shells that are merged; null: none

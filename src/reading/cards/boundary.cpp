@@ -324,6 +324,22 @@ void resolve_body(Builder& builder, const RowOf<PrescribedMotionCard>& row, Pres
   motion.direction = axes->global(motion.direction);
 }
 
+/// A displacement is made by its increments: what its curve begins with is the place at which the motion finds the
+/// node.
+void warn_of_start(Builder& b, const deck::Entry& lcid, const PrescribedMotion& motion) {
+  if (motion.curve == none || motion.quantity != PrescribedMotion::Quantity::displacement) return;
+  const Curve& curve = b.model.curves[motion.curve];
+  const double first = curve.clamped(0.0);
+  double most = 0.0;
+  for (const double y : curve.y) most = std::max(most, std::abs(y));
+  if (std::abs(first) <= 1e-6 * most) return;
+  lcid.report(b.findings, Severity::warning,
+              fmt::format("curve {} begins with the displacement {:g}: that is where the motion finds what it drives, "
+                          "which moves by the change since then",
+                          lcid.integer(), first),
+              "begin the curve with 0, and let it rise to where the motion is to lead");
+}
+
 /// Where the axis of a circular motion is.
 void take_axis(Builder& builder, const Block& block, const RowOf<MotionAxisCard>& row, int dof,
                PrescribedMotion& motion) {
@@ -362,6 +378,7 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
     if (motion.circular) take_axis(builder, block, cursor.read(motion_axis_card), row->dof, motion);
     builder.defer(Phase::conditions, [row, motion](Builder& b) mutable {
       motion.curve = b.curve(row[&PrescribedMotionCard::lcid]);
+      warn_of_start(b, row[&PrescribedMotionCard::lcid], motion);
       if (!resolve_direction(b, row, motion)) return;
       if constexpr (target == Target::nodes) {
         motion.nodes = nodes_of<set>(b, row[&PrescribedMotionCard::target]);

@@ -154,6 +154,7 @@ void read_vectors(Builder& b, const Block& block, const Options& options) {
     note_mirrored(b, block, row[&VectorsCard::cid]);
     refuse_nonzero(b, row[&VectorsCard::nid], "axes that turn with a node are not supported",
                    "leave it 0 for fixed axes");
+    b.systems_without_origin.insert(row->cid);
     add_system(b, row, row->cid, {}, direction(block, {row->xx, row->yx, row->zx}),
                direction(block, {row->xv, row->yv, row->zv}), row[&VectorsCard::xx]);
   }

@@ -117,6 +117,14 @@ void add_stiffness(Builder& b, const StiffnessRows& rows, bool rotational) {
               c = b.turning_or_fixed_system(main[&JointStiffnessCard::cidb]);
   if (s.body[0] == none || s.body[1] == none || a == none) return;
   if (s.body[0] == s.body[1]) return refuse(b, main[&JointStiffnessCard::pidb], "both are the same rigid body");
+  for (const auto field : {&JointStiffnessCard::cida, &JointStiffnessCard::cidb})
+    if (const deck::Entry& cid = main[field]; !rotational && b.systems_without_origin.contains(cid.integer()))
+      cid.report(
+          b.findings, Severity::warning,
+          fmt::format("coordinate system {} of *DEFINE_COORDINATE_VECTOR has the global origin: the displacement "
+                      "between the bodies is measured there, however far from the joint that is",
+                      cid.integer()),
+          "define it by *DEFINE_COORDINATE_NODES or _SYSTEM, with its origin at the joint");
   const Index systems[] = {a, c == none ? a : c};
   for (std::size_t side = 0; side < 2; ++side) {
     const CoordinateSystem& system = b.model.systems[systems[side]];

@@ -170,10 +170,13 @@ void add_part_mass(Builder& b, const RowOf<PartMassCard>& row, const std::vector
 }
 
 void read_element_part_mass(Builder& b, const Block& block, const Options&) {
+  // Behind the layers of parts (Phase::sets), which say what a laminate weighs.
   if (b.part_mass_rows.empty())
-    b.defer(Phase::parts, [](Builder& later) {
-      const auto by_part = lumped_masses(later.model);
-      for (const auto& row : later.part_mass_rows) add_part_mass(later, row, by_part);
+    b.defer(Phase::parts, [](Builder& with_parts) {
+      with_parts.defer(Phase::sets, [](Builder& later) {
+        const auto by_part = lumped_masses(later.model);
+        for (const auto& row : later.part_mass_rows) add_part_mass(later, row, by_part);
+      });
     });
   for (const auto& row : read_rows(b, block, element_part_mass_card)) b.part_mass_rows.push_back(row);
 }

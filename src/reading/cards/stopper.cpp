@@ -88,6 +88,13 @@ void read_stoppers(Builder& builder, const Block& block, const Options&) {
       refuse_nonzero(builder, row[field], "bodies that stop with another one are not built",
                      "give each body a stopper of its own");
     if (row->dir % 4 != 0) warn_of_global_axis(builder, block, row[&StopperCards::dir]);
+    if (row->dir <= 4 && block.transform && block.transform->matrix != deck::Transform{}.matrix)
+      for (const auto field : {&StopperCards::lcmax, &StopperCards::lcmin})
+        if (const deck::Entry& curve = row[field]; curve.value > 0.0)
+          curve.report(builder.findings, Severity::warning,
+                       "bounds by coordinate are those of the main deck: they are not moved or turned with an included "
+                       "file",
+                       "write them as displacements (the curve's number below 0), or the card in the main file");
     const int along = row->dir > 4 ? row->dir - 4 : row->dir;
     const Vec3d axis{along == 1 ? 1.0 : 0.0, along == 2 ? 1.0 : 0.0, along == 3 ? 1.0 : 0.0};
     builder.defer(Phase::conditions, [=](Builder& b) { add_stopper(b, row, times, axis); });

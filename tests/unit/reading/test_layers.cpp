@@ -44,6 +44,14 @@ TEST(Layers, OfAComposite) {
   EXPECT_TRUE(b.find(Severity::note, "85 % of the bending stiffness")) << b.all_findings();
 }
 
+// A sheet of 1 x 1 weighs (2.1 x 2.5 + 0.8 x 1.1 + 2.1 x 2.5 + 4) 1e-9.
+TEST(Layers, MassOfAPartOfLayers) {
+  const auto b = composite("1,2.1,,,2,0.8\n1,2.1\n", "*ELEMENT_MASS_PART\n1,,20e-9\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  ASSERT_EQ(b.model.masses.size(), 4u);
+  for (const PointMass& m : b.model.masses) EXPECT_NEAR(m.mass, 0.25 * (20.0 - 15.38) * 1e-9, 1e-21);
+}
+
 TEST(Layers, OneALineWithContact) {
   const auto b = built("*PART_COMPOSITE_LONG_CONTACT\npane\n1,16\n0.2,0.2,,,1.5\n4,1.0,30.0,,7,0.9\n4,1.0\n");
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
