@@ -20,13 +20,6 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : std::string("-");
 }
 
-double mass_of(const model::Model& model) {
-  double mass = 0.0;
-  for (const auto& of_part : model::lumped_masses(model))
-    for (const model::NodeMass& m : of_part) mass += m.mass;
-  return mass;
-}
-
 std::string percent_of(double part, double whole) {
   return whole > 0.0 ? fmt::format(" ({:.3g} % of the model)", 100.0 * part / whole) : std::string();
 }
@@ -95,7 +88,7 @@ std::string cost(const model::Model& model, const std::vector<weld::Report>& rep
     by_dt += r.cost.mass_by_dt;
     by_dt2ms += r.cost.mass_by_dt2ms;
   }
-  const double whole = mass_of(model);
+  const double whole = model::mass_of_elements(model);
   const std::string unit = model::unit_of(units, dimension::mass);
   return fmt::format(
       " smallest time step of a weld, as given  {}{}\n mass of the welds, as given             {:.4g}{}{}\n"
@@ -183,7 +176,8 @@ std::string target_table(const model::Model& model, const weld::Ties& ties, cons
                               model::unit_of(units, dimension::time), below.size(), ties.welds.size());
   if (below.empty()) return s;
   s += fmt::format(" by mass (DT = {:.4g} in *MAT_SPOTWELD): {:.4g}{} more{}\n by stiffness: E as below, no mass\n\n",
-                   step, total, model::unit_of(units, dimension::mass), percent_of(total, mass_of(model)));
+                   step, total, model::unit_of(units, dimension::mass),
+                   percent_of(total, model::mass_of_elements(model)));
   std::stable_sort(below.begin(), below.end(),
                    [&](std::size_t a, std::size_t b) { return reports[a].cost.time_step < reports[b].cost.time_step; });
   const std::string mass = model::in_units(units, dimension::mass);

@@ -50,7 +50,7 @@ Glue::Glue(const SurfaceContactSetup& setup, model::Glue card, std::span<const R
       bonded_(setup.nodes.size(), card_.alone ? 1 : 0),
       was_bonded_(setup.nodes.size(), 0),
       forces_(surface_nodes(setup), setup.law.friction.any()) {
-  assign_sides(forces_, around_, setup_.segments);
+  assign_sides(forces_, around_, setup_);
   for (const Segment& s : setup_.segments)
     segment_stiffness_.push_back(setup_.stiffness_scale * penalty_stiffness(s, x));
   set_kinds(setup_.nodes, around_, setup_.segments);

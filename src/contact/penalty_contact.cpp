@@ -8,8 +8,9 @@ namespace nugget::contact {
 
 PenaltyContact::PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeContactSetup> edges,
                                std::optional<model::Glue> glue, std::span<const Row> x)
-    : can_expose_faces_(std::any_of(surface.segments.begin(), surface.segments.end(),
-                                    [](const Segment& s) { return s.covered_by >= 0; })),
+    : can_expose_faces_(surface.whole ? surface.whole->covers
+                                      : std::any_of(surface.segments.begin(), surface.segments.end(),
+                                                    [](const Segment& s) { return s.covered_by >= 0; })),
       surface_(glue ? SurfaceContact(surface, x) : SurfaceContact(std::move(surface), x)) {
   if (edges) edges_.emplace(std::move(*edges), x);
   if (edges_ || glue) surface_.look_everywhere();

@@ -23,13 +23,15 @@ class PenaltyContact {
   /// See SurfaceContact::apply.
   void apply(const Step& step, std::span<Row> force);
   /// See SurfaceContact::add_costs.
-  void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks) {
-    surface_.add_costs(x, costs, ranks);
+  void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks, const SurfaceSource& source) {
+    surface_.add_costs(x, costs, ranks, source);
   }
   /// See SurfaceContact::take_share.
-  void take_share(const SharedNodes& shared) { surface_.take_share(shared); }
+  void take_share(const SharedNodes& shared, const SurfaceSource& source) { surface_.take_share(shared, source); }
   /// See SurfaceContact::carry.
   void carry(int rank, system::Carried what, system::Parcel& parcel) { surface_.carry(rank, what, parcel); }
+  /// See SurfaceContact::leave_to_others.
+  void leave_to_others() { surface_.leave_to_others(); }
   /// See SurfaceContact::keep_hits_for_results.
   void keep_hits_for_results() { surface_.keep_hits_for_results(); }
   /// Calls `visit` with each node that it can press.

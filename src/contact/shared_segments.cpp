@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Segments of a surface contact by share (docs/decisions/0140): a rank holds those at the nodes whose forces it adds up
-// and at the tracked nodes of its blocks, and, from a search to the next, those that its pairs press, with all around
-// their corners. Their numbers are those of the whole surface, and what is written of them never changes.
+// Segments of a surface contact by share (docs/decisions/0140, 0141): a rank holds those at the nodes whose forces it
+// adds up and at the tracked nodes of its blocks, and, from a search to the next, those that its pairs press, with all
+// around their corners. Their numbers are those of the whole surface, and what is written of them never changes.
 #include <algorithm>
 #include <cstring>
 #include <iterator>
 
 #include "base/bvh.hpp"
 #include "base/cleared.hpp"
+#include "base/free_room.hpp"
+#include "base/index.hpp"
 #include "contact/surface_contact.hpp"
 #include "contact/surface_work.hpp"
 #include "system/exchange.hpp"
@@ -82,7 +84,85 @@ std::vector<int> take(const std::vector<std::vector<std::byte>>& arrived, Faces&
 
 }  // namespace
 
-/// At the start, and after a restart, when all is here.
+/// Makes the segments and tracked nodes of a part, in their places among those of the whole surface; none is there yet.
+void SurfaceContact::fill(const SurfaceContactSetup& part, std::span<const Row> x) {
+  faces_ = ZeroedVector<Face>(outline_->segments);
+  nodes_ = ZeroedVector<Tracked>(outline_->tracked.size());
+  for (std::size_t i = 0; i < part.number.size(); ++i)
+    faces_[part.number[i]] = face_of(part.segments[i], part.stiffness_scale, x);
+  held_ = part.number;
+  around_ = NodeSegments(faces_, held_);
+  for (const TrackedNode& t : part.nodes) {
+    const auto place = std::ranges::lower_bound(outline_->tracked, t.node) - outline_->tracked.begin();
+    nodes_[at(static_cast<int>(place))] = tracked_of(t);
+  }
+}
+
+/// For the costs of blocks, before anybody has a share: their tracked nodes, with the segments at these and within
+/// reach.
+void SurfaceContact::fill_near_own_blocks(const SurfaceSource& source, std::span<const Row> x) {
+  std::vector<char> own(x.size());
+  std::vector<BoxTree::Entry> boxes;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!computes(b)) continue;
+    Box box;
+    for (int t = blocks_[b].begin; t < blocks_[b].end; ++t) {
+      own[at(tracked_node(t))] = 1;
+      box.add(vec(x[at(tracked_node(t))]));
+    }
+    boxes.push_back({box.grown(0.5 * outline_->thickest_node + margin_), static_cast<int>(b)});
+  }
+  const BoxTree tree(std::move(boxes));
+  const auto is_own = [&](int n) { return own[at(n)] != 0; };
+  const auto is_near = [&](const Segment& s) {
+    if (std::ranges::any_of(s.node, is_own)) return true;
+    Box box;
+    for (const Vec3d& c : corners_of(s, x)) box.add(c);
+    const double a = s.volume > 0.0 ? area(s, x) : 0.0;
+    bool found = false;
+    tree.overlapping(box.grown(0.5 * s.thickness + (a > 0.0 ? pressing_depth * s.volume / a : 0.0)),
+                     [&](int) { found = true; });
+    return found;
+  };
+  fill(source({is_near, is_own}), x);
+}
+
+/// At the start, once the shares are known. Where a segment has corners that no rank follows together all ranks make
+/// the whole surface.
+void SurfaceContact::fill_share(const SurfaceSource& source, std::span<const Row> x) {
+  std::vector<char> marked(forces_.nodes().size());
+  for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = share_->adds_up(forces_.nodes()[i]);
+  std::vector<int> of_blocks;  // tracked nodes
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    for (int t = blocks_[b].begin; computes(b) && t < blocks_[b].end; ++t) {
+      of_blocks.push_back(tracked_node(t));
+      marked[forces_.place(of_blocks.back())] = 1;
+    }
+  bool by_share = !looks_everywhere_ && !results_need_hits_;
+  int number = 0;
+  const auto is_marked = [&](int n) { return marked[forces_.place(n)] != 0; };
+  const auto is_own = [&](const Segment& s) {
+    const int rank = by_share ? follower_of_all(*share_, s.node) : -1;
+    by_share = by_share && rank >= 0;
+    if (rank == rank_) boxed_.push_back(number);
+    ++number;
+    return by_share && std::ranges::any_of(s.node, is_marked);
+  };
+  const SurfaceContactSetup part = source({is_own, is_marked});
+  if (by_share) {
+    fill(part, x);
+    at_own_ = held_;
+    tracked_ghosts_.ask_for(*share_, std::move(of_blocks));
+  } else {
+    fill(source({[](const Segment&) { return true; }, [](int) { return true; }}), x);
+    free_room(boxed_);
+    free_room(held_);
+  }
+  by_share_ = by_share;
+  outline_.reset();
+}
+
+/// After a restart, when all is here.
 void SurfaceContact::hold_share() {
   // Something else looks at the surface, or at its hits.
   if (looks_everywhere_ || results_need_hits_) return;

@@ -46,7 +46,7 @@ void carry_list(system::Parcel& parcel, std::vector<T>& list) {
 
 /// A block goes to the rank that adds up the forces on most of its nodes; one of nodes that all add up, to the next in
 /// turn.
-void SurfaceContact::take_share(const SharedNodes& shared) {
+void SurfaceContact::take_share(const SharedNodes& shared, const SurfaceSource& source) {
   if (share_ == &shared.share) return;
   share_ = &shared.share;
   const int count = share_->ranks().count();
@@ -56,7 +56,7 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
   for (const Block& block : blocks_) {
     std::ranges::fill(nodes_of, 0);
     for (int t = block.begin; t < block.end; ++t)
-      if (const std::span<const int> some = share_->adding(nodes_[t].node); !some.empty()) ++nodes_of[some.front()];
+      if (const std::span<const int> some = share_->adding(tracked_node(t)); !some.empty()) ++nodes_of[some.front()];
     const auto most = std::ranges::max_element(nodes_of);
     rank_of_block_.push_back(*most > 0 ? static_cast<int>(most - nodes_of.begin())
                                        : static_cast<int>(rank_of_block_.size() % at(count)));
@@ -77,13 +77,25 @@ void SurfaceContact::take_share(const SharedNodes& shared) {
   }
   forces_.leave_out(std::move(left_out));
   list_followed_nodes();
-  hold_share();
+  if (outline_ != nullptr)
+    fill_share(source, shared.x);
+  else
+    hold_share();
   if (searched_) ask_for_ghosts();
 }
 
 /// What another rank looks at: it comes back with `carry`.
 void SurfaceContact::leave(Block& block) {
   block.clear_hits();
+  free_lists(block);
+}
+
+void SurfaceContact::leave_to_others() {
+  for (std::size_t b = 0; share_ != nullptr && b < blocks_.size(); ++b)
+    if (!computes(b)) free_lists(blocks_[b]);
+}
+
+void SurfaceContact::free_lists(Block& block) {
   free_room(block.first);
   free_room(block.next_check_travel);
   free_room(block.deep);
@@ -127,9 +139,10 @@ void SurfaceContact::ask_for_ghosts() {
 }
 
 /// Over several ranks each looks at as many blocks in a row; they follow each other along a curve through space.
-void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks) {
+void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks,
+                               const SurfaceSource& source) {
   constexpr double awake = 8.0, node = 1.0;
-  if (faces_.empty() || birth_ > 0.0) return;
+  if ((faces_.empty() && outline_ == nullptr) || birth_ > 0.0) return;
   const bool made_for_this = !searched_, together = made_for_this && ranks != nullptr;
   if (ranks != nullptr && !together && ranks->rank() != 0) return;  // the first one has all
   costs.of_node.resize(x.size());
@@ -138,6 +151,7 @@ void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& cos
     for (std::size_t b = 0; b < blocks_.size(); ++b)
       rank_of_block_.push_back(static_cast<int>(b * at(ranks->count()) / blocks_.size()));
   }
+  if (outline_ != nullptr) fill_near_own_blocks(source, x);
   if (made_for_this) list_all(x, {});
   const auto is_awake_at = [&](int t, const Pair& pair) {
     if (!made_for_this) return pair.next_check_travel <= travelled_;
@@ -163,6 +177,12 @@ void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& cos
     costs.together.insert(costs.together.end(), pairs[from].begin(), pairs[from].end());
   };
   if (made_for_this) forget_lists();
+  if (outline_ != nullptr) {
+    faces_ = {};
+    nodes_ = {};
+    around_ = {};
+    free_room(held_);
+  }
   if (!together || rank_ == 0) add(0);
   if (!together) return;
   if (rank_ == 0) {  // a message to itself there is none

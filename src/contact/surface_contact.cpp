@@ -37,72 +37,94 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
       death_(setup.death),
       edges_meet_(setup.edges_meet),
       around_(setup.segments),
+      outline_(setup.whole ? std::make_unique<SurfaceOutline>(*setup.whole) : nullptr),
       thickest_segment_(setup.thickest),
       forces_(surface_nodes(setup), setup.law.friction.any()),
       sources_(forces_.parts()) {
-  const bool by_segment_masses = law_.stiffness == kernel::PenaltyStiffness::segment_masses;
-  assign_sides(forces_, around_, setup.segments);
+  assign_sides(forces_, around_, setup);
   margin_ = search_margin(setup, x);
+  looks_everywhere_ = law_.balances_friction;  // couples look at places of all corners
+  stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
+  if (outline_ != nullptr) {
+    pressing_ = outline_->pressing;
+    covers_ = outline_->covers;
+    for (const int n : outline_->tracked)
+      stays_active_[n] = !outline_->stays_active.empty() && outline_->stays_active[n];
+    make_blocks(outline_->tracked.size());
+    return;
+  }
   constexpr std::size_t given_together = 4096;
   faces_.reserve(setup.segments.size());
   for (std::size_t i = 0; i < setup.segments.size(); ++i) {
     const Segment& s = setup.segments[i];
-    Face face{s};
-    face.thickness = s.thickness;
-    face.stiffness = setup.stiffness_scale * (by_segment_masses ? s.scale : penalty_stiffness(s, x));
-    face.mass = s.mass;
-    const double a = area(s, x);
-    face.inner = s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0;
-    face.element = s.element;
-    face.covered_by = s.covered_by;
-    face.kind = s.kind;
-    face.side = static_cast<unsigned char>(s.side);
-    face.of_brick = s.volume > 0.0;
+    faces_.push_back(face_of(s, setup.stiffness_scale, x));
     covers_ = covers_ || s.covered_by >= 0;
     thickest_segment_ = std::max(thickest_segment_, s.thickness);
-    faces_.push_back(face);
     // So that both take no room at a time.
     if (given != nullptr && i % given_together == 0) forget(given->segments, i - std::min(i, given_together), i);
   }
   if (given != nullptr) free_room(given->segments);
 
-  stays_active_.assign(forces_.nodes().empty() ? 0 : forces_.nodes().back() + 1, 0);
   nodes_.reserve(setup.nodes.size());
-  std::vector<int> kinds;
   for (std::size_t i = 0; i < setup.nodes.size(); ++i) {
     const TrackedNode& t = setup.nodes[i];
     if (given != nullptr && i % given_together == 0) forget(given->nodes, i - std::min(i, given_together), i);
-    const std::span<const int> around = around_.at(t.node);
-    double sum = 0.0;
-    kinds.clear();
-    for (int s : around) {
-      sum += by_segment_masses ? faces_[s].mass : faces_[s].stiffness;
-      kinds.push_back(faces_[s].kind);
-    }
-    Tracked node;
-    node.node = t.node;
-    node.kind = around.empty() ? t.kind : commonest(kinds);
-    node.thickness = t.thickness;
-    // A node without segments of its own (of a beam, say) is as stiff as what it meets, and has no mass.
-    node.stiffness = !around.empty()     ? sum / static_cast<double>(around.size())
-                     : by_segment_masses ? 0.0
-                                         : Box::infinity;
-    node.against = t.against;
-    nodes_.push_back(node);
+    nodes_.push_back(tracked_of(t));
     pressing_ |= t.against;
     if (t.stays_active) stays_active_[t.node] = 1;
   }
   if (given != nullptr) free_room(given->nodes);
-  looks_everywhere_ = law_.balances_friction;  // couples look at places of all corners
+  make_blocks(nodes_.size());
+  for (Block& block : blocks_) {
+    block.first.assign(block.end - block.begin + 1, 0);
+    block.next_check_travel.assign(block.end - block.begin, 0.0);
+  }
+}
 
-  const int tracked = static_cast<int>(nodes_.size());
-  blocks_.reserve((nodes_.size() + nodes_per_block - 1) / nodes_per_block);
-  for (int begin = 0; begin < tracked; begin += nodes_per_block) {
+SurfaceContact::Face SurfaceContact::face_of(const Segment& s, double stiffness_scale, std::span<const Row> x) const {
+  const bool by_segment_masses = law_.stiffness == kernel::PenaltyStiffness::segment_masses;
+  Face face{s};
+  face.thickness = s.thickness;
+  face.stiffness = stiffness_scale * (by_segment_masses ? s.scale : penalty_stiffness(s, x));
+  face.mass = s.mass;
+  const double a = area(s, x);
+  face.inner = s.volume > 0.0 && a > 0.0 ? pressing_depth * s.volume / a : 0.0;
+  face.element = s.element;
+  face.covered_by = s.covered_by;
+  face.kind = s.kind;
+  face.side = static_cast<unsigned char>(s.side);
+  face.of_brick = s.volume > 0.0;
+  return face;
+}
+
+/// From the segments around it, which are there.
+SurfaceContact::Tracked SurfaceContact::tracked_of(const TrackedNode& t) const {
+  const bool by_segment_masses = law_.stiffness == kernel::PenaltyStiffness::segment_masses;
+  const std::span<const int> around = around_.at(t.node);
+  static thread_local std::vector<int> kinds;
+  double sum = 0.0;
+  kinds.clear();
+  for (int s : around) {
+    sum += by_segment_masses ? faces_[s].mass : faces_[s].stiffness;
+    kinds.push_back(faces_[s].kind);
+  }
+  Tracked node;
+  node.node = t.node;
+  node.kind = around.empty() ? t.kind : commonest(kinds);
+  node.thickness = t.thickness;
+  // A node without segments of its own (of a beam, say) is as stiff as what it meets, and has no mass.
+  node.stiffness = !around.empty() ? sum / static_cast<double>(around.size()) : by_segment_masses ? 0.0 : Box::infinity;
+  node.against = t.against;
+  return node;
+}
+
+void SurfaceContact::make_blocks(std::size_t tracked) {
+  const int count = static_cast<int>(tracked);
+  blocks_.reserve((tracked + nodes_per_block - 1) / nodes_per_block);
+  for (int begin = 0; begin < count; begin += nodes_per_block) {
     Block block;
     block.begin = begin;
-    block.end = std::min(tracked, begin + nodes_per_block);
-    block.first.assign(block.end - begin + 1, 0);
-    block.next_check_travel.assign(block.end - block.begin, 0.0);
+    block.end = std::min(count, begin + nodes_per_block);
     blocks_.push_back(std::move(block));
   }
 }
@@ -591,7 +613,7 @@ void SurfaceContact::Block::archive(Archive& a) {
 void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
   a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, blocks_, acts_);
-  a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, excluded_,
+  a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, outline_, excluded_,
           stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_, results_need_hits_,
           share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, by_share_,
           held_, at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, out_, in_, hits_for_);

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,6 +29,17 @@ namespace nugget::contact {
 
 struct DividedSurface;  // surface_part.hpp
 
+/// What is known of a whole surface where a setup holds some of its segments and tracked nodes only.
+struct SurfaceOutline {
+  std::size_t segments = 0;
+  std::vector<unsigned char> sides;  ///< by node: of the segments at it, as bits of Segment::side
+  std::vector<int> tracked;          ///< tracked nodes, ascending
+  std::vector<char> stays_active;    ///< by node: TrackedNode::stays_active; empty: none does
+  double thickest_node = 0.0;        ///< no tracked node has a larger contact thickness [length]
+  unsigned pressing = 0;             ///< sides whose segments press any tracked node
+  bool covers = false;               ///< some segments are exposed by the deletion of elements
+};
+
 /// What a penalty *CONTACT says, on plain arrays. Node numbers are positions in the arrays of `apply`. In a single
 /// surface contact all is of side 1 and against side 1; of two sides, each node is against the segments of the other.
 struct SurfaceContactSetup {
@@ -41,7 +55,20 @@ struct SurfaceContactSetup {
   // Of the surface that this is a part of (part_of); of a whole one they follow from the segments.
   double margin = 0.0;    ///< of its search, see search_margin() [length]
   double thickest = 0.0;  ///< contact thickness of its thickest segment [length]
+  /// Where it holds some segments and tracked nodes, as a SurfaceChoice asks for: the whole surface, and which of its
+  /// segments these are, rising.
+  std::optional<SurfaceOutline> whole;
+  std::vector<int> number;
 };
+
+/// Which segments and tracked nodes of a surface a setup is to hold.
+struct SurfaceChoice {
+  /// Asked once for each segment of the surface in order, while its side may be that of the first of two alone.
+  std::function<bool(const Segment&)> segment;
+  std::function<bool(int node)> tracked;
+};
+/// Makes the setup of a surface with what is chosen; a node's thickness comes from the chosen segments at it.
+using SurfaceSource = std::function<SurfaceContactSetup(const SurfaceChoice&)>;
 
 /// By how much more than the contact distance segments are looked for around a node, with the nodes at `x`: a quarter
 /// of an element, so that few pairs are listed in vain and a search lasts some hundred cycles at crash speeds [length].
@@ -128,7 +155,8 @@ class SurfaceContact {
     double depth = 0.0;
   };
 
-  /// `x`: initial coordinates, for stiffness and search margin.
+  /// `x`: initial coordinates, for stiffness and search margin. A setup with an outline of the whole surface gives that
+  /// alone: segments and tracked nodes come with add_costs and take_share (docs/decisions/0141).
   SurfaceContact(const SurfaceContactSetup& setup, std::span<const Row> x) : SurfaceContact(setup, x, nullptr) {}
   /// Sets the segments and nodes of the setup free while it makes its own.
   SurfaceContact(SurfaceContactSetup&& setup, std::span<const Row> x) : SurfaceContact(setup, x, &setup) {}
@@ -139,13 +167,18 @@ class SurfaceContact {
 
   /// Adds about what each node costs in a cycle, in pairs that rest; by the lists, which are made at the places `x`
   /// where there are none yet. A contact with a birth time costs nothing. `ranks`: all of them ask, each looks at some
-  /// blocks, and the first one gets the costs; null: this process looks at all.
-  void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks);
-  /// Over several ranks, before the first step that they share: who does what from now on. All ranks call it.
-  void take_share(const SharedNodes& shared);
+  /// blocks, and the first one gets the costs; null: this process looks at all. `source`: of this surface, where it was
+  /// made by its outline alone.
+  void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks, const SurfaceSource& source = {});
+  /// Over several ranks, before the first step that they share: who does what from now on. All ranks call it. `source`
+  /// as in add_costs.
+  void take_share(const SharedNodes& shared, const SurfaceSource& source = {});
   /// Over several ranks (Step::shared): what others need of the blocks of a rank and of the nodes for which it answers,
   /// for results or for all that is to come, on its way to another one.
   void carry(int rank, system::Carried what, system::Parcel& parcel);
+  /// Sets free the lists of other ranks' blocks, which came with `carry` for all that is to come, when they have been
+  /// used.
+  void leave_to_others();
   /// Results are to show force_on() or force_between(): of several ranks the first one gets the hits of all.
   void keep_hits_for_results() { results_need_hits_ = true; }
 
@@ -191,7 +224,7 @@ class SurfaceContact {
   long searches() const { return searches_; }  ///< how often the lists were made
   std::size_t listed() const;                  ///< pairs in the lists
   /// Segments that this process holds: all, but for ranks that hold them by share.
-  std::size_t held() const { return by_share_ ? held_.size() : faces_.size(); }
+  std::size_t held() const { return holds_some() ? held_.size() : faces_.size(); }
 
   void archive(Archive& a);
 
@@ -333,7 +366,19 @@ class SurfaceContact {
     return 0.5 * (nodes_[tracked].thickness + faces_[segment].thickness);
   }
 
+  Face face_of(const Segment& segment, double stiffness_scale, std::span<const Row> x) const;
+  Tracked tracked_of(const TrackedNode& node) const;
+  void make_blocks(std::size_t tracked);
+  /// Whether it has some segments, or none as yet, of which `held_` are here.
+  bool holds_some() const { return by_share_ || outline_ != nullptr; }
+  int tracked_node(int tracked) const {
+    return outline_ != nullptr ? outline_->tracked[tracked] : nodes_[tracked].node;
+  }
+  void fill(const SurfaceContactSetup& part, std::span<const Row> x);
+  void fill_near_own_blocks(const SurfaceSource& source, std::span<const Row> x);
+  void fill_share(const SurfaceSource& source, std::span<const Row> x);
   static void leave(Block& block);
+  static void free_lists(Block& block);
   Box over_all_ranks(const Box& own) const;
   void list_followed_nodes();
   void hold_share();
@@ -426,6 +471,7 @@ class SurfaceContact {
   ZeroedVector<Face> faces_;
   ZeroedVector<Tracked> nodes_;
   NodeSegments around_;
+  std::unique_ptr<const SurfaceOutline> outline_;  // of a surface that has no segments as yet; else null
   const std::vector<unsigned char>* excluded_ = nullptr;
   std::vector<char> stays_active_;  // by node: TrackedNode::stays_active
   double thickest_segment_ = 0.0;

@@ -16,6 +16,11 @@ std::vector<int> surface_nodes(const SurfaceContactSetup& setup) {
   for (const Segment& s : setup.segments)
     for (const int n : s.node) mark(n);
   for (const TrackedNode& t : setup.nodes) mark(t.node);
+  if (setup.whole) {
+    for (std::size_t n = 0; n < setup.whole->sides.size(); ++n)
+      if (setup.whole->sides[n] != 0) mark(static_cast<int>(n));
+    for (const int n : setup.whole->tracked) mark(n);
+  }
   std::vector<int> nodes;
   nodes.reserve(static_cast<std::size_t>(std::count(is_one.begin(), is_one.end(), 1)));
   for (std::size_t n = 0; n < is_one.size(); ++n)
@@ -23,10 +28,13 @@ std::vector<int> surface_nodes(const SurfaceContactSetup& setup) {
   return nodes;
 }
 
-void assign_sides(NodalForces& forces, const NodeSegments& around, const std::vector<Segment>& segments) {
+void assign_sides(NodalForces& forces, const NodeSegments& around, const SurfaceContactSetup& setup) {
   for (int n : forces.nodes()) {
     unsigned sides = 0;
-    for (int s : around.at(n)) sides |= segments[s].side;
+    if (setup.whole)
+      sides = at(n) < setup.whole->sides.size() ? setup.whole->sides[at(n)] : 0;
+    else
+      for (int s : around.at(n)) sides |= setup.segments[s].side;
     forces.set_side(n, sides == 2 ? 1 : 0);
   }
 }

@@ -11,6 +11,6 @@ namespace nugget::contact {
 std::vector<int> surface_nodes(const SurfaceContactSetup& setup);
 
 /// Books the work on nodes that belong to the reference side alone there; `around`: of the segments.
-void assign_sides(NodalForces& forces, const NodeSegments& around, const std::vector<Segment>& segments);
+void assign_sides(NodalForces& forces, const NodeSegments& around, const SurfaceContactSetup& setup);
 
 }  // namespace nugget::contact

@@ -103,8 +103,8 @@ void SurfaceContact::list_all(std::span<const Row> x, std::span<const unsigned c
     if (!rank_of_block_.empty() && !box.overlaps(within)) return;
     boxes.push_back({box, s});
   };
-  boxes.reserve(by_share_ ? held_.size() : faces_.size());
-  if (by_share_)
+  boxes.reserve(held());
+  if (holds_some())
     std::ranges::for_each(held_, add);
   else
     for (std::size_t s = 0; s < faces_.size(); ++s) add(static_cast<int>(s));

@@ -86,37 +86,48 @@ double beam_length(const Model& m, std::size_t e) {
   return norm(position(m, n[1]) - position(m, n[0]));
 }
 
-std::vector<std::vector<NodeMass>> lumped_masses(const Model& m) {
-  std::vector<std::vector<NodeMass>> shares(m.parts.size());
-  // Calls `add(part, density, shares)` for the elements of parts that have a material and are of that kind.
-  const auto each = [&](const auto& elements, ElementKind kind, const auto& add) {
+/// Calls `visit(part, nodes, mass)` for each element of a part that has a section and a material.
+template <class Visit>
+static void each_mass(const Model& m, const Visit& visit) {
+  const auto each = [&](const auto& elements, ElementKind kind, const auto& look) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (elements.part[e] == none) continue;
       const auto part = at(elements.part[e]);
       const Part& p = m.parts[part];
       if (p.kind != kind || p.material == none) continue;
-      add(e, p, m.materials[p.material].density, shares[part]);
+      look(e, p, m.materials[p.material].density, part);
     }
   };
-  each(m.shells, ElementKind::shell, [&](std::size_t e, const Part& p, double density, std::vector<NodeMass>& out) {
+  each(m.shells, ElementKind::shell, [&](std::size_t e, const Part& p, double density, std::size_t part) {
     const SectionShell* shell = section_of(m.shell_sections, p);
     if (shell == nullptr) return;
-    share(out, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
+    visit(part, std::span(m.shells.node[e]).first(m.shells.triangle(e) ? 3 : 4),
           (density * m.shells.thickness[e] + shell->extra_mass) * shell_area(m, e));
   });
-  each(m.solids, ElementKind::solid, [&](std::size_t e, const Part& p, double density, std::vector<NodeMass>& out) {
+  each(m.solids, ElementKind::solid, [&](std::size_t e, const Part& p, double density, std::size_t part) {
     const kernel::CohesiveBond* bond = bond_of(m, p);
-    share(out, m.solids.different_nodes(e), bond ? bond_mass(m, e, *bond) : density * solid_volume(m, e));
+    visit(part, m.solids.different_nodes(e), bond ? bond_mass(m, e, *bond) : density * solid_volume(m, e));
   });
-  each(m.beams, ElementKind::beam, [&](std::size_t e, const Part& p, double density, std::vector<NodeMass>& out) {
+  each(m.beams, ElementKind::beam, [&](std::size_t e, const Part& p, double density, std::size_t part) {
     const SectionBeam* beam = section_of(m.beam_sections, p);
     if (beam == nullptr) return;
-    share(out, m.beams.node[e],
+    visit(part, m.beams.node[e],
           beam->elform == 6 ? density * beam->volume
                             : (density * beam_area(*beam) + beam->extra_mass) * beam_length(m, e));
   });
+}
+
+std::vector<std::vector<NodeMass>> lumped_masses(const Model& m) {
+  std::vector<std::vector<NodeMass>> shares(m.parts.size());
+  each_mass(m, [&](std::size_t part, std::span<const Index> nodes, double mass) { share(shares[part], nodes, mass); });
   for (std::vector<NodeMass>& of_part : shares) of_part = joined(std::move(of_part));
   return shares;
+}
+
+double mass_of_elements(const Model& m) {
+  double sum = 0.0;
+  each_mass(m, [&](std::size_t, std::span<const Index>, double mass) { sum += mass; });
+  return sum;
 }
 
 std::vector<double> nodal_masses(const Model& m) {

@@ -20,6 +20,9 @@ double mass_at(double mass, std::size_t nodes, std::size_t node);
 /// Shells rho A t plus MAREA, bricks rho V, beams rho A L plus NSM, discrete beams rho VOL. One walk over all elements.
 std::vector<std::vector<NodeMass>> lumped_masses(const Model& model);
 
+/// Mass of all elements, of which lumped_masses() has the shares of nodes [mass].
+double mass_of_elements(const Model& model);
+
 /// By node: the mass of elements, *ELEMENT_MASS and *ELEMENT_INERTIA.
 std::vector<double> nodal_masses(const Model& model);
 

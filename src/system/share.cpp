@@ -181,6 +181,7 @@ void Share::forget_others(Rows& of_nodes) const {
     forget(of_nodes, at(begin), at(range.begin));
     begin = range.end;
   }
+  forget(of_nodes, at(begin), of_nodes.size());
 }
 
 void Share::spread(std::span<Row> of_nodes) const {

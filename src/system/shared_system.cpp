@@ -7,6 +7,7 @@
 #include "model/bond.hpp"
 #include "system/before_cycle.hpp"
 #include "system/share.hpp"
+#include "system/sums_by_rank.hpp"
 #include "system/system.hpp"
 
 namespace nugget::system {
@@ -23,9 +24,12 @@ struct ElementNews {
 
 }  // namespace
 
-void System::share_out(Ranks& ranks, Partition partition, std::span<const char> followed) {
+void System::share_out(Ranks& ranks, Partition partition, std::span<const char> followed,
+                       std::span<Rows* const> of_nodes) {
   partition.take_from_first(ranks);
   share_ = std::make_unique<Share>(*this, ranks, std::move(partition), followed);
+  for (Rows* rows : of_nodes) share_->forget_others(*rows);
+  sums_by_rank_ = std::make_unique<SumsByRank>(*this);
   blocks_ = share_->blocks();
   computed_ = blocks_;
   std::ranges::sort(computed_);
@@ -176,7 +180,16 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
       const int here = of(begin);
       while (end < blocks && of(end) == here) ++end;
       if (here == rank) {
-        group.carry(begin, end, carried_of(group, what), parcel);
+        const Carried of_group = carried_of(group, what);
+        for (std::size_t first = begin, last; first < end; first = last) {
+          // Of elements whose energies the rank has summed up nothing else is asked for.
+          const auto is_summed_up = [&](std::size_t b) {
+            return of_group == Carried::energies && !group.weld && sums_by_rank_->has_elements(g, b * width, width);
+          };
+          const bool left_out = is_summed_up(first);
+          for (last = first + 1; last < end && is_summed_up(last) == left_out;) ++last;
+          if (!left_out) group.carry(first, last, of_group, parcel);
+        }
         if (what == Carried::whole) carry_forces(group, begin * width, end * width, parcel);
       }
       begin = end;
@@ -185,7 +198,7 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
 }
 
 void System::collect(Carried what, std::span<Rows* const> of_nodes,
-                     const std::function<void(const Computed& of, Parcel&)>& more) {
+                     const std::function<void(const Computed& of, Parcel&)>& more, bool to_all) {
   if (!share_) return;
   const auto carry_all = [&](int rank, Parcel& parcel) {
     carry(rank, what, parcel);
@@ -196,7 +209,6 @@ void System::collect(Carried what, std::span<Rows* const> of_nodes,
   };
   Ranks& ranks = share_->ranks();
   const int own = ranks.rank();
-  const bool to_all = what == Carried::whole;
   std::vector<int> others;
   for (int r = 0; r < ranks.count(); ++r)
     if (r != own && (to_all || r == 0)) others.push_back(r);

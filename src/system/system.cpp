@@ -13,6 +13,7 @@
 #include "system/order.hpp"
 #include "system/share.hpp"
 #include "system/spring_group.hpp"
+#include "system/sums_by_rank.hpp"
 #include "weld/tie/tie_findings.hpp"
 
 namespace nugget::system {
@@ -638,7 +639,8 @@ void System::archive(Archive& a) {
   a.built(model, ties, brick_joints, weld_stacks, nodes, node_of, model_node, body_of, springs, shell_location,
           solid_location, beam_location, discrete_location, start_, start_is_forgotten_, elements_have_started_,
           carried_mass_, carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_,
-          gather_, blocks_, periods_, share_, computed_, deleted_, deletions_seen_, steps_of_others_, reported_below);
+          gather_, blocks_, periods_, share_, sums_by_rank_, computed_, deleted_, deletions_seen_, steps_of_others_,
+          reported_below);
   a.section("elements");
   a(groups);
 }

@@ -33,6 +33,7 @@ namespace nugget::system {
 enum class ShellKind;  // shell_elements.hpp
 class Partition;       // partition.hpp
 class Share;           // share.hpp
+class SumsByRank;      // sums_by_rank.hpp
 
 /// A model made discrete: nodes and elements in an order that keeps neighbours close in memory, lumped masses, the
 /// constraint map, element blocks. Impact and NVH share it. Refers to the model and the ties, which must outlive it.
@@ -149,6 +150,8 @@ class System {
   void shorten_periods() { subcycles_.shorten(*this); }
   /// Then, when the step is chosen.
   void correct_impulses(State& state) { subcycles_.correct_impulses(*this, state); }
+  /// Whether elements have no states as yet: these come with the share.
+  bool starts_with_share() const { return !elements_have_started_; }
   /// Gives all elements the states that they start with, where these were to come with the share.
   void start_elements();
   /// Elements whose states this process has not.
@@ -207,13 +210,17 @@ class System {
   // ---- A run over several ranks
 
   /// From now on this rank computes its share of the elements only. All ranks do so at the same state, which is whole
-  /// on each of them. `followed`: by node, whether all ranks follow its motion.
-  void share_out(Ranks& ranks, Partition partition, std::span<const char> followed);
+  /// on each of them. `followed`: by node, whether all ranks follow its motion. `of_nodes`: rows of which those of
+  /// nodes that this rank does not follow are set free, as soon as it knows them.
+  void share_out(Ranks& ranks, Partition partition, std::span<const char> followed,
+                 std::span<Rows* const> of_nodes = {});
   /// Share of the stable step below which all ranks are to know an element's; 0: none.
   double reported_below = 0.0;
   /// What this rank does; null in a run by one process.
   Share* share() const { return share_.get(); }
-  /// Elements of all ranks, of which each has computed its own, come to the first rank; `whole` to all of them.
+  /// Which sums it and others can make alone; null in a run by one process.
+  const SumsByRank* sums_by_rank() const { return sums_by_rank_.get(); }
+  /// Elements of all ranks, of which each has computed its own, come to the first rank; `to_all`: to all of them.
   /// `more(of, parcel)` puts into each parcel, or takes out of it, what others keep of the elements for which
   /// `of(group, element)` is true. With the elements go the rows `of_nodes` of nodes that not all ranks follow.
   struct Computed {
@@ -223,7 +230,7 @@ class System {
     bool operator()(int group, std::size_t e) const { return element(group, e); }
   };
   void collect(Carried what, std::span<Rows* const> of_nodes,
-               const std::function<void(const Computed& of, Parcel&)>& more);
+               const std::function<void(const Computed& of, Parcel&)>& more, bool to_all = false);
   /// The nodal forces of an element, which `results` lack.
   void carry_forces(ElementLocation location, Parcel& parcel);
   /// Whether this process follows a node: always, where it is alone.
@@ -344,6 +351,7 @@ class System {
   void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
                     std::span<Row> moment) const;
   std::unique_ptr<Share> share_;
+  std::unique_ptr<const SumsByRank> sums_by_rank_;
   std::vector<std::pair<int, std::size_t>> computed_;  ///< its blocks, in the order of groups
   std::vector<std::vector<char>> deleted_;             ///< known to all, by group and element
   std::vector<int> deletions_seen_;                    ///< by group: ElementGroup::deletions when `deleted_` was made

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -130,16 +131,21 @@ std::vector<char> shells_near_welds(const ContactMesh& mesh) {
   return near;
 }
 
-/// Gathers the segments of the two sides of a contact; one that belongs to both stands once.
+/// Gathers the segments of the two sides of a contact; one that belongs to both stands once. `choice`: keeps those that
+/// are chosen, and an outline of all; null: keeps all.
 class Surfaces {
  public:
-  Surfaces(const ContactMesh& mesh, const model::Contact& card, const FrictionKinds& rough)
+  Surfaces(const ContactMesh& mesh, const model::Contact& card, const FrictionKinds& rough,
+           const contact::SurfaceChoice* choice = nullptr)
       : mesh_(mesh),
         model_(mesh.model),
         card_(card),
         rough_(rough),
+        choice_(choice),
         sides_(mesh.model),
-        thinned_(shells_near_welds(mesh)) {}
+        thinned_(shells_near_welds(mesh)) {
+    if (choice_ != nullptr) outline_.sides.resize(mesh.nodes);
+  }
 
   void add(const model::Surface& surface, unsigned side) {
     surface_ = &surface;
@@ -161,7 +167,20 @@ class Surfaces {
 
   std::vector<contact::Segment> take() { return std::move(segments_); }
 
+  /// With `choice`: what is known of the whole surface, and where the segments that were kept stand in it.
+  void take(contact::SurfaceContactSetup& setup) {
+    setup.segments = take();
+    if (choice_ == nullptr) return;
+    // As contact::search_margin has it.
+    if (outline_.segments > 0) setup.margin = 0.25 * (sum_of_edges_ / static_cast<double>(outline_.segments));
+    setup.thickest = thickest_;
+    setup.number = std::move(number_);
+    setup.whole = std::move(outline_);
+  }
+
  private:
+  static constexpr auto not_kept = std::numeric_limits<std::uint32_t>::max();
+
   bool in_box(const Key& nodes) const {
     return std::all_of(nodes.begin(), nodes.end(), [this](model::Index n) { return surface_->holds(mesh_.x[n]); });
   }
@@ -181,14 +200,37 @@ class Surfaces {
     return side == tracked ? card_.stiffness_scale_a : card_.stiffness_scale_b;
   }
 
-  void add_segment(const Key& key, const contact::Segment& segment, unsigned side) {
-    const auto [number, is_new] = keys_.add(key);
+  /// `nodes`: its corners, in order.
+  void add_segment(const Key& nodes, contact::Segment segment, unsigned side) {
+    const auto [number, is_new] = keys_.add(key_of(nodes));
     if (is_new) {
-      place_.push_back(segments_.size());
-      segments_.push_back(segment);
+      segment.side = side;
+      place_.push_back(put(nodes, segment));
+      return;
     }
-    contact::Segment& known = segments_[place_[number]];
-    known.side = is_new ? side : known.side | side;
+    if (choice_ != nullptr) mark(segment, side);
+    if (place_[number] != not_kept) segments_[place_[number]].side |= side;
+  }
+
+  void mark(const contact::Segment& segment, unsigned side) {
+    for (const int n : segment.node) outline_.sides[n] |= static_cast<unsigned char>(side);
+  }
+
+  /// Where it stands among the segments; `not_kept` where it is not chosen.
+  std::uint32_t put(const Key& nodes, const contact::Segment& segment) {
+    if (choice_ != nullptr) {
+      mark(segment, segment.side);
+      outline_.covers = outline_.covers || segment.covered_by >= 0;
+      thickest_ = std::max(thickest_, segment.thickness);
+      std::array<Row, 4> corners{};
+      for (std::size_t a = 0; a < 4; ++a) set(corners[a], mesh_.x[nodes[a]]);
+      sum_of_edges_ += std::sqrt(contact::area(contact::Facet{{0, 1, 2, 3}}, corners));
+      const auto number = static_cast<int>(outline_.segments++);
+      if (!choice_->segment(segment)) return not_kept;
+      number_.push_back(number);
+    }
+    segments_.push_back(segment);
+    return static_cast<std::uint32_t>(segments_.size() - 1);
   }
 
   void add_shell(std::size_t e, unsigned side) {
@@ -211,7 +253,7 @@ class Surfaces {
         const double own = shape_stiffness(piece);
         if (own > 0.0) part_of_it.bulk_modulus *= shape_stiffness(whole) / own;
       }
-      add_segment(key_of(piece), part_of_it, side);
+      add_segment(piece, part_of_it, side);
     }
   }
 
@@ -246,7 +288,8 @@ class Surfaces {
       }
     }
     for (const auto& [key, of] : found) {
-      if (of.size() == 1 || of.front().listed) add_face(key, of.front().node, of.front().solid, side);
+      if (of.size() == 1 || of.front().listed)
+        add_segment(of.front().node, face(of.front().node, of.front().solid, side), side);
       if (!erodes(card_) || of.size() != 2 || of.front().listed) continue;
       add_covered_face(of[0].node, of[0].solid, of[1].solid, side);
       add_covered_face(of[1].node, of[1].solid, of[0].solid, side);
@@ -271,27 +314,28 @@ class Surfaces {
     return ElementAlive::place(model_, model::ElementKind::solid, static_cast<model::Index>(solid));
   }
 
-  void add_face(const Key& key, const Key& node, std::size_t solid, unsigned side) {
-    add_segment(key, face(node, solid, side), side);
-  }
-
   void add_covered_face(const Key& node, std::size_t solid, std::size_t other, unsigned side) {
     contact::Segment s = face(node, solid, side);
     s.covered_by = place_of(other);
     s.side = side;
-    segments_.push_back(s);
+    put(node, s);
   }
 
   const ContactMesh& mesh_;
   const model::Model& model_;
   const model::Contact& card_;
   const FrictionKinds& rough_;
+  const contact::SurfaceChoice* choice_;
   const model::Surface* surface_ = nullptr;  // being added
   WholeSides sides_;
   std::vector<char> thinned_;  // shells near welds
   std::vector<contact::Segment> segments_;
   Keys keys_;
-  std::vector<std::size_t> place_;  // of the segment, by key
+  std::vector<std::uint32_t> place_;  // of the segment, by key
+  // With `choice_`, of all segments.
+  contact::SurfaceOutline outline_;
+  double sum_of_edges_ = 0.0, thickest_ = 0.0;
+  std::vector<int> number_;  // of those that are kept
 };
 
 /// The kind of friction of each node of the contact: of most of the shells at it; where there are none, of the bricks,
@@ -378,14 +422,15 @@ std::vector<contact::TrackedNode> ends_of_bars(const ContactMesh& mesh, const mo
   return nodes;
 }
 
-/// ENMASS: which nodes an eroding contact keeps when all their elements are deleted.
-void keep_nodes_of_deleted_elements(const ContactMesh& mesh, std::vector<contact::TrackedNode>& nodes) {
+/// ENMASS: which nodes an eroding contact keeps when all their elements are deleted, by node.
+std::vector<char> kept_without_elements(const ContactMesh& mesh) {
   const model::Model& model = mesh.model;
   std::vector<char> of_shell(mesh.nodes, 0);
   for (const auto& shell : model.shells.node)
     for (model::Index n : shell) of_shell[mesh.node_of[n]] = 1;
   const int keep = model.control.keep_nodes_of_deleted;
-  for (contact::TrackedNode& n : nodes) n.stays_active = keep == 2 || (keep == 1 && !of_shell[n.node]);
+  for (char& node : of_shell) node = keep == 2 || (keep == 1 && node == 0) ? 1 : 0;
+  return of_shell;
 }
 
 /// Both sides' nodes in one list, by node; one on both sides is against both.
@@ -503,34 +548,70 @@ static kernel::PenaltyLaw law_of(const model::Contact& card, const FrictionKinds
   return law;
 }
 
-contact::SurfaceContactSetup contact_setup(const ContactMesh& mesh, const model::Contact& card) {
+/// Completes the outline of a surface, of which `setup` has the segments that were chosen, and leaves the tracked nodes
+/// that were. `apart`: tracked nodes that do not follow from segments.
+static void choose_nodes(const contact::SurfaceChoice& choice, const std::vector<contact::TrackedNode>& apart,
+                         bool single, bool both_ways, contact::SurfaceContactSetup& setup) {
+  contact::SurfaceOutline& whole = *setup.whole;
+  whole.thickest_node = setup.thickest;
+  std::vector<int> of_segments;
+  for (std::size_t n = 0; n < whole.sides.size(); ++n) {
+    const bool of_a = (whole.sides[n] & tracked) != 0, of_b = both_ways && (whole.sides[n] & reference) != 0;
+    if (of_a) whole.pressing |= single ? tracked : reference;
+    if (of_b) whole.pressing |= tracked;
+    if (of_a || of_b) of_segments.push_back(static_cast<int>(n));
+  }
+  std::vector<int> of_others;
+  for (const contact::TrackedNode& n : apart) {
+    of_others.push_back(n.node);
+    whole.pressing |= n.against;
+    whole.thickest_node = std::max(whole.thickest_node, n.thickness);
+  }
+  std::ranges::sort(of_others);
+  std::ranges::set_union(of_segments, of_others, std::back_inserter(whole.tracked));
+  whole.tracked.erase(std::unique(whole.tracked.begin(), whole.tracked.end()), whole.tracked.end());
+  std::erase_if(setup.nodes, [&](const contact::TrackedNode& n) { return !choice.tracked(n.node); });
+}
+
+contact::SurfaceContactSetup contact_setup(const ContactMesh& mesh, const model::Contact& card,
+                                           const contact::SurfaceChoice* choice) {
   contact::SurfaceContactSetup setup;
   const FrictionKinds rough(mesh.model, card);
   const bool single = card.kind == model::Contact::Kind::single_surface;
   {
-    Surfaces surfaces(mesh, card, rough);
+    Surfaces surfaces(mesh, card, rough, choice);
     surfaces.add(card.a, tracked);
     if (!single) surfaces.add(card.b, reference);
-    setup.segments = surfaces.take();
+    surfaces.take(setup);
   }
 
+  const bool both_ways = card.kind == model::Contact::Kind::two_surfaces;
+  std::vector<contact::TrackedNode> apart;
   if (single) {
     setup.nodes = contact::nodes_of(setup.segments);
   } else {
     setup.nodes = contact::nodes_of(setup.segments, tracked, reference);
-    const auto listed = listed_nodes(mesh, card, rough);
-    setup.nodes.insert(setup.nodes.end(), listed.begin(), listed.end());
+    apart = listed_nodes(mesh, card, rough);
+    setup.nodes.insert(setup.nodes.end(), apart.begin(), apart.end());
     if (card.glue && !card.glue->by_force && !card.a.nodes.empty())
       setup.faces_at_nodes = faces_at_listed_nodes(mesh, card, rough);
-    if (card.kind == model::Contact::Kind::two_surfaces) {
+    if (both_ways) {
       const auto others = contact::nodes_of(setup.segments, reference, tracked);
       setup.nodes.insert(setup.nodes.end(), others.begin(), others.end());
     }
   }
   const auto ends = ends_of_bars(mesh, card, single ? tracked : reference);
   setup.nodes.insert(setup.nodes.end(), ends.begin(), ends.end());
+  if (choice != nullptr) {
+    apart.insert(apart.end(), ends.begin(), ends.end());
+    choose_nodes(*choice, apart, single, both_ways, setup);
+  }
   setup.nodes = merged(std::move(setup.nodes));
-  if (erodes(card)) keep_nodes_of_deleted_elements(mesh, setup.nodes);
+  if (erodes(card)) {
+    std::vector<char> kept = kept_without_elements(mesh);
+    for (contact::TrackedNode& n : setup.nodes) n.stays_active = kept[n.node] != 0;
+    if (choice != nullptr) setup.whole->stays_active = std::move(kept);
+  }
   setup.stiffness_scale = mesh.model.control.penalty_scale;
   setup.deepest = card.deepest;
   setup.edges_meet = checks_edges(card);

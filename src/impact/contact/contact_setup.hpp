@@ -24,8 +24,10 @@ struct ContactMesh {
 };
 
 /// The surfaces and the laws of a penalty contact, from its card and what it names. Shells contribute
-/// themselves, bricks their exterior faces; weld elements never contact. Node numbers are the mesh's.
-contact::SurfaceContactSetup contact_setup(const ContactMesh& mesh, const model::Contact& contact);
+/// themselves, bricks their exterior faces; weld elements never contact. Node numbers are the mesh's. `choice`: the
+/// setup holds what is chosen, and the outline of the whole; null: all.
+contact::SurfaceContactSetup contact_setup(const ContactMesh& mesh, const model::Contact& contact,
+                                           const contact::SurfaceChoice* choice = nullptr);
 
 /// Whether nothing that meets the rigid body can move it at any time of the run: each translation and each rotation is
 /// fixed or driven. In a contact such a body counts as held, whatever it weighs.

@@ -8,6 +8,7 @@
 
 #include "impact/contact/contact_setup.hpp"
 #include "impact/contact/edge_setup.hpp"
+#include "model/contact_form.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -29,12 +30,15 @@ void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Find
 
 }  // namespace
 
-Contacts::Contacts(const system::System& system, std::span<const Row> x, Findings& findings) {
+Contacts::Contacts(const system::System& system, std::span<const Row> x, Findings& findings) : system_(&system) {
   // Every rank has the gas, and looks at what contact covers of its fabric.
   const auto covered = [](const model::PorousFabric& fabric) { return fabric.covered_by_contact; };
   const bool looked_at = std::ranges::any_of(system.model.control_volumes, [&](const model::ControlVolume& volume) {
     return std::ranges::any_of(volume.flowing.fabric, covered);
   });
+  const auto is_transducer = [](const model::Contact& card) { return card.kind == model::Contact::Kind::transducer; };
+  const bool shows_hits = std::ranges::any_of(system.model.contacts, is_transducer);
+  const contact::SurfaceChoice nothing{[](const contact::Segment&) { return false; }, [](int) { return false; }};
   for (const model::Contact& card : system.model.contacts) {
     if (card.ties_what_touches())
       findings.error(card.place, '*' + card.keyword,
@@ -42,9 +46,12 @@ Contacts::Contacts(const system::System& system, std::span<const Row> x, Finding
                      "write *CONTACT_AUTOMATIC_SINGLE_SURFACE, without the card of CLOSE, for the explicit run; "
                      "`nugget modes` takes the deck as it is");
     if (!card.slides()) continue;
-    contact::SurfaceContactSetup setup = contact_setup(system, card);
+    const bool by_share = system.starts_with_share() && !looked_at && !shows_hits && !model::checks_edges(card) &&
+                          !card.glue && !card.balances_friction;
+    contact::SurfaceContactSetup setup = contact_setup(system, card, by_share ? &nothing : nullptr);
     auto edges = edge_setup(system, card, setup, x);
-    if (setup.segments.empty() && !(edges && !edges->edges.empty())) {
+    const std::size_t segments = setup.whole ? setup.whole->segments : setup.segments.size();
+    if (segments == 0 && !(edges && !edges->edges.empty())) {
       findings.error(card.place, '*' + card.keyword,
                      "the contact has no segments: none of its parts has shells or bricks",
                      "check SURFA and SURFATYP; beams alone are pressed by _GENERAL");
@@ -52,12 +59,16 @@ Contacts::Contacts(const system::System& system, std::span<const Row> x, Finding
     }
     contacts_.emplace_back(std::move(setup), std::move(edges), card.glue, x);
     control_.push_back(card.control);
+    card_.push_back(&card);
     if (looked_at) contacts_.back().look_everywhere();
     if (card.glue) report_tiebreak(card, *contacts_.back().glue(), findings);
   }
-  const auto is_transducer = [](const model::Contact& card) { return card.kind == model::Contact::Kind::transducer; };
-  if (std::ranges::any_of(system.model.contacts, is_transducer))
+  if (shows_hits)
     for (contact::PenaltyContact& c : contacts_) c.keep_hits_for_results();
+}
+
+contact::SurfaceSource Contacts::source(std::size_t c) const {
+  return [this, c](const contact::SurfaceChoice& choice) { return contact_setup(*system_, *card_[c], &choice); };
 }
 
 void Contacts::apply(const contact::Step& step, const system::State& state, std::span<Row> force) {

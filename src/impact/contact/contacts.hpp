@@ -17,7 +17,8 @@ namespace nugget::impact {
 class Contacts {
  public:
   /// `x`: places at the start, initial penetrations resolved; what is left of them is kept and gives no force [length].
-  /// An error where a contact has no segments.
+  /// An error where a contact has no segments. Where elements of `system`, which must outlive it, get their states with
+  /// the share, so do contacts their segments, as far as nothing looks at the whole surface (docs/decisions/0141).
   Contacts(const system::System& system, std::span<const Row> x, Findings& findings);
 
   /// Adds the forces of this step, of those contacts that `state` says are turned on.
@@ -45,24 +46,33 @@ class Contacts {
   void add_energy(Energy& energy) const;
   /// Adds what the contacts cost that act at the start, see contact::SurfaceContact::add_costs.
   void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks) {
-    for (contact::PenaltyContact& contact : contacts_) contact.add_costs(x, costs, ranks);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) contacts_[c].add_costs(x, costs, ranks, source(c));
   }
   /// Over several ranks: see contact::SurfaceContact::take_share.
   void take_share(const contact::SharedNodes& shared) {
-    for (contact::PenaltyContact& contact : contacts_) contact.take_share(shared);
+    for (std::size_t c = 0; c < contacts_.size(); ++c) contacts_[c].take_share(shared, source(c));
   }
   /// Over several ranks: see contact::SurfaceContact::carry.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
     for (contact::PenaltyContact& contact : contacts_) contact.carry(of.rank, what, parcel);
   }
+  /// See contact::SurfaceContact::leave_to_others.
+  void leave_to_others() {
+    for (contact::PenaltyContact& contact : contacts_) contact.leave_to_others();
+  }
   void archive(Archive& a) {
     a(contacts_);
-    a.built(control_);
+    a.built(control_, card_, system_);
   }
 
  private:
+  /// Of contact `c`, for what it was made without.
+  contact::SurfaceSource source(std::size_t c) const;
+
+  const system::System* system_;
   std::vector<contact::PenaltyContact> contacts_;
-  std::vector<model::Index> control_;  ///< *SENSOR_CONTROL of each
+  std::vector<model::Index> control_;        ///< *SENSOR_CONTROL of each
+  std::vector<const model::Contact*> card_;  ///< of each
 };
 
 }  // namespace nugget::impact

@@ -6,11 +6,13 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "model/axes.hpp"
+#include "system/share.hpp"
 
 namespace nugget::impact {
 namespace {
 
-constexpr std::size_t sums_of = 1024;  // elements or nodes: fixed, so that sums do not depend on the number of threads
+// Elements or nodes: fixed, so that sums do not depend on the number of threads.
+constexpr std::size_t sums_of = system::SumsByRank::in_a_row;
 
 Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
   return before + share * (after - before);
@@ -161,8 +163,34 @@ struct Carrier {
 struct GroupSum {
   const system::ElementGroup* group;
   std::size_t begin, end;
+  int rank = 0;  ///< that makes it; below 0: nobody can alone
   PartEnergy found;
 };
+
+/// Of all groups, in order.
+std::vector<GroupSum> rows_of_elements(const system::System& system) {
+  std::vector<GroupSum> rows;
+  const system::SumsByRank* by_rank = system.sums_by_rank();
+  for (std::size_t g = 0; g < system.groups.size(); ++g)
+    for (std::size_t begin = 0, size = system.groups[g]->size(); begin < size; begin += sums_of)
+      rows.push_back({system.groups[g].get(),
+                      begin,
+                      std::min(size, begin + sums_of),
+                      by_rank != nullptr ? by_rank->of_elements(g, begin / sums_of) : 0,
+                      {}});
+  return rows;
+}
+
+/// Row i of nodes, see system::SumsByRank.
+double sum_of_row(const system::System& system, std::size_t i, const std::function<double(std::size_t)>& term) {
+  double sum = 0.0;
+  for (std::size_t k = i * sums_of; k < std::min(system.nodes, (i + 1) * sums_of); ++k) sum += term(k);
+  return sum;
+}
+
+double energy_of(const system::System& system, const NodalMotion& motion, std::size_t k) {
+  return 0.5 * system.mass[k] * motion.linear + 0.5 * system.inertia[k] * motion.angular;
+}
 
 }  // namespace
 
@@ -187,13 +215,54 @@ double share_before_now(const system::State& state) {
   return both > 0.0 ? state.dt_previous / both : 0.5;
 }
 
+double sum_over_nodes(const system::System& system, std::span<const double> of_others,
+                      const std::function<double(std::size_t)>& term) {
+  if (of_others.empty()) return ordered_sum(system.nodes, term);
+  const system::SumsByRank& by_rank = *system.sums_by_rank();
+  std::vector<double> part(of_others.begin(), of_others.end());
+  parallel_for(part.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (by_rank.of_nodes(i) <= 0) part[i] = sum_of_row(system, i, term);
+  });
+  double total = 0.0;
+  for (const double p : part) total += p;
+  return total;
+}
+
+SumsOfRanks sums_for_first(const system::System& system, const system::State& state, std::span<const Row> v_before,
+                           std::span<const Row> w_before, const std::function<double(std::size_t)>& step_change) {
+  const system::SumsByRank& by_rank = *system.sums_by_rank();
+  const int own = system.share()->ranks().rank();
+  SumsOfRanks sums;
+  std::vector<GroupSum> of_elements = rows_of_elements(system);
+  sums.elements.resize(of_elements.size());
+  sums.kinetic.resize(by_rank.rows_of_nodes());
+  sums.step_change.resize(by_rank.rows_of_nodes());
+  if (own == 0) return sums;
+  const Carrier carrier(system, state, v_before, w_before, {});
+  parallel_for(of_elements.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (const GroupSum& s = of_elements[i]; s.rank == own) sums.elements[i] = carrier.sum(*s.group, s.begin, s.end);
+  });
+  const auto kinetic = [&](std::size_t k) {
+    return energy_of(system, nodal_motion(state, v_before, w_before, k, carrier.share), k);
+  };
+  parallel_for(sums.kinetic.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (by_rank.of_nodes(i) == own) {
+        sums.kinetic[i] = sum_of_row(system, i, kinetic);
+        sums.step_change[i] = sum_of_row(system, i, step_change);
+      }
+  });
+  return sums;
+}
+
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before,
-                      std::span<const NodalMotion> of_others) {
+                      std::span<const NodalMotion> of_others, const SumsOfRanks& sums) {
   const double share = share_of_interval(state);
-  double sum = ordered_sum(system.nodes, [&](std::size_t k) {
-    const NodalMotion motion = motion_of(system, state, v_before, w_before, of_others, k, share);
-    return 0.5 * system.mass[k] * motion.linear + 0.5 * system.inertia[k] * motion.angular;
+  double sum = sum_over_nodes(system, sums.kinetic, [&](std::size_t k) {
+    return energy_of(system, motion_of(system, state, v_before, w_before, of_others, k, share), k);
   });
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const system::RigidBody& body = system.bodies[b];
@@ -207,7 +276,8 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
-                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others) {
+                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others,
+                      const SumsOfRanks& of_ranks) {
   energy.internal = energy.hourglass = energy.bulk_viscosity = energy.eroded = energy.eroded_kinetic = 0.0;
   energy.lumped = {};
   parts.assign(system.model.parts.size(), {});
@@ -224,12 +294,12 @@ void element_energies(const system::System& system, const system::State& state, 
     part.mass += body.mass;
     part.momentum += body.mass * between(v, after, 0.5 * carrier.share);
   }
-  std::vector<GroupSum> sums;
-  for (const auto& group : system.groups)
-    for (std::size_t begin = 0; begin < group->size(); begin += sums_of)
-      sums.push_back({group.get(), begin, std::min(group->size(), begin + sums_of), {}});
+  std::vector<GroupSum> sums = rows_of_elements(system);
   parallel_for(sums.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (GroupSum& s : std::span(sums).subspan(begin, end - begin)) s.found = carrier.sum(*s.group, s.begin, s.end);
+    for (std::size_t i = begin; i < end; ++i) {
+      GroupSum& s = sums[i];
+      s.found = !of_ranks.elements.empty() && s.rank > 0 ? of_ranks.elements[i] : carrier.sum(*s.group, s.begin, s.end);
+    }
   });
   for (const GroupSum& s : sums) {
     parts[s.group->part] += s.found;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include "system/sums_by_rank.hpp"
 #include "system/system.hpp"
 
 namespace nugget::impact {
@@ -68,6 +70,27 @@ struct NodalMotion {
   double linear = 0.0, angular = 0.0;  ///< v(n-1/2) . v and w(n-1/2) . w, the second as the energy at t(n) wants it
   Vec3d velocity;                      ///< at t(n)
 };
+/// What a rank of several has summed up, or, on the first one, what all others have: by rows of elements, those of all
+/// groups behind each other, and of nodes (system::SumsByRank). Empty: nobody has.
+struct SumsOfRanks {
+  std::vector<PartEnergy> elements;
+  std::vector<double> kinetic, step_change;
+  /// Calls `visit` with each sum that `rank` makes.
+  template <class Visit>
+  void each_of(const system::System& system, int rank, const Visit& visit) {
+    const system::SumsByRank& by_rank = *system.sums_by_rank();
+    std::size_t row = 0;
+    for (std::size_t g = 0; g < system.groups.size(); ++g)
+      for (std::size_t i = 0; i < by_rank.rows_of_elements(g); ++i, ++row)
+        if (by_rank.of_elements(g, i) == rank) visit(elements[row]);
+    for (std::size_t i = 0; i < by_rank.rows_of_nodes(); ++i)
+      if (by_rank.of_nodes(i) == rank) {
+        visit(kinetic[i]);
+        visit(step_change[i]);
+      }
+  }
+};
+
 /// Of node k; `share`: share_of_interval, all else as of kinetic_energy.
 inline NodalMotion nodal_motion(const system::State& state, std::span<const Row> v_before,
                                 std::span<const Row> w_before, std::size_t k, double share) {
@@ -84,10 +107,21 @@ double share_of_interval(const system::State& state);
 
 /// Kinetic energy of all nodes at t(n) as the discrete balance wants it, 1/2 m v(n-1/2) . v(n+1/2)
 /// (docs/decisions/0002): `before` are the velocities and spins at t(n-1/2), those in `state` stand at t(n+1/2).
-/// `of_others`: by node, the motion of those that this rank does not follow; empty: all velocities are here.
+/// `of_others`: by node, the motion of those that this rank does not follow, as far as sums of others, `sums`, leave it
+/// open; empty: all velocities are here.
 double kinetic_energy(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before,
-                      std::span<const NodalMotion> of_others = {});
+                      std::span<const NodalMotion> of_others = {}, const SumsOfRanks& sums = {});
+
+/// Sum over all nodes, in the order that ordered_sum() has; `of_others`: by rows of nodes, those that other ranks have
+/// made; empty: none.
+double sum_over_nodes(const system::System& system, std::span<const double> of_others,
+                      const std::function<double(std::size_t node)>& term);
+
+/// The sums that this rank makes for the first one; on that one, room for those of the others. `step_change`: by node
+/// that it follows.
+SumsOfRanks sums_for_first(const system::System& system, const system::State& state, std::span<const Row> v_before,
+                           std::span<const Row> w_before, const std::function<double(std::size_t node)>& step_change);
 
 /// Adds up the elements' energies: internal, hourglass, bulk viscosity, eroded and eroded kinetic of `energy`, and all
 /// of `parts` (size: number of parts). A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the
@@ -95,7 +129,8 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 /// `lumped`, so that the parts' kinetic energies, eroded ones too, and theirs are `kinetic_energy`.
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
-                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others = {});
+                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others = {},
+                      const SumsOfRanks& sums = {});
 
 /// Momentum over mass of all `parts` and of what belongs to none [velocity]; 0 where there is no mass.
 Vec3d mean_velocity(const Energy& energy, const std::vector<PartEnergy>& parts);

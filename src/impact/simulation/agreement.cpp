@@ -2,6 +2,7 @@
 // What the ranks of a run agree on (docs/decisions/0101). In one process each of these functions does what it says for
 // the process alone.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -178,11 +179,12 @@ void Simulation::share_out(Ranks& ranks, const std::function<void()>& made) {
     else
       shares.emplace(system_, ranks.count());
   }
-  system_.share_out(ranks, std::move(*shares), followed_by_all());
+  // Contact makes its segments at places of all nodes.
+  const std::array<system::Rows*, 4> of_nodes{&state_.v, &state_.w, &state_.f, &state_.m};
+  system_.share_out(ranks, std::move(*shares), followed_by_all(), of_nodes);
   components_.contacts.take_share({*system_.share(), state_.x, state_.v});
+  system_.share()->forget_others(state_.x);
   if (made) made();
-  for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m})
-    system_.share()->forget_others(*rows);
   // Here, where there is room for it.
   if (on_first_rank()) shares_ = system_.share()->partition().shares(system_, followed_by_all());
 }
@@ -214,7 +216,7 @@ void Simulation::report_ranks() {
   }
 }
 
-void Simulation::collect(system::Carried what) {
+void Simulation::collect(system::Carried what, bool to_all) {
   std::vector<system::Rows*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
   const bool sums_only = what == system::Carried::energies || what == system::Carried::end;
   // All follow the nodes that histories show, and energies are summed up from NodalMotion.
@@ -222,38 +224,48 @@ void Simulation::collect(system::Carried what) {
   if (what == system::Carried::end) rows = {&state_.x};
   const double share = share_of_interval(state_);
   free_room(motion_of_others_);
-  if (sums_only && ranks_ != nullptr && on_first_rank()) motion_of_others_.resize(system_.nodes);
+  sums_of_ranks_ = {};
+  if (sums_only && ranks_ != nullptr) {
+    if (on_first_rank()) motion_of_others_.resize(system_.nodes);
+    sums_of_ranks_ = sums_for_first(system_, state_, v_before_, w_before_,
+                                    [this](std::size_t k) { return step_change_before_now(k); });
+  }
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
-  system_.collect(what, rows, [&](const system::System::Computed& of, system::Parcel& parcel) {
-    for (const int k : of.share.reported_by(of.rank)) {
-      if (what == system::Carried::histories) break;
-      if (sums_only) {
-        NodalMotion of_node;
-        if (!parcel.reading()) of_node = nodal_motion(state_, v_before_, w_before_, at(k), share);
-        parcel(&of_node, 1);
-        if (parcel.reading()) motion_of_others_[k] = of_node;
-      }
-      if (!step_change_of_node_.empty()) {
-        // A run goes on from what is booked; a balance shows what was done up to now.
-        double booked = step_change_of_node_[k];
-        if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
-        parcel(&booked, 1);
-        if (parcel.reading()) step_change_of_node_[k] = booked;
-      }
-      if (what != system::Carried::whole) continue;
-      parcel(&inverse_mass_[k], 1);
-      parcel(&inverse_inertia_[k], 1);
-    }
-    if (what == system::Carried::results)
-      for (const model::CrossSection& section : system_.model.requests.cross_sections)
-        for (const model::CrossSection::Facet& facet : section.facets)
-          if (const auto location = system_.location_of(facet.kind, facet.element);
-              location.group >= 0 && of(location.group, at(location.element)))
-            system_.carry_forces(location, parcel);
-    components_.for_each([&](auto& component) {
-      if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);
-    });
-  });
+  system_.collect(
+      what, rows,
+      [&](const system::System::Computed& of, system::Parcel& parcel) {
+        if (sums_only) sums_of_ranks_.each_of(system_, of.rank, [&](auto& sum) { parcel(&sum, 1); });
+        for (const int k : of.share.reported_by(of.rank)) {
+          if (what == system::Carried::histories) break;
+          if (sums_only && !system_.sums_by_rank()->travels(k)) continue;
+          if (sums_only) {
+            NodalMotion of_node;
+            if (!parcel.reading()) of_node = nodal_motion(state_, v_before_, w_before_, at(k), share);
+            parcel(&of_node, 1);
+            if (parcel.reading()) motion_of_others_[k] = of_node;
+          }
+          if (!step_change_of_node_.empty()) {
+            // A run goes on from what is booked; a balance shows what was done up to now.
+            double booked = step_change_of_node_[k];
+            if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
+            parcel(&booked, 1);
+            if (parcel.reading()) step_change_of_node_[k] = booked;
+          }
+          if (what != system::Carried::whole) continue;
+          parcel(&inverse_mass_[k], 1);
+          parcel(&inverse_inertia_[k], 1);
+        }
+        if (what == system::Carried::results)
+          for (const model::CrossSection& section : system_.model.requests.cross_sections)
+            for (const model::CrossSection::Facet& facet : section.facets)
+              if (const auto location = system_.location_of(facet.kind, facet.element);
+                  location.group >= 0 && of(location.group, at(location.element)))
+                system_.carry_forces(location, parcel);
+        components_.for_each([&](auto& component) {
+          if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);
+        });
+      },
+      to_all);
 }
 
 void Simulation::agree(const Options& options) {

@@ -187,15 +187,12 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
         update_energy_balance();
         if (record) masses_ = system_.masses();
         free_room(motion_of_others_);
+        sums_of_ranks_ = {};
       }
     }
     // Numbers that are none would only spoil files that are good up to here.
     if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
-    if (ranks_ != nullptr && on_first_rank() && (record || balance) && !last && elements_due()) {
-      system_.leave_to_others();
-      for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &v_before_, &w_before_})
-        system_.share()->forget_others(*rows);
-    }
+    if (ranks_ != nullptr && on_first_rank() && (record || balance) && !last && elements_due()) leave_to_others();
     if (record || balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
       if (progress) report_progress(progress, end_time);
@@ -267,12 +264,15 @@ void Simulation::write_checkpoint_if_due(const Options& options) {
   if (!restart_file_due_) return;
   collect(system::Carried::whole);
   if (options.write_checkpoint) options.write_checkpoint();
-  if (ranks_ != nullptr) {
-    system_.leave_to_others();
-    for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m})
-      system_.share()->forget_others(*rows);
-  }
+  if (ranks_ != nullptr && on_first_rank()) leave_to_others();
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
+}
+
+void Simulation::leave_to_others() {
+  system_.leave_to_others();
+  components_.contacts.leave_to_others();
+  for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m, &v_before_, &w_before_})
+    system_.share()->forget_others(*rows);
 }
 
 void Simulation::update_velocities() {
@@ -612,17 +612,19 @@ void Simulation::transfer_dependent_forces() {
 
 void Simulation::update_energy_balance() {
   const Energy before = energy_;
-  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_, motion_of_others_);
-  energy_.kinetic = kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_, motion_of_others_) -
-                    energy_.eroded_kinetic;
+  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_, motion_of_others_,
+                   sums_of_ranks_);
+  energy_.kinetic =
+      kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_, motion_of_others_, sums_of_ranks_) -
+      energy_.eroded_kinetic;
   energy_.contact = energy_.wall = energy_.external = energy_.damping = 0.0;
   components_.for_each([&](const auto& component) {
     if constexpr (requires { component.add_energy(energy_); }) component.add_energy(energy_);
   });
-  energy_.step_change =
-      step_change_ + components_.supports.step_change() + ordered_sum(system_.nodes, [this](std::size_t k) {
-        return system_.follows(k) ? step_change_before_now(k) : step_change_of_node_[k];
-      });
+  energy_.step_change = step_change_ + components_.supports.step_change() +
+                        sum_over_nodes(system_, sums_of_ranks_.step_change, [this](std::size_t k) {
+                          return system_.follows(k) ? step_change_before_now(k) : step_change_of_node_[k];
+                        });
   if (state_.cycle == 0) energy_.initial = energy_.total();
   gives_energy_ = giving_part() != parts_.end() || contact_gives();
   // Other balances come with the output, which must not change how a run ends.
@@ -653,7 +655,7 @@ void Simulation::archive(Archive& a) {
   a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
           momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
           rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_, shares_,
-          motion_of_others_);
+          motion_of_others_, sums_of_ranks_);
 }
 
 }  // namespace nugget::impact

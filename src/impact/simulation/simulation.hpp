@@ -103,7 +103,9 @@ class Simulation {
   /// restart file or a state that is not due. Of several ranks all take the same.
   void agree(const Options& options);
   /// Elements that other ranks compute, and what components keep of them; see System::collect.
-  void collect(system::Carried what);
+  void collect(system::Carried what, bool to_all = false);
+  /// Sets free what of other ranks came with `collect`, when it has been used.
+  void leave_to_others();
   /// Whether results are due at the state that is about to be complete.
   bool results_due(Recorder& recorder) const;
   /// Whether what is due shows energies.
@@ -186,6 +188,7 @@ class Simulation {
   ZeroedVector<double> inverse_mass_, inverse_inertia_;  ///< by node; over several ranks of those that it follows
   system::Rows v_before_, w_before_;
   ZeroedVector<NodalMotion> motion_of_others_;  ///< by node, on the first of several ranks while it adds up energies
+  SumsOfRanks sums_of_ranks_;                   ///< likewise
   system::Rows v_period_, w_period_;            ///< in sub-cycling: velocities and spins after those of the last period
   std::vector<Row> contact_forces_;             ///< in sub-cycling, where contacts have theirs not in each cycle
   double run_end_ = 0.0;                        ///< where the period that begins ends the run: its time; else 0

@@ -76,9 +76,9 @@ void Simulation::bound_step_again() {
   if (looks_ >= (assembled_step_.sheets() ? looks_at_sheets_at_first + state_.cycle / cycles_of_a_look_at_sheets
                                           : looks_at_first + state_.cycle / cycles_of_a_look))
     return;
-  collect(system::Carried::whole);
+  collect(system::Carried::whole, true);
   const AssembledStep::Limit limit = assembled_step_.limit(state_, step);
-  if (ranks_ != nullptr) system_.leave_to_others();
+  if (ranks_ != nullptr) leave_to_others();
   const double before = step_factor_;
   if (limit.step > 0.0 && std::isfinite(limit.step))
     step_factor_ = step > bearable_share * limit.step ? default_step_scale * limit.step / step : 1.0;

@@ -113,6 +113,39 @@ TEST(SurfacePart, HasTheOverlapsOfTheWhole) {
   }
 }
 
+// A sheet in the middle of a brick of 40: of many parts some have none of the brick's corners, and all its faces are
+// far from their nodes. Sabotage: a face reaches no farther than its thickness.
+TEST(SurfacePart, ABrickReachesAsFarAsItIsDeep) {
+  constexpr int side = 15;
+  Overlapping s;
+  for (const double z : {0.0, 40.0})
+    for (const Vec3d& p : {Vec3d{0, 0, z}, Vec3d{40, 0, z}, Vec3d{40, 40, z}, Vec3d{0, 40, z}}) s.add_node(p);
+  for (const std::array<int, 4>& face : {std::array{0, 3, 2, 1}, std::array{4, 5, 6, 7}, std::array{0, 1, 5, 4},
+                                         std::array{1, 2, 6, 5}, std::array{2, 3, 7, 6}, std::array{3, 0, 4, 7}})
+    s.add_segment(face, 0.0, 64000.0);
+  for (int j = 0; j <= side; ++j)
+    for (int i = 0; i <= side; ++i) s.add_node({12.5 + i, 12.5 + j, 20.5});
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const int a = 8 + j * (side + 1) + i;
+      s.add_segment({a, a + 1, a + side + 2, a + side + 1}, 0.1, 0.0);
+    }
+  s.setup.nodes = nodes_of(s.setup.segments);
+  Found deep = in_order(s.setup, find_nodes_out_of_reach(s.setup, s.x));
+  sort_by_node(deep);
+  EXPECT_GT(deep.size(), 100u);
+  for (const int parts : {4, 16}) {
+    Found found;
+    for (int part = 0; part < parts; ++part) {
+      const SurfaceContactSetup own = part_of(s.setup, s.x, part, parts, 0.0);
+      const Found here = in_order(own, find_nodes_out_of_reach(own, s.x));
+      found.insert(found.end(), here.begin(), here.end());
+    }
+    sort_by_node(found);
+    EXPECT_EQ(found, deep) << parts;
+  }
+}
+
 // Ranks move the same nodes to the same places as one process, also where these go so far that the surface is divided
 // anew. Sabotage: nodes that other ranks move stay.
 TEST(SurfacePart, RanksRemoveOverlapsTogether) {
