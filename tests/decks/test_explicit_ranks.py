@@ -126,7 +126,7 @@ class ExplicitRanks(RepeatedRuns):
             self.assertIn(what, self.log("r3_1"))
         subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
         text = (self.folder / "double_hat.k").read_text(encoding="ascii")
-        sensors = ("*SENSOR_DEFINE_FORCE\n" + card(1, "CONTACT", 2, "M") + "*SENSOR_SWITCH\n" + card(1, "SENSOR", 1, "GT", 1.0) + card(2, "SENSOR", 1, "GT", 4.0)
+        sensors = ("*SENSOR_DEFINE_FORCE\n" + card(1, "CONTACT", 2, "M") + "*SENSOR_SWITCH\n" + card(1, "SENSOR", 1, "GT", 0.5) + card(2, "SENSOR", 1, "GT", 0.7)
                    + "*SENSOR_CONTROL\n" + card(1, "RWALL", 1) + card("ON", 1) + "*TERMINATION_SENSOR\n" + card(2))
         summary = self.compare_ranks(text.replace("*END", sensors + "*END"), "--until", "6.0e-4", ranks=((3, 1),))
         self.assertEqual(summary["message"], "sensor switch 2 is on")

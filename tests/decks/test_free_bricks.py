@@ -107,6 +107,22 @@ class Blocks(CommandTest):
                 self.assertAlmostEqual(limit / limit_of(*shape), 1.0, delta=0.004)
                 self.assertAlmostEqual(advice, 0.9 * limit, delta=0.006)
 
+    def test_pressure_by_an_equation_of_state_is_stiffness(self):
+        """Cubes of the same moduli by *MAT_JOHNSON_COOK and an equation of state have the same limit, and a run with the default step keeps
+        its energy. Sabotage: a volume that is 1 plus what the tiny motion of the search changes it by."""
+        shear, bulk = YOUNG / (2 * (1 + NU)), YOUNG / (3 * (1 - 2 * NU))
+        metal = f"*MAT_JOHNSON_COOK\n1,{DENSITY},{shear},{YOUNG},{NU}\n1e5,0,1,0,1,1500,293,1\n4.6e8,-1e9,1\n\n"
+        for state in (f"*EOS_LINEAR_POLYNOMIAL\n1,0,{bulk},0,0,0,0,0\n0,1\n", f"*EOS_GRUNEISEN\n1,{math.sqrt(bulk / DENSITY)},1.5,0,0,0,0,0\n1\n",
+                      f"*EOS_LINEAR_POLYNOMIAL\n1,0,{bulk},0,0,2.0,2.0,0\n0,1\n"):
+            with self.subTest(state.split()[0]):
+                def text(tssfac):
+                    return block(6, 1, 1, tssfac, material=metal + state).replace("\n7,1,1\n", "\n7,1,1,1\n")
+                limit, _ = self.told_limit(text(0.9))
+                self.assertAlmostEqual(limit / limit_of(6, 1, 1), 1.0, delta=0.004)
+                self.write(text(""))
+                self.nugget("run", "model.k", "--quiet")
+                self.assertAlmostEqual(self.json("summary.json")["energy"]["ratio_without_step_change"], 1.0, delta=0.05)
+
     def test_a_cube_alone_by_its_closed_form(self):
         """Its dilatation: omega^2 = 12 K / (rho a^2); of critical the linear viscosity damps xi = rho Q2 a c omega / 2K, every second step:
         omega dt = sqrt(4 + xi^2) - xi."""

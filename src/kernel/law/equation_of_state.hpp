@@ -90,7 +90,7 @@ PressureLine<R> pressure_line(const TabulatedPressure& p, const R& mu) {
   PressureLine<R> line;
   for (int l = 0; l < lanes<R>; ++l) {
     // d ln V / d mu = -1/(1 + mu).
-    const double squeezed = std::max(1.0 + lane(mu, l), 1e-12), at = -std::log(squeezed);
+    const double squeezed = std::max(1.0 + lane(mu, l), 1e-12), at = -std::log1p(std::max(lane(mu, l), 1e-12 - 1.0));
     const auto set = [&](const Curve& curve, R& value, R& slope) {
       const double tilt = curve.empty() ? 0.0 : curve.slope(at);
       const double before = curve.empty() ? 0.0 : std::min(0.0, at - curve.x.front());
@@ -116,16 +116,18 @@ class EquationOfStateKernel {
   /// linear in it.
   template <class R>
   R advance(const R& rate, const R& sheared, const R& old_pressure, const R& least, double dt, double* history) const {
-    const R old = load_field<R>(history, volume_field) + law_.start_volume, half = 0.5 * dt * rate;
-    const R volume = old * (1.0 + half) / (1.0 - half), growth = 0.5 * (volume - old);
+    // By its change since the start: that of a step in which nothing moves (AssembledStep) is no part of a volume.
+    const R since_start = load_field<R>(history, volume_field), half = 0.5 * dt * rate;
+    const R growth = (since_start + law_.start_volume) * half / (1.0 - half), change = since_start + 2.0 * growth;
+    const R volume = change + law_.start_volume;
     const R before = load_field<R>(history, energy_field) + law_.start_energy + volume * sheared -
                      growth * (old_pressure + load_field<R>(history, viscous_field));
-    const PressureLine<R> line = line_at<R>(volume);
+    const PressureLine<R> line = line_at<R>(change);
     R energy = (before - growth * line.cold) / (1.0 + growth * line.heat), pressure = line.cold + line.heat * energy;
     const auto limited = pressure < least;
     pressure = select(limited, least, pressure);
     energy = select(limited, before - growth * least, energy);
-    store_field(history, volume_field, volume - law_.start_volume);
+    store_field(history, volume_field, change);
     store_field(history, energy_field, energy - law_.start_energy);
     store_field(history, growth_field, growth);
     return pressure;
@@ -133,9 +135,9 @@ class EquationOfStateKernel {
   /// d p / d mu at constant entropy, as the point stands: rho0 times the square of the bulk speed of sound [stress].
   template <class R>
   R modulus(const double* history) const {
-    const R volume = load_field<R>(history, volume_field) + law_.start_volume,
+    const R change = load_field<R>(history, volume_field), volume = change + law_.start_volume,
             energy = load_field<R>(history, energy_field) + law_.start_energy;
-    const PressureLine<R> line = line_at<R>(volume);
+    const PressureLine<R> line = line_at<R>(change);
     const R pressure = max(line.cold + line.heat * energy, R(0.0));
     return line.cold_slope + line.heat_slope * energy + line.heat * pressure * volume * volume;
   }
@@ -155,8 +157,8 @@ class EquationOfStateKernel {
   static constexpr int volume_field = 0, energy_field = 1, growth_field = 2, viscous_field = 3;
 
   template <class R>
-  PressureLine<R> line_at(const R& volume) const {
-    const R mu = 1.0 / volume - 1.0;
+  PressureLine<R> line_at(const R& change) const {
+    const R mu = ((1.0 - law_.start_volume) - change) / (change + law_.start_volume);
     return std::visit([&](const auto& p) { return pressure_line(p, mu); }, law_.pressure);
   }
 
