@@ -12,6 +12,7 @@
 #include "base/index.hpp"
 #include "base/peak_memory.hpp"
 #include "impact/simulation/simulation.hpp"
+#include "model/bond.hpp"
 #include "system/share.hpp"
 
 namespace nugget::impact {
@@ -44,6 +45,20 @@ struct Balance {
   double largest_input = 0.0, physical_mass = 0.0, added_mass = 0.0;
   Recorder::Marks next_marks;
 };
+
+/// By node, whether it is one of welds or adhesives, of which the end of a run reports (Carried::end).
+std::vector<char> nodes_reported_at_end(const system::System& system) {
+  std::vector<char> nodes(system.nodes);
+  for (const auto& group : system.groups) {
+    if (!group->weld && !model::bond_of(system.model, system.model.parts[group->part])) continue;
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      const system::ElementNodes node = group->nodes(e);
+      for (int a = 0; a < group->nodes_per_element; ++a)
+        if (node[a] >= 0 && at(node[a]) < nodes.size()) nodes[node[a]] = 1;
+    }
+  }
+  return nodes;
+}
 
 }  // namespace
 
@@ -220,8 +235,9 @@ void Simulation::collect(system::Carried what, bool to_all) {
   std::vector<system::Rows*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
   const bool sums_only = what == system::Carried::energies || what == system::Carried::end;
   // All follow the nodes that histories show, and energies are summed up from NodalMotion.
-  if (what == system::Carried::histories || what == system::Carried::energies) rows.clear();
-  if (what == system::Carried::end) rows = {&state_.x};
+  if (what == system::Carried::histories || sums_only) rows.clear();
+  const std::vector<char> placed =
+      what == system::Carried::end && ranks_ != nullptr ? nodes_reported_at_end(system_) : std::vector<char>();
   const double share = share_of_interval(state_);
   free_room(motion_of_others_);
   sums_of_ranks_ = {};
@@ -237,6 +253,7 @@ void Simulation::collect(system::Carried what, bool to_all) {
         if (sums_only) sums_of_ranks_.each_of(system_, of.rank, [&](auto& sum) { parcel(&sum, 1); });
         for (const int k : of.share.reported_by(of.rank)) {
           if (what == system::Carried::histories) break;
+          if (!placed.empty() && placed[k] != 0) parcel(&state_.x[k], 1);
           if (sums_only && !system_.sums_by_rank()->travels(k)) continue;
           if (sums_only) {
             NodalMotion of_node;

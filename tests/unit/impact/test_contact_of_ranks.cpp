@@ -23,7 +23,7 @@
 namespace nugget::impact {
 namespace {
 
-constexpr int along = 40, across = 12;
+constexpr int along = 100, across = 40;
 
 struct Text {
   std::string nodes, shells, solids;
@@ -222,6 +222,13 @@ TEST(ContactOfRanks, SegmentsComeWithTheShareAndSumsInPlaceOfWhatTheyAreMadeFrom
         }
     }
     EXPECT_GE(held, segments);
+    const system::SumsByRank& by_rank = *runs[0]->system.sums_by_rank();
+    int of_others = 0, elements_of_others = 0;
+    for (std::size_t i = 0; i < by_rank.rows_of_nodes(); ++i) of_others += by_rank.of_nodes(i) > 0;
+    for (std::size_t g = 0; g < runs[0]->system.groups.size(); ++g)
+      for (std::size_t i = 0; i < by_rank.rows_of_elements(g); ++i) elements_of_others += by_rank.of_elements(g, i) > 0;
+    EXPECT_GT(of_others, 0);
+    EXPECT_GT(elements_of_others, 0);
     // Sabotage to be caught: a sum of another rank that is left out, or is that of other elements or nodes.
     const Energy &a = alone.energy(), &b = simulations[0]->energy();
     EXPECT_EQ(bits(b.kinetic), bits(a.kinetic));
