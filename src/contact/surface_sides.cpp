@@ -307,8 +307,9 @@ bool SurfaceContact::in_one_place(const Candidate& a, const Candidate& b) const 
          share_a_node(faces_[a.segment], faces_[b.segment]);
 }
 
-/// Of two feet in one place, where round-off would decide which segment is closer and the stiffness of the pair with
-/// it: the one that is pressed stays, else the one that faces the node more, else the stiffer one.
+/// Of two feet in one place, outside of both segments, where round-off would decide which segment is closer and the
+/// stiffness of the pair with it: the one that is pressed stays, else the one that faces the node more, else the
+/// stiffer one.
 bool SurfaceContact::goes_before(const Candidate& a, const Candidate& b) const {
   if (a.before.touching != b.before.touching) return a.before.touching;
   const double faces_a = std::abs(dot(a.away, a.foot.normal)), faces_b = std::abs(dot(b.away, b.foot.normal));
@@ -331,7 +332,7 @@ bool SurfaceContact::hidden_by(const Candidate& other, const Candidate& candidat
   if (candidate.gap < 0.0 && other.came_through != candidate.came_through && !candidate.before.touching &&
       !other.before.touching && share_a_node(faces_[other.segment], faces_[candidate.segment]))
     return other.came_through;
-  if (in_one_place(other, candidate)) {
+  if (candidate.gap >= 0.0 && other.gap >= 0.0 && in_one_place(other, candidate)) {
     if (!goes_before(other, candidate)) return false;
   } else {
     if (other.foot.distance > candidate.foot.distance) return false;

@@ -12,25 +12,8 @@ namespace nugget::model {
 /// NAME.cpp, which says what it holds and when, and is removed when another run begins in the same folder
 /// (output/results.cpp).
 inline constexpr auto history_files = std::to_array<std::string_view>({
-    "glstat",
-    "matsum",
-    "nodout",
-    "swforc",
-    "dcfail",
-    "deforc",
-    "disbout",
-    "jntforc",
-    "sbtout",
-    "rwforc",
-    "spcforc",
-    "bndout",
-    "rbdout",
-    "abstat",
-    "rcforc",
-    "secforc",
-    "nodfor",
-    "elout",
-    "sleout",
+    "glstat",  "matsum", "nodout", "swforc", "dcfail", "deforc",  "disbout", "jntforc", "sbtout", "rwforc",
+    "spcforc", "bndout", "rbdout", "abstat", "rcforc", "secforc", "nodfor",  "elout",   "sleout",
 });
 
 /// A name of that list; one that is not in it does not compile.
