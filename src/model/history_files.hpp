@@ -11,10 +11,30 @@ namespace nugget::model {
 /// card *DATABASE_NAME (reading/cards/database.cpp), its request (requests.hpp), its file impact/recording/histories/
 /// NAME.cpp, which says what it holds and when, and is removed when another run begins in the same folder
 /// (output/results.cpp).
+// A line each.
+// clang-format off
 inline constexpr auto history_files = std::to_array<std::string_view>({
-    "glstat",  "matsum", "nodout", "swforc", "dcfail", "deforc",  "disbout", "jntforc", "sbtout", "rwforc",
-    "spcforc", "bndout", "rbdout", "abstat", "rcforc", "secforc", "nodfor",  "elout",   "sleout",
+    "glstat",
+    "matsum",
+    "nodout",
+    "swforc",
+    "dcfail",
+    "deforc",
+    "disbout",
+    "jntforc",
+    "sbtout",
+    "rwforc",
+    "spcforc",
+    "bndout",
+    "rbdout",
+    "abstat",
+    "rcforc",
+    "secforc",
+    "nodfor",
+    "elout",
+    "sleout",
 });
+// clang-format on
 
 /// A name of that list; one that is not in it does not compile.
 struct HistoryName {
