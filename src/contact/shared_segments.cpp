@@ -38,25 +38,6 @@ void sort_once(std::vector<int>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// The rank that follows all these nodes, the first of several; -1: there is none.
-int follower_of_all(const system::Share& share, std::span<const int> nodes) {
-  std::vector<int> ranks, more;
-  bool any = false;
-  for (const int n : nodes) {
-    if (share.everyone_follows(n)) continue;
-    const std::span<const int> adding = share.adding(n);
-    more.clear();
-    if (any)
-      std::ranges::set_intersection(ranks, adding, std::back_inserter(more));
-    else
-      more.assign(adding.begin(), adding.end());
-    ranks.swap(more);
-    any = true;
-  }
-  if (!any) return share.answering(nodes.front());
-  return ranks.empty() ? -1 : ranks.front();
-}
-
 /// Segments by number on their way to another rank.
 template <class Face>
 void append(std::vector<std::byte>& data, int number, const Face& face) {
@@ -142,7 +123,7 @@ void SurfaceContact::fill_share(const SurfaceSource& source, std::span<const Row
   int number = 0;
   const auto is_marked = [&](int n) { return marked[forces_.place(n)] != 0; };
   const auto is_own = [&](const Segment& s) {
-    const int rank = by_share ? follower_of_all(*share_, s.node) : -1;
+    const int rank = by_share ? share_->follower_of_all(s.node, share_->answering(s.node[0])) : -1;
     by_share = by_share && rank >= 0;
     if (rank == rank_) boxed_.push_back(number);
     ++number;
@@ -168,7 +149,7 @@ void SurfaceContact::hold_share() {
   if (looks_everywhere_ || results_need_hits_) return;
   std::vector<int> boxed;
   for (std::size_t s = 0; s < faces_.size(); ++s) {
-    const int rank = follower_of_all(*share_, faces_[s].node);
+    const int rank = share_->follower_of_all(faces_[s].node, share_->answering(faces_[s].node[0]));
     if (rank < 0) return;  // nobody knows where all its corners are
     if (rank == rank_) boxed.push_back(static_cast<int>(s));
   }

@@ -203,4 +203,22 @@ void Share::spread(std::span<Row> of_nodes) const {
   }
 }
 
+int Share::follower_of_all(std::span<const int> nodes, int of_all) const {
+  std::vector<int> ranks, more;
+  bool any = false;
+  for (const int n : nodes) {
+    if (everyone_follows(n)) continue;
+    const std::span<const int> some = adding(n);
+    more.clear();
+    if (any)
+      std::ranges::set_intersection(ranks, some, std::back_inserter(more));
+    else
+      more.assign(some.begin(), some.end());
+    ranks.swap(more);
+    any = true;
+  }
+  if (!any) return of_all;
+  return ranks.empty() ? nobody : ranks.front();
+}
+
 }  // namespace nugget::system

@@ -72,6 +72,9 @@ class Share {
   }
   /// The first of them, who answers for the node.
   int answering(int node) const { return adding(node).empty() ? 0 : adding(node).front(); }
+  static constexpr int nobody = -1;
+  /// The first rank that follows all these nodes, or `nobody`; `of_all` where every rank does.
+  int follower_of_all(std::span<const int> nodes, int of_all) const;
   /// Nodes that not all ranks follow, by the rank that answers for them.
   const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
   /// The rows of these nodes come to all ranks.

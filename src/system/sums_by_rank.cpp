@@ -2,8 +2,7 @@
 #include "system/sums_by_rank.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <span>
+#include <numeric>
 
 #include "base/index.hpp"
 #include "system/share.hpp"
@@ -11,25 +10,6 @@
 
 namespace nugget::system {
 namespace {
-
-/// The first rank that follows all nodes [begin, end).
-int follower_of_all(const Share& share, int begin, int end) {
-  std::vector<int> ranks, more;
-  bool any = false;
-  for (int n = begin; n < end; ++n) {
-    if (share.everyone_follows(n)) continue;
-    const std::span<const int> adding = share.adding(n);
-    more.clear();
-    if (any)
-      std::ranges::set_intersection(ranks, adding, std::back_inserter(more));
-    else
-      more.assign(adding.begin(), adding.end());
-    ranks.swap(more);
-    any = true;
-  }
-  if (!any) return 0;
-  return ranks.empty() ? SumsByRank::nobody : ranks.front();
-}
 
 /// The rank that computes all elements [begin, end) of a group; the first one where all ranks compute them.
 int rank_of_all(const Partition& partition, int group, std::size_t begin, std::size_t end) {
@@ -47,9 +27,12 @@ int rank_of_all(const Partition& partition, int group, std::size_t begin, std::s
 
 SumsByRank::SumsByRank(const System& system) : travels_(system.all_nodes()) {
   const Share& share = *system.share();
+  std::vector<int> row;
   for (std::size_t begin = 0; begin < system.nodes; begin += in_a_row) {
     const std::size_t end = std::min(system.nodes, begin + in_a_row);
-    of_nodes_.push_back(follower_of_all(share, static_cast<int>(begin), static_cast<int>(end)));
+    row.resize(end - begin);
+    std::iota(row.begin(), row.end(), static_cast<int>(begin));
+    of_nodes_.push_back(share.follower_of_all(row, 0));
     if (of_nodes_.back() == nobody)
       std::fill(travels_.begin() + std::ptrdiff_t(begin), travels_.begin() + std::ptrdiff_t(end), 1);
   }

@@ -15,7 +15,7 @@ class System;
 class SumsByRank {
  public:
   static constexpr std::size_t in_a_row = 1024;
-  static constexpr int nobody = -1;
+  static constexpr int nobody = -1;  ///< as Share::nobody
 
   /// Of a system that has been shared out.
   explicit SumsByRank(const System& system);

@@ -169,24 +169,26 @@ void take_joints(Builder& b, const ControlCards& of) {
            "write ON and one switch");
 }
 
-void take_retractors(Builder& b, const ControlCards& of) {
-  const auto retractor = std::ranges::find(b.model.belts.retractors, of.row->target, &Retractor::id);
-  if (retractor == b.model.belts.retractors.end()) return nothing_controlled(b, of, "*ELEMENT_SEATBELT_RETRACTOR");
-  retractor->control = of.index;
-  const SensorControl& control = b.model.sensor_controls[of.index];
-  if (control.starts_on || !changes_once(control))
-    refuse(b, of.switches[&SwitchesCard::initstt], "a retractor locks once, when it is turned on",
-           "write OFF and one switch");
-}
-
-void take_pretensioners(Builder& b, const ControlCards& of) {
-  const auto found = std::ranges::find(b.model.belts.pretensioners, of.row->target, &Pretensioner::id);
-  if (found == b.model.belts.pretensioners.end()) return nothing_controlled(b, of, "*ELEMENT_SEATBELT_PRETENSIONER");
+/// One of a list of what acts once, by a sensor or by this.
+template <class T>
+void take_what_acts_once(Builder& b, const ControlCards& of, std::vector<T>& list, const char* keyword,
+                         const char* once) {
+  const auto found = std::ranges::find(list, of.row->target, &T::id);
+  if (found == list.end()) return nothing_controlled(b, of, keyword);
   found->control = of.index;
   const SensorControl& control = b.model.sensor_controls[of.index];
   if (control.starts_on || !changes_once(control))
-    refuse(b, of.switches[&SwitchesCard::initstt], "a pretensioner acts once, when it is turned on",
-           "write OFF and one switch");
+    refuse(b, of.switches[&SwitchesCard::initstt], once, "write OFF and one switch");
+}
+
+void take_retractors(Builder& b, const ControlCards& of) {
+  take_what_acts_once(b, of, b.model.belts.retractors, "*ELEMENT_SEATBELT_RETRACTOR",
+                      "a retractor locks once, when it is turned on");
+}
+
+void take_pretensioners(Builder& b, const ControlCards& of) {
+  take_what_acts_once(b, of, b.model.belts.pretensioners, "*ELEMENT_SEATBELT_PRETENSIONER",
+                      "a pretensioner acts once, when it is turned on");
 }
 
 /// Where the elements of one kind and their sets are found.
