@@ -18,9 +18,9 @@
 #include "system/element_group.hpp"
 #include "system/elements_elsewhere.hpp"
 #include "system/imposed_stress.hpp"
-#include "system/inviscid.hpp"
 #include "system/joined_beams.hpp"
 #include "system/lane_forces.hpp"
+#include "system/small_motions.hpp"
 
 namespace nugget::system {
 
@@ -77,7 +77,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   /// `connectivity`: system nodes of each element. `starts_later`: states come with `start`, unless these are welds.
   BatchGroup(Element kernel, model::ElementKind k, model::Index p, std::vector<model::Index> elements,
              const std::vector<ElementNodes>& connectivity, std::span<const Vec3d> x, bool starts_later = false)
-      : kernel_(std::move(kernel)), inviscid_(without_viscosity(kernel_)) {
+      : kernel_(std::move(kernel)), small_(for_small_motions(kernel_)), inviscid_(without_viscosity(small_)) {
     kind = k;
     part = p;
     element = std::move(elements);
@@ -298,10 +298,10 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       if constexpr (requires { kernel_.viscous_stiffness(); }) stiffer.fill(kernel_.viscous_stiffness());
       const bool solid = kind == model::ElementKind::solid;
       if (!solid && !compresses_viscously()) {
-        add(forces(kernel_, 1.0, 0.5 * dt), 1.0, stiffer);
+        add(forces(small_, 1.0, 0.5 * dt), 1.0, stiffer);
         return;
       }
-      const auto out = forces(kernel_, 1.0, dt);
+      const auto out = forces(small_, 1.0, dt);
       for (int l = 0; solid && l < width; ++l) {
         const double ratio = nugget::lane(out.stable_step, l) / step_[b * width + at(l)];
         if (ratio > 0.0 && std::isfinite(ratio)) stiffer[l] = ratio * ratio;
@@ -309,7 +309,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       // (dt K + C) v of the whole step, with bulk viscosity, which acts under compression only, as half of both signs;
       // less half of K.
       add(out, 0.5, stiffer);
-      add(forces(kernel_, -1.0, dt), -0.5, stiffer);
+      add(forces(small_, -1.0, dt), -0.5, stiffer);
       add(forces(inviscid_, 1.0, dt), -0.5, stiffer);
     }
   }
@@ -343,7 +343,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     a(energy_, step_);
     if (a.reading())
       for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
-    a.built(kernel_, nodes_, reference_fields_, reference_kept_, inviscid_, mass_, inertia_, imposed_, elsewhere_);
+    a.built(kernel_, nodes_, reference_fields_, reference_kept_, small_, inviscid_, mass_, inertia_, imposed_,
+            elsewhere_);
   }
 
   ElementNodes nodes(std::size_t e) const override {
@@ -680,8 +681,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     for (std::size_t i = 0; i < fields; ++i)
       real_store(&values[reference_fields_[i] * width], real_load<R>(reference + i * width));
   }
-  Element kernel_, inviscid_;  ///< the second without viscous forces
-  std::vector<int> nodes_;     ///< block by block, node by node, lane by lane
+  Element kernel_, small_, inviscid_;  ///< the second for small motions, the third without viscous forces, too
+  std::vector<int> nodes_;             ///< block by block, node by node, lane by lane
   ZeroedVector<N> state_;
   ZeroedVector<double> energy_, step_;
   ElementsElsewhere elsewhere_;

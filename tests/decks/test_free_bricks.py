@@ -123,6 +123,33 @@ class Blocks(CommandTest):
                 self.nugget("run", "model.k", "--quiet")
                 self.assertAlmostEqual(self.json("summary.json")["energy"]["ratio_without_step_change"], 1.0, delta=0.05)
 
+    def test_pressure_at_the_start_changes_no_stiffness(self):
+        """Steel that begins with pressure (C0, E0, V0) has the same limit, its run with the default step and stiffness-proportional damping
+        is stable, and its frequencies are those without. Sabotage: small motions by the law with its pressure: no limit is found, the
+        damping is without bound and the frequencies fail. Sabotage: what the pressure may give is no input: the run is called unstable."""
+        shear, bulk = YOUNG / (2 * (1 + NU)), YOUNG / (3 * (1 - 2 * NU))
+        metal = f"*MAT_JOHNSON_COOK\n1,{DENSITY},{shear},{YOUNG},{NU}\n1e5,0,1,0,1,1500,293,1\n4.6e8,-1e9,1\n\n"
+
+        def text(state, more="", end=2e-3):
+            with_state = block(6, 1, 1, "", material=metal + f"*EOS_LINEAR_POLYNOMIAL\n1,{state}\n", end=end)
+            return with_state.replace("\n7,1,1\n", "\n7,1,1,1\n").replace("*END\n", more + "*END\n")
+
+        def frequencies(state):
+            self.write(text(state, "*CONTROL_IMPLICIT_EIGENVALUE\n12\n"))
+            self.nugget("modes", "model.k", "--quiet")
+            return [mode["frequency_hz"] for mode in self.json("summary.json")["modes"]][6:]
+        at_rest = frequencies(f"0,{bulk},0,0,0,0,0\n0,1")
+        for state in (f"20,{bulk},0,0,0,0,0\n0,1", f"0,{bulk},0,0,2.0,2.0,0\n10,1", f"0,{bulk},0,0,0,0,0\n0,0.9999"):
+            with self.subTest(state):
+                self.write(text(state))
+                self.nugget("run", "model.k", "--quiet")
+                said = re.search(r"TSSFAC (\d\.\d+) at most", self.read("run.log"))
+                self.assertAlmostEqual(float(said[1]) / limit_of(6, 1, 1), 1.0, delta=0.004)
+                self.write(text(state, "*DAMPING_PART_STIFFNESS\n7,0.1\n", end=1e-4))
+                self.nugget("run", "model.k", "--quiet")
+                for own, without in zip(frequencies(state), at_rest):
+                    self.assertAlmostEqual(own / without, 1.0, delta=3e-4)
+
     def test_a_cube_alone_by_its_closed_form(self):
         """Its dilatation: omega^2 = 12 K / (rho a^2); of critical the linear viscosity damps xi = rho Q2 a c omega / 2K, every second step:
         omega dt = sqrt(4 + xi^2) - xi."""

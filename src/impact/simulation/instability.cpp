@@ -11,6 +11,20 @@
 
 namespace nugget::impact {
 
+double Simulation::energy_of_pressures_at_start() const {
+  double sum = 0.0;
+  for (const auto& group : system_.groups) {
+    const model::Index material = system_.model.parts[group->part].material;
+    if (material == model::none) continue;
+    const model::Material& of = system_.model.materials[material];
+    const auto* law = std::get_if<kernel::ComposedLaw>(&of.law);
+    if (law == nullptr || !law->components->state) continue;
+    const double share = kernel::EquationOfStateKernel(*law->components->state).energy_at_start() / of.density;
+    for (std::size_t e = 0; share > 0.0 && e < group->size(); ++e) sum += share * group->mass(e);
+  }
+  return sum;
+}
+
 double Simulation::input() const {
   return std::max(largest_input_, std::abs(energy_.initial + energy_.external));
 }

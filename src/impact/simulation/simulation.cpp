@@ -73,6 +73,7 @@ Simulation::Simulation(system::System& system, Findings& findings, model::Model*
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
       stopped_springs_.push_back(springs);
   if (findings.errors() != 0) return;
+  largest_input_ = energy_of_pressures_at_start();
   if (!components_.tie_forces.empty()) report_weak_ties(findings);
   if (!assembled_step_.empty()) bound_step_at_start(findings);
 }

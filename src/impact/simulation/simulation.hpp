@@ -169,7 +169,8 @@ class Simulation {
   std::vector<PartEnergy>::const_iterator giving_part() const;
   bool contact_gives() const;
   double most_given() const;
-  double input() const;  ///< the most energy that was ever put in
+  double input() const;                         ///< the most energy that was ever put in
+  double energy_of_pressures_at_start() const;  ///< what equations of state may give at most
   std::string describe_instability() const;
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
   void write_checkpoint_if_due(const Options& options);

@@ -276,6 +276,15 @@ void LawKernel<ComposedLaw>::set_pressure(SolidTensor<R>& s, const SolidTensor<R
   s = select(broken > 0.5, SolidTensor<R>{-left, -left, -left, none, none, none}, s);
 }
 
+LawKernel<ComposedLaw> LawKernel<ComposedLaw>::linear_at_start() const {
+  if (!parts_->pressure) return *this;
+  LawKernel linear = *this;
+  auto parts = std::make_shared<Parts>(*parts_);
+  parts->pressure = parts_->pressure->linear_at_start();
+  linear.parts_ = std::move(parts);
+  return linear;
+}
+
 template <class R>
 void LawKernel<ComposedLaw>::add_viscous_work(const R& work, double* history) const {
   if (parts_->pressure) parts_->pressure->add_viscous_work(work, history + pressure_ * lanes<R>);

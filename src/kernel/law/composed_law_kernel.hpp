@@ -63,6 +63,9 @@ class LawKernel<ComposedLaw> {
   /// Stiffness of a point now over that of elastic(), for hourglass control.
   template <class R>
   R stiffness_share(const double* history) const;
+  /// The same law for motions so small that its stress is linear in them: the change of an equation of state's pressure
+  /// from that at the start.
+  LawKernel linear_at_start() const;
   /// Heats points with an equation of state by the work of bulk viscosity [energy/present volume].
   template <class R>
   void add_viscous_work(const R& work, double* history) const;

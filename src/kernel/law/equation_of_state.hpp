@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -141,6 +142,16 @@ class EquationOfStateKernel {
     const R pressure = max(line.cold + line.heat * energy, R(0.0));
     return line.cold_slope + line.heat_slope * energy + line.heat * pressure * volume * volume;
   }
+  /// What a point may give at most on its way to no pressure [energy/undeformed volume].
+  double energy_at_start() const {
+    const PressureLine<double> line = line_at<double>(0.0);
+    const double pressure = line.cold + line.heat * law_.start_energy;
+    return std::max(law_.start_energy, 0.0) + 0.5 * pressure * pressure / linear_modulus_at_start();
+  }
+  /// The change of the pressure from that at the start, over the change of volume there, at constant entropy.
+  EquationOfStateKernel linear_at_start() const {
+    return EquationOfStateKernel({LinearPolynomial{.c1 = linear_modulus_at_start()}});
+  }
   /// Adds the work of viscous pressure, `work` a present volume with its value at the end of the step. As that of the
   /// stress it is taken with the mean of the values before and after: half of it now, half in the next step.
   template <class R>
@@ -154,6 +165,11 @@ class EquationOfStateKernel {
   }
 
  private:
+  /// V0/V - 1 changes by -e/V0 where the volume V grows by e V.
+  double linear_modulus_at_start() const {
+    const std::array<double, size> at_start{};
+    return modulus<double>(at_start.data()) / law_.start_volume;
+  }
   static constexpr int volume_field = 0, energy_field = 1, growth_field = 2, viscous_field = 3;
 
   template <class R>
