@@ -71,7 +71,7 @@ class FormulaReader {
     type();
     formula_.name_ = new_name("the name of the function");
     parameters();
-    formula_.arguments_ = static_cast<int>(values_.size());
+    for (const Value& argument : values_) formula_.argument_names_.push_back(argument.name);
     if (take("=")) {
       expression();
       emit({Op::leave});
@@ -460,6 +460,12 @@ class FormulaReader {
   std::vector<Value> values_;
   int depth_ = 0, nested_ = 0;
 };
+
+bool Formula::uses(std::size_t argument) const {
+  return std::any_of(steps_.begin(), steps_.end(), [argument](const Step& step) {
+    return step.op == Op::load && static_cast<std::size_t>(step.index) == argument;
+  });
+}
 
 Formula Formula::read(std::string_view text, Fault& fault) {
   fault = {};

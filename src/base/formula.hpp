@@ -32,7 +32,10 @@ class Formula {
   static Formula read(std::string_view text, Fault& fault);
 
   const std::string& name() const { return name_; }
-  int arguments() const { return arguments_; }
+  int arguments() const { return static_cast<int>(argument_names_.size()); }
+  const std::vector<std::string>& argument_names() const { return argument_names_; }
+  /// Whether the value may depend on that argument.
+  bool uses(std::size_t argument) const;
   /// As many as `arguments()`. Allocates nothing, ends in any case.
   double operator()(std::span<const double> arguments) const;
 
@@ -69,7 +72,7 @@ class Formula {
     double (*function_of_two)(double, double) = nullptr;
   };
   std::string name_;
-  int arguments_ = 0;
+  std::vector<std::string> argument_names_;
   std::vector<Step> steps_;
 };
 

@@ -106,10 +106,12 @@ struct SectionBeam {
   /// Of an integrated beam: points of a standard cross-section or of the user, in the place of QR and CST.
   std::optional<kernel::SectionPoints> points;
   // Of a discrete beam (ELFORM 6):
-  double volume = 0.0;   ///< VOL; its mass is density times that [length^3]
-  double inertia = 0.0;  ///< INER [mass length^2]
-  int scoor = 0;         ///< SCOOR
-  Index system = none;   ///< CID
+  double volume = 0.0;        ///< VOL; its mass is density times that [length^3]
+  double inertia = 0.0;       ///< INER [mass length^2]
+  double cable_area = 0.0;    ///< CA [length^2]
+  double cable_offset = 0.0;  ///< OFFSET: a cable's length at the start less its unstretched one [length]
+  int scoor = 0;              ///< SCOOR
+  Index system = none;        ///< CID
   Place place;
 };
 

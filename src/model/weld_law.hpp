@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/curve.hpp"
@@ -21,10 +23,12 @@ inline constexpr int weld_function_arguments = 34;
 
 /// A strength or factor that may depend on the effective strain rate: value times factor(rate).
 struct RateValue {
-  double value = 0.0;  ///< 0: not given, its term is left out
-  Curve factor;        ///< over the strain rate [1/time], end values hold; empty: 1
+  double value = 0.0;                        ///< 0: not given, its term is left out
+  Curve factor;                              ///< over the strain rate [1/time], end values hold; empty: 1
+  std::function<double(double)> function{};  ///< the strength over the rate, in place of both; may be empty
   bool given() const { return value > 0.0; }
   double at(double rate) const {
+    if (function) return std::max(function(rate), std::numeric_limits<double>::min());
     if (factor.empty()) return value;
     return value * factor.clamped(log_rate() ? std::log(std::max(rate, std::numeric_limits<double>::min())) : rate);
   }
@@ -110,7 +114,6 @@ struct LoadRateStrengths {
 /// *DEFINE_CONNECTION_PROPERTIES with its _ADD records (_DA).
 struct ConnectionProperties {
   int id = 0;
-  int rule = 0;         ///< PROPRUL: 0 and 1 by rank
   int area_rule = 0;    ///< AREAEQ: 0 as modelled, 1 and -1 by 5 sqrt(t_min) in mm and m
   int damage_type = 0;  ///< DGTYP 0..5
   int area_change = 0;  ///< MOARFL: 0 the area falls with shear, 1 it does not
@@ -126,6 +129,12 @@ struct ConnectionProperties {
   };
   Record standard;
   std::vector<Record> records;
+  /// PROPRUL 2: functions of both sheets (Model::functions) in place of the numbers of `standard`; none: not given.
+  struct Functions {
+    Index yield = none, tangent_modulus = none, normal = none, bending = none, shear = none, normal_exponent = none,
+          bending_exponent = none, shear_exponent = none, fading_energy = none;
+  };
+  std::optional<Functions> functions;
   Place place;
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/index.hpp"
+#include "model/discrete_beam_section.hpp"
 #include "system/beam_elements.hpp"
 #include "system/discrete_beam_element.hpp"
 #include "system/groups.hpp"
@@ -158,8 +159,7 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
   const model::Material& material = model.materials[part.material];
   const auto* law = std::get_if<kernel::DiscreteBeam>(&material.law);
   if (law == nullptr) return;  // refused by the model
-  const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor,
-                                            law->between_points, law->joint.has_value()};
+  const kernel::DiscreteBeamProperties beam = model::discrete_beam_properties(section, material, *law);
   std::optional<Frame3d> axes;
   if (section.system != model::none) axes = model.systems[section.system].axes;
   for (const model::Index e : chosen) {
@@ -175,6 +175,11 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
                     fmt::format("discrete beam {} {}", model.beams.id[e], what),
                     remedy});
     };
+    if (law->cable && !(norm(line) > std::max(beam.cable_offset, 0.0)))
+      report(Severity::error,
+             fmt::format("is a cable {:.6g} long, and OFFSET leaves no unstretched length of {:.6g}", norm(line),
+                         norm(line) - beam.cable_offset),
+             "put its nodes apart, farther than OFFSET");
     if (beam.follows_line() && !has_length)
       report(Severity::error, fmt::format("has no length, so its r axis cannot follow it (SCOOR = {})", section.scoor),
              "write SCOOR 0 for beams of no length");

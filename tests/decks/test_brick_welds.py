@@ -34,6 +34,46 @@ class BrickWelds(CommandTest):
                 self.assertIn(f"{label}   {weld['id']:>8}"[:28], rows[-1])
                 self.assertRegex(log, rf"weld +{weld['id']} of part +3, A = 28.274 mm2:" + r"( \d+)" * bricks + r"\n")
 
+    def test_connection_by_functions_of_both_sheets(self):
+        """PROPRUL 2: functions whose values by hand are the numbers of PROPRUL 1: the same run. The sheets are 1.2 and 1.0 thick; they yield at 300
+        and 450, hardening with H and 0, so that they neck at H exp(-(1 - 300/H) - H/E) and 450 exp(-450/E). Sabotage: the first sheet's
+        number for the second; the thickness of the section for that of the shells; strengths without their rate."""
+        hardening = 210000.0 * 1000.0 / (210000.0 - 1000.0)
+        soft, hard = hardening * math.exp(-(1.0 - 300.0 / hardening) - hardening / 210000.0), 450.0 * math.exp(-450.0 / 210000.0)
+        names = "(t1,t2,sy1,sy2,sm1,sm2,r,a,e1,e2)"
+        functions = "\n".join(f"*DEFINE_FUNCTION\n{number}\nf{names}={value}" for number, value in (
+            (51, "0.5*(sy1+sy2)"), (52, "0.02*(e1+e2)/2.0"), (53, "0.06*(sm1+sm2)*t1*t2"), (54, "0.04*max(sm1,sm2)*(1.0+1e-4*r)*a/25.0"),
+            (55, "1.0+min(t1,t2)")))
+        yields = 0.5 * (300.0 + 0.002 * hardening + 450.0)
+        def deck_of(table):
+            s = Sheets()
+            s.cards += ["*CONTROL_TERMINATION\n2.0e-5", "*DATABASE_SWFORC\n1.0e-6", "*MAT_PLASTIC_KINEMATIC\n2,7.85e-9,210000.0,0.3,300.0,1000.0,1.0",
+                        "*MAT_PIECEWISE_LINEAR_PLASTICITY\n3,7.85e-9,210000.0,0.3,450.0,0.0\n\n\n",
+                        "*MAT_SPOTWELD_DAIMLERCHRYSLER\n4,7.85e-9,210000.0,0.3\n\n,,,,7", "*DEFINE_CURVE\n60\n0.0,1.0\n1.0e6,101.0", table]
+            sheets = [s.sheet(thickness, 0, 0, z, 3, 3, 6.0) for thickness, z in ((1.2, 0.0), (1.0, 1.1))]
+            for part, material in zip(sheets, (2, 3)):
+                s.cards = [card.replace(f"*PART\nsheet\n{part},{part},1,", f"*PART\nsheet\n{part},{part},{material},") for card in s.cards]
+            bricks = s.brick_part(4)
+            s.brick(bricks, 9.0, 9.0, 0.0, 5.0, 1.1)
+            s.tie([bricks], sheets)
+            s.node_set(1, s.column(sheets[0], 0))
+            s.node_set(2, s.column(sheets[1], -1))
+            s.cards += ["*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1", "*DEFINE_CURVE\n61\n0.0,0.0\n1.0e-5,5000.0\n1.0,5000.0",
+                        "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,61\n2,3,0,61"]
+            return s.text()
+        tables = {"numbers": f"7,1,0,,0,1\n,{yields:.4f},4200.0,,,{0.06 * (soft + hard) * 1.2:.5f},0.0,{0.04 * soft:.6f}\n2.0,1.0,2.0,0,0,60",
+                  "functions": "7,2,0,,0,1\n,51,52,,,53,,54\n55,,55\n" + functions}
+        rows = []
+        for name, table in tables.items():
+            self.write(deck_of("*DEFINE_CONNECTION_PROPERTIES\n" + table), f"{name}.k")
+            self.nugget("run", f"{name}.k", "-o", name, "--quiet")
+            rows.append(next(csv.DictReader(io.StringIO(self.read(f"{name}/welds.csv")))))
+        self.assertEqual(rows[0]["failed"], "yes", rows[0])
+        for column in ("peak_shear", "peak_axial", "failure_time", "energy", "peak_failure"):
+            self.assertAlmostEqual(float(rows[1][column]) / float(rows[0][column]), 1.0, delta=3e-3, msg=column)
+        self.write(self.read("functions.k").replace("0.06*(sm1+sm2)*t1*t2", "60.0*t1"), "turned.k")
+        self.assertRegex(self.nugget("check", "turned.k").stderr, r"SN by function 53: (72|60) with the sheet of its first end as sheet 1, (72|60) with the other")
+
     def test_what_names_the_beam_holds_for_its_bricks(self):
         """Its death, and a cross section through it: secforc and swforc are the same force. Sabotage: the index of the beam that is gone."""
         cards = ("*DEFINE_ELEMENT_DEATH_BEAM\n        31   1.1e-05\n*SET_BEAM\n         7\n        31\n*SET_NODE_LIST\n         8\n       302\n"

@@ -20,10 +20,10 @@ def curve(number, *points):
 
 
 class DiscreteBeams(CommandTest):
-    def force(self, material, second, ways, end, scoor=0.0, by_velocity=False):
+    def force(self, material, second, ways, end, scoor=0.0, by_velocity=False, cable=()):
         """[(time, axial force)] of a beam from the origin to `second`, whose second node goes the `ways` in x, y, z."""
         deck = ("*KEYWORD\n*CONTROL_TERMINATION\n" + card(end) + material + "*SECTION_BEAM\n" + card(1, 6, 1.0, 2, 0, scoor) +
-                card(1e-3, 1e-3) + "*PART\nbeam\n" + card(1, 1, 1) + "*NODE\n")
+                card(1e-3, 1e-3, 0, *cable) + "*PART\nbeam\n" + card(1, 1, 1) + "*NODE\n")
         for node, (x, y, z) in enumerate(((0, 0, 0), second), start=1):
             deck += f"{node:8}{x:16}{y:16}{z:16}\n"
         deck += "*ELEMENT_BEAM\n" + "".join(f"{v:8}" for v in (1, 1, 1, 2)) + "\n*BOUNDARY_SPC_NODE\n" + card(1, 0, 1, 1, 1, 1, 1, 1)
@@ -54,6 +54,42 @@ class DiscreteBeams(CommandTest):
                     length = math.hypot(*(x + place(way, time) for x, way in zip((3, 4, 0), ways)))
                     # elout has the force and time of one state; the way's corners are met within a step of 1e-3.
                     self.assertAlmostEqual(force, 100 * (length - 5), delta=2.5, msg=f"{law} {scoor} {time}")
+
+    def test_cables_pull_and_never_push(self):
+        """max(F0 + K (L - L0), 0), L0 the length at the start less OFFSET, K = E CA / L0, or -E, or CA times the curve of strain; the cable
+        breaks at its strain or force. Sabotage: the length at the start for L0; a spring for the cable."""
+        still, there_and_back = ((0, 0), (9, 0)), ((0, 0), (0.4, 0.5), (1, -0.5))
+        place = lambda time: 0.5 * time / 0.4 if time < 0.4 else 0.5 - (time - 0.4) / 0.6  # noqa: E731
+        cases = [("210.0", "", 0.0, 0.0, 2.0), ("210.0", "", 3.0, 0.0, 2.0), ("210.0", "", 0.0, 0.2, 2.0), ("210.0", "", 0.0, -0.1, 2.0),
+                 ("-50.0", "", 1.0, 0.1, 0.0), ("", "7", 2.0, 0.3, 2.0)]
+        for modulus, curve_id, preload, offset, area in cases:
+            with self.subTest(E=modulus, LCID=curve_id, F0=preload, OFFSET=offset):
+                law = f"*MAT_CABLE_DISCRETE_BEAM\n{1:10}{1.0:10}{modulus:>10}{curve_id:>10}{preload:10}\n"
+                law += curve(7, (-1, -30), (0, 0), (0.05, 20), (1, 60)) if curve_id else ""
+                unstretched = 5.0 - offset
+                path = self.force(law, (3, 0, 4), [(*[(t, 0.6 * u) for t, u in there_and_back],), still, (*[(t, 0.8 * u) for t, u in there_and_back],)],
+                                  1.0, cable=(area, offset))
+                self.assertGreater(len(path), 90)
+                for time, force in path:
+                    strain = (place(time) + offset) / unstretched
+                    pull = (preload + area * (400 * strain if 0 <= strain <= 0.05 else 20 + (strain - 0.05) * 40 / 0.95 if strain > 0 else 30 * strain)
+                            if curve_id else preload + (50.0 if modulus == "-50.0" else 210.0 * area / unstretched) * strain * unstretched)
+                    self.assertAlmostEqual(force, max(pull, 0.0), delta=0.5, msg=time)
+        steady = [((0, 0), (1, 1)), still, still]
+        for limit, at_length in ((card(0, "", "", 0.1), 5.5), (card(0, "", "", "", 63.0), 5.75)):
+            law = "*MAT_071\n" + card(1, 1.0, 210.0, "", "", "", "", 1) + limit
+            path = self.force(law, (5, 0, 0), steady, 1.0, cable=(2.0, 0.0))
+            last = max(time for time, force in path if force > 0.0)
+            self.assertAlmostEqual(5.0 + last, at_length, delta=0.02)
+
+    def test_a_cable_needs_its_area_and_length(self):
+        still = ((0, 0), (9, 0))
+        law = "*MAT_071\n" + card(1, 1.0, 210.0)
+        for cable, second, told in (((), (5, 0, 0), "the stiffness of a cable is that of its area (CA)"),
+                                    ((2.0, 5.0), (5, 0, 0), "OFFSET leaves no unstretched length")):
+            with self.subTest(told), self.assertRaises(AssertionError) as refused:
+                self.force(law, second, [still, still, still], 1.0, cable=cable)
+            self.assertIn(told, str(refused.exception))
 
     def test_what_stands_still_stays_on_the_curve_of_unloading(self):
         law = ("*MAT_119\n" + card(1, 1.0, 0, 0, 1) + card(7) + card(8) + "\n\n\n\n\n" + curve(7, (0, 0), (1, 100)) + curve(8, (0, 0), (1, 20)))

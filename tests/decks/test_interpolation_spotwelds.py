@@ -90,10 +90,40 @@ class InterpolationSpotwelds(CommandTest):
                    and float(line.split()[3]) > 0.0}
         self.assertAlmostEqual(math.hypot(*map(float, line.split()[1:3])) / force, 1.0, delta=1e-5)
 
+    def test_parameters_as_functions(self):
+        """MODEL 11: functions of both sheets whose values by hand are those of a card of MODEL 1: the same run. The sheets are 1.2 thick, yield
+        at 300 with a tangent modulus of 1000 and neck at the hardening modulus H = E Et / (E - Et), at H exp(-(1 - 300/H) - H/E).
+        Sabotage: yield and strength, or thickness and area, in each other's place."""
+        hardening = 210000.0 * 1000.0 / (210000.0 - 1000.0)
+        necking = hardening * math.exp(-(1.0 - 300.0 / hardening) - hardening / 210000.0)
+        yields = 300.0 + 0.002 * hardening
+
+        def text(model, stiff, alpha, rn, rs, beta, more=""):
+            head = fields(1, 2, 77, 2.4, 3.0, stiff, alpha, model)
+            return edited(spr3(strength=200.0, begins=1e-4, head=head),
+                          (fields(1.2, 1.0, 2.0, 71, 72, 73, 7.85e-9), fields(rn, rs, beta, 71, 72, 73, 7.85e-9)), ("*END", more + "*END"))
+        names = "(t1,t2,sy1,sy2,sm1,sm2,r,a,e1,e2)"
+        functions = "".join(f"*DEFINE_FUNCTION\n{number:10}\nf{names}={value}\n" for number, value in (
+            (51, "e1*a/(30.0*(t1+t2))"), (52, "0.1*t1+0.05*e2/e1"), (53, "1.2*sy1/sy2*sm2/500.0"), (54, "min(sy1,sy2)/300.0"), (55, "1.0+t2")))
+        area = math.pi * 9.0
+        self.write(text(1, f"{210000.0 * area / 72.0:.3f}", 0.17, f"{1.2 * necking / 500.0:.7f}", f"{yields / 300.0:.7f}", 2.2), "numbers.k")
+        self.write(text(11, 51, 52, 53, 54, 55, functions), "functions.k")
+        rows = []
+        for name in ("numbers", "functions"):
+            self.nugget("run", f"{name}.k", "-o", name, "--quiet")
+            rows.append(self.row(name))
+        self.assertTrue(rows[0]["failure_mode"].startswith("rupture at mode mixity"), rows[0])
+        for column in ("peak_shear", "peak_axial", "failure_time", "energy"):
+            self.assertAlmostEqual(float(rows[1][column]) / float(rows[0][column]), 1.0, delta=2e-3, msg=column)
+        for wrong, told in (("(t2,t1)=t1", "its arguments are (t2, t1)"), (f"{names}=r", "it asks for r"),
+                            (f"{names}=-1.0", "it gives -1 for these sheets")):
+            self.write(text(11, 51, 52, 53, 54, 55, functions.replace(f"{names}=min(sy1,sy2)/300.0", wrong)), "wrong.k")
+            self.assertIn(f"rs = 54: {told}", self.nugget("check", "wrong.k", expect=1).stderr)
+
     def test_what_is_refused(self):
         self.write(spr3(last=(2,)))
         run = self.nugget("run", "model.k", "-o", "out", expect=1)
-        self.assertIn("CONSTRAINED_INTERPOLATION_SPOTWELD model = 2: SPR4 is not built; expected 1 or 3", run.stderr)
+        self.assertIn("CONSTRAINED_INTERPOLATION_SPOTWELD model = 2: SPR4 is not built; expected 1, 3 or 11", run.stderr)
 
     def test_sheet_out_of_reach(self):
         self.write(spr3(head=fields(1, 2, 77, 0.5, 3.0, 1e5, 0.2)))

@@ -64,11 +64,16 @@ void start_discrete_beam(const DiscreteBeamProperties& beam, const DiscreteBeam&
     if (spring.kind == DiscreteSpring::Kind::hysteresis) put(L::spring + i, spring.load(spring.start));
   }
   put(L::length, norm(line));
+  put(L::unstretched, norm(line) - beam.cable_offset);
   put(L::on_line, on_line ? 1.0 : 0.0);
 }
 
 double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const DiscreteBeam& law, double length,
                                  double scale, const std::array<double, 6>& force) {
+  if (law.cable) {
+    const double k = law.cable->tangent(length - beam.cable_offset, beam.cable_area);
+    return k > 0.0 ? std::sqrt(scale * beam.mass / k) : std::numeric_limits<double>::infinity();
+  }
   double fastest = 0.0;
   for (std::size_t i = 0; i < 6; ++i) {
     const DiscreteSpring& spring = law.dof[i];
@@ -112,6 +117,11 @@ void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteB
                              const Vec3d& line, std::span<double> k) {
   std::array<double, 6> stiffness;
   for (std::size_t i = 0; i < 6; ++i) stiffness[i] = law.dof[i].initial_stiffness();
+  if (law.cable) {
+    const double unstretched = norm(line) - beam.cable_offset;
+    const bool slack = beam.cable_offset < 0.0 && !(law.cable->force(norm(line), unstretched, beam.cable_area) > 0.0);
+    if (!slack) stiffness[0] = law.cable->tangent(unstretched, beam.cable_area);
+  }
   spread(beam, stiffness, axes, line, k);
 }
 
@@ -189,6 +199,17 @@ NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const 
   for (int l = 0; l < lanes<R>; ++l) {
     if (!(lane(load_field<R>(state, L::alive), l) > 0.5)) {
       for (R& f : force) set_lane(f, l, 0.0);
+      continue;
+    }
+    if (law.cable) {
+      const double unstretched = state[L::unstretched * lanes<R> + l], of_now = lane(length, l);
+      const double pull = law.cable->force(of_now, unstretched, beam.cable_area);
+      for (R& f : force) set_lane(f, l, 0.0);
+      set_lane(force[0], l, pull);
+      state[L::displacement * lanes<R> + l] += dt * lane(velocity[0], l);
+      if (law.cable->breaks(of_now, unstretched, pull)) set_lane(survives, l, 0.0);
+      set_lane(out.stable_step, l,
+               discrete_beam_stable_step(beam, law, unstretched + beam.cable_offset, lane(scale, l)));
       continue;
     }
     std::array<double, 6> f{}, u{}, sprung{};

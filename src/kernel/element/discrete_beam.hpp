@@ -18,6 +18,8 @@ struct DiscreteBeamProperties {
   /// at 2 the r axis moreover follows the line of the nodes.
   int scoor = 0;
   bool between_points = false;  ///< DiscreteBeam::between_points of its law
+  double cable_area = 0.0;      ///< CA [area]
+  double cable_offset = 0.0;    ///< OFFSET: a cable's length at the start less its unstretched one [length]
   bool joins_sheets = false;    ///< of finite length whatever SCOOR, its forces at the middle; its law is a joint
 
   bool long_beam() const { return scoor <= -2 || scoor >= 2 || joins_sheets; }
@@ -38,7 +40,8 @@ struct DiscreteBeamLayout {
   static constexpr int on_line = 33;        ///< 1 where the r axis lies on the line of the nodes, whatever SCOOR says
   static constexpr int joint_plastic = 34;  ///< of an Spr3 joint: plastic displacement
   static constexpr int joint_damage = 35;   ///< of a joint: damage
-  static constexpr int count = 36;
+  static constexpr int unstretched = 36;    ///< length of a cable without force but F0 [length]
+  static constexpr int count = 37;
 };
 
 /// State at time 0 in lane `lane` of `width`. `axes`: the triad; where the r axis follows the nodes (SCOOR, or a spring
@@ -48,7 +51,8 @@ void start_discrete_beam(const DiscreteBeamProperties& beam, const DiscreteBeam&
 
 /// Stable time step before TSSFAC [time]: the smallest of the six modes of the free beam in which one spring alone
 /// works, 2/(a + sqrt(a^2 + w^2)) with w^2 = k/m and 2 a = c/m; infinite without stiffness and viscosity. `scale`: mass
-/// scaling; `force`: of the springs, on which the viscosity of rate factors depends.
+/// scaling; `force`: of the springs, on which the viscosity of rate factors depends. Of a cable `length` is that at the
+/// start.
 double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const DiscreteBeam& law, double length,
                                  double scale = 1.0, const std::array<double, 6>& force = {});
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "kernel/law/cable.hpp"
 #include "kernel/law/discrete_spring.hpp"
 #include "kernel/law/spr2.hpp"
 #include "kernel/law/spr3.hpp"
@@ -20,6 +21,8 @@ struct DiscreteBeam {
   /// A spring between two points (MAT_074, 121), whose displacement is the change of their distance. Where they are at
   /// one place it acts along the r axis.
   bool between_points = false;
+  /// A cable between two points; `dof` is empty then.
+  std::optional<Cable> cable;
   /// Of *CONSTRAINED_INTERPOLATION_SPOTWELD, of *CONSTRAINED_SPR2.
   std::optional<std::variant<Spr3, Spr2>> joint;
 

@@ -231,6 +231,34 @@ const CardOf<SpringCard> spring_card{
     {&SpringCard::cdf, real("cdf", dimension::length, 0, at_least(0), "compression at failure; 0: none")},
     {&SpringCard::tdf, real("tdf", dimension::length, 0, at_least(0), "elongation at failure; 0: none")},
 };
+struct CableCard : DiscreteLawCard {
+  double e = 0;
+  int lcid = 0;
+  double f0 = 0, iread = 0;
+};
+const CardOf<CableCard> cable_card{
+    {&CableCard::mid, beam_material_id},
+    {&CableCard::ro, beam_density},
+    {&CableCard::e, real("e", dimension::stress, 0, any_value,
+                         "Young's modulus, times CA over the unstretched length; below 0: the stiffness itself")},
+    {&CableCard::lcid, curve_field("lcid", "nominal stress over strain, in place of E")},
+    {&CableCard::f0, real("f0", dimension::force, 0, any_value, "force at the unstretched length")},
+    real("tmaxf0", dimension::time, 0, only(0), "time until which the force is kept at F0: not built"),
+    real("tramp", dimension::time, 0, only(0), "time in which F0 comes up: not built"),
+    {&CableCard::iread, real("iread", dimension::number, 0, at_least(0), "1: another card follows")},
+};
+struct CableLimitsCard {
+  double mxeps = 1e20, mxfrc = 1e20;
+};
+const CardOf<CableLimitsCard> cable_limits_card{
+    integer("output", 0, any_value, "what is written as stress and strain: no effect here"),
+    real("tstart", dimension::time, 0, only(0), "time at which F0 begins to come up: not built"),
+    real("fracl0", dimension::number, 0, only(0), "share of its length that the cable is drawn to: not built"),
+    {&CableLimitsCard::mxeps,
+     real("mxeps", dimension::number, 1e20, at_least(0), "strain at which the cable breaks; 0 and 1e20: never")},
+    {&CableLimitsCard::mxfrc,
+     real("mxfrc", dimension::force, 1e20, at_least(0), "force at which it breaks; 0 and 1e20: never")},
+};
 struct RateCard {
   int flcid = 0, hlcid = 0;
   double c1 = 0, c2 = 0, dle = 0;
@@ -500,6 +528,32 @@ void read_spring(Builder& b, const Block& block, const Options& options) {
           });
 }
 
+void read_cable(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const auto row = cursor.read(cable_card);
+  if (row->e < 0.0 && block.transform != nullptr && block.transform->changes_units())
+    refuse(b, row[&CableCard::e], "a stiffness in the place of a modulus takes no unit factor of *INCLUDE_TRANSFORM",
+           "write the material in the main deck");
+  const auto limits = row->iread >= 1.0 ? cursor.read(cable_limits_card) : RowOf<CableLimitsCard>{};
+  expect_end(b, cursor);
+  add_law(b, row, *row, std::move(title), "MAT_CABLE_DISCRETE_BEAM",
+          [row, limits](Builder& later, kernel::DiscreteBeam& law) {
+            law.between_points = true;
+            kernel::Cable cable;
+            cable.modulus = std::max(row->e, 0.0);
+            cable.stiffness = std::max(-row->e, 0.0);
+            cable.preload = row->f0;
+            if (const Index c = later.curve(row[&CableCard::lcid]); c != none) cable.stress = later.model.curves[c];
+            cable.most_strain = beam_failure_value(limits->mxeps);
+            cable.most_force = beam_failure_value(limits->mxfrc);
+            if (cable.stress.empty() && row->e == 0.0 && row->f0 == 0.0)
+              refuse(later, row[&CableCard::e], "a cable without stiffness and without force does nothing",
+                     "give E, its stiffness with a minus, LCID or F0");
+            law.cable = std::move(cable);
+          });
+}
+
 void read_spring_beam(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
@@ -562,6 +616,11 @@ std::vector<Keyword> discrete_beam_keywords() {
                   {"", &displacement_failure_card},
                   {"", &preload_card}},
        .read = read_plastic_beam},
+      {.name = "MAT_CABLE_DISCRETE_BEAM",
+       .aliases = {"MAT_071"},
+       .options = {"TITLE"},
+       .layout = {{"", &cable_card}, {"if IREAD is 1 or more", &cable_limits_card}},
+       .read = read_cable},
       {.name = "MAT_ELASTIC_SPRING_DISCRETE_BEAM",
        .aliases = {"MAT_074"},
        .options = {"TITLE"},

@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 #include "reading/cards/sheet_joins.hpp"
+#include "reading/cards/weld_function.hpp"
 
 // *CONSTRAINED_INTERPOLATION_SPOTWELD (SPR3). Layout: public keyword tables (PyDYNA).
 namespace nugget::reading {
@@ -47,7 +50,8 @@ const CardOf<SpotweldJoinCard> spotweld_join_card{
      real("alpha1", per_length, 0, at_least(0), "share of the bending moment in the normal force of yield, alpha 1")},
     {&SpotweldJoinCard::model,
      integer("model", 1, any_value,
-             "1 (SPR3) and 3, the same law; 2, 12, 22 (SPR4) and functions (above 10) are not built")},
+             "1 (SPR3) and 3, the same law; 11: STIFF, ALPHA1, RN, RS and BETA are functions of both sheets; 2, 12, 22 "
+             "(SPR4) and others are not built")},
 };
 struct SpotweldYieldCard {
   double rn = 0, rs = 0, beta = 0;
@@ -126,11 +130,12 @@ struct SpotweldRows {
 std::string_view why_no_model(int model) {
   switch (model) {
     case 1:
-    case 3: return {};
+    case 3:
+    case 11: return {};
     case 2:
     case 12:
     case 22: return "SPR4 is not built";
-    default: return "parameters as functions are not built";
+    default: return "what it does other than 11 is not public";
   }
 }
 
@@ -138,8 +143,8 @@ std::string_view why_no_model(int model) {
 bool refuse_model(Builder& b, const RowOf<SpotweldJoinCard>& join) {
   const std::string_view why = why_no_model(join->model);
   if (why.empty()) return false;
-  refuse(b, join[&SpotweldJoinCard::model], fmt::format("{}; expected 1 or 3 (SPR3)", why),
-         "fit SPR3: RN, RS, BETA, ALPHA1 with LCF, LCUPF and LCUPR, numbers and not function ids");
+  refuse(b, join[&SpotweldJoinCard::model], fmt::format("{}; expected 1, 3 or 11 (SPR3)", why),
+         "fit SPR3: RN, RS, BETA, ALPHA1 with LCF, LCUPF and LCUPR");
   return true;
 }
 
@@ -203,17 +208,71 @@ void take_damage_curves(Builder& b, const RowOf<SpotweldYieldCard>& row, kernel:
                       "let LCUPR lie above LCUPF everywhere, and LCUPF not below 0");
 }
 
-kernel::Spr3 spr3_law(Builder& b, const SpotweldRows& rows) {
+/// One of the parts of a sheet, which must all be alike.
+model::WeldedSheet sheet_of_functions(Builder& b, const std::vector<Index>& parts, const deck::Entry& field) {
+  const auto of = [&b](const Part& part) {
+    const double thickness = part.section == none ? 0.0 : b.model.shell_sections[part.section].thickness;
+    return part.material == none ? model::WeldedSheet{}
+                                 : model::welded_sheet(b.model.materials[part.material], thickness);
+  };
+  const model::WeldedSheet first = of(b.model.parts[parts.front()]);
+  for (const Index part : parts)
+    if (of(b.model.parts[part]) != first) {
+      refuse(b, field, "the parts of the sheet differ in thickness or material, and one card has one set of numbers",
+             "write a card for each, with location nodes of its own");
+      break;
+    }
+  return first;
+}
+
+/// The numbers that MODEL 11 makes of both sheets.
+struct Spr3Numbers {
+  double stiff, alpha1, rn, rs, beta;
+};
+Spr3Numbers spr3_numbers(Builder& b, const SpotweldRows& rows, const InterpolationSpotweld& weld) {
+  if (rows.join->model != 11)
+    return {rows.join->stiff, rows.join->alpha1, rows.yield->rn, rows.yield->rs, rows.yield->beta};
+  model::WeldFunctionInput input;
+  input.sheet = {sheet_of_functions(b, weld.sheet[0], rows.join[&SpotweldJoinCard::pid1]),
+                 sheet_of_functions(b, weld.sheet[1], rows.join[&SpotweldJoinCard::pid2])};
+  input.area = std::numbers::pi * weld.radius * weld.radius;
+  const auto value = [&](const deck::Entry& field, double least, bool that_too) {
+    const Index function = weld_function(b, field);
+    if (function == none) return 1.0;
+    const Formula& formula = b.model.functions[function].formula;
+    const bool yields = input.sheet[0].yield > 0.0 && input.sheet[1].yield > 0.0;
+    const double result = model::value_of(formula, input);
+    if (formula.uses(model::rate_argument))
+      refuse(b, field, "it asks for r, which is no number of a weld of this kind", "let it not depend on r");
+    else if (model::asks_for_yield(formula) && !yields)
+      refuse(b, field, "it asks for the yield stress of both sheets, one of which has none",
+             "give a function without sy1 to sm2");
+    else if (!std::isfinite(result) || result < least || (result == least && !that_too))
+      refuse(b, field,
+             fmt::format("it gives {:.6g} for these sheets; expected {} {}", result, that_too ? "at least" : "above",
+                         least),
+             "correct the function");
+    return result;
+  };
+  return {.stiff = value(rows.join[&SpotweldJoinCard::stiff], 0.0, false),
+          .alpha1 = rows.join->alpha1 == 0.0 ? 0.0 : value(rows.join[&SpotweldJoinCard::alpha1], 0.0, true),
+          .rn = value(rows.yield[&SpotweldYieldCard::rn], 0.0, false),
+          .rs = value(rows.yield[&SpotweldYieldCard::rs], 0.0, false),
+          .beta = value(rows.yield[&SpotweldYieldCard::beta], 1.0, true)};
+}
+
+kernel::Spr3 spr3_law(Builder& b, const SpotweldRows& rows, const InterpolationSpotweld& weld) {
   kernel::Spr3 law;
-  const auto or_stiff = [&](double own) { return own > 0.0 ? own : rows.join->stiff; };
-  law.normal = rows.join->stiff;
+  const Spr3Numbers numbers = spr3_numbers(b, rows, weld);
+  const auto or_stiff = [&](double own) { return own > 0.0 ? own : numbers.stiff; };
+  law.normal = numbers.stiff;
   law.shear = or_stiff(rows.stiffness->stiff2);
   law.bending = or_stiff(rows.stiffness->stiff3);
   law.torsion = or_stiff(rows.stiffness->stiff4);
-  law.normal_strength = rows.yield->rn;
-  law.shear_strength = rows.yield->rs;
-  law.exponent = rows.yield->beta;
-  law.bending_share = rows.join->alpha1;
+  law.normal_strength = numbers.rn;
+  law.shear_strength = numbers.rs;
+  law.exponent = numbers.beta;
+  law.bending_share = numbers.alpha1;
   law.torsion_share = rows.stiffness->gamma;
   take_yield_curve(b, rows.yield, law);
   take_damage_curves(b, rows.yield, law);
@@ -221,14 +280,14 @@ kernel::Spr3 spr3_law(Builder& b, const SpotweldRows& rows) {
 }
 
 /// The number STIFF stands for a moment per radian where STIFF3, STIFF4 are blank: of one unit of length squared.
-void note_units_of_bending(Builder& b, const SpotweldRows& rows) {
+void note_units_of_bending(Builder& b, const SpotweldRows& rows, double stiffness) {
   if (rows.stiffness->stiff3 > 0.0 && rows.stiffness->stiff4 > 0.0) return;
   rows.join[&SpotweldJoinCard::stiff].report(
       b.findings, Severity::note,
       fmt::format(
           "STIFF3 or STIFF4 is blank: a moment of {:.4g} a radian, the number STIFF, which is another stiffness "
           "in other units of length",
-          rows.join->stiff),
+          stiffness),
       "give STIFF3 and STIFF4");
 }
 
@@ -258,10 +317,12 @@ void make_spotwelds(Builder& b, const SpotweldRows& rows) {
   if (weld.part != 0 && b.model.part_index(weld.part) != none)
     refuse(b, rows.stiffness[&SpotweldStiffnessCard::pidvb], fmt::format("part {} is in the deck", weld.part),
            "leave it blank, or give an id that is free");
-  weld.law = spr3_law(b, rows);
+  if (weld.sheet[0].empty() || weld.sheet[1].empty()) return;
+  const kernel::Spr3 law = spr3_law(b, rows, weld);
+  weld.law = law;
   weld.place = rows.join.place();
   if (b.findings.errors() > errors) return;
-  note_units_of_bending(b, rows);
+  note_units_of_bending(b, rows, law.normal);
   b.model.interpolation_spotwelds.push_back(std::move(weld));
 }
 
@@ -270,6 +331,7 @@ void read_interpolation_spotweld(Builder& builder, const Block& block, const Opt
   std::string title = read_title(cursor, options);
   const auto join = cursor.read(spotweld_join_card);
   if (refuse_model(builder, join)) return;
+  if (join->model == 11) refuse_transformed_functions(builder, block, join[&SpotweldJoinCard::model]);
   const auto yield = cursor.read(spotweld_yield_card);
   if (yield->rn <= 0.0)
     refuse(builder, yield[&SpotweldYieldCard::rn],

@@ -151,7 +151,6 @@ Rows other_laws() {
       refused("MAT_GENERAL_SPRING_*", discrete_beam_laws),
       refused("MAT_GENERAL_JOINT_*", discrete_beam_laws),
       refused("MAT_NONLINEAR_PLASTIC_DISCRETE_BEAM*", discrete_beam_laws),
-      refused("MAT_CABLE_DISCRETE_BEAM*", "cables are not built"),
       refused("MAT_SEATBELT_2D", "belts of shells are not built; belts of two nodes (*MAT_SEATBELT) are"),
       refused("MAT_B01*", "seat belts are not built"),
       refused("MAT_THERMAL_*", "heat conduction is not built"),

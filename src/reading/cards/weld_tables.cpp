@@ -3,6 +3,7 @@
 
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
+#include "reading/cards/weld_function.hpp"
 
 // The *DEFINE_ cards that belong to *MAT_SPOTWELD: strengths by sheet, by pair of sheets and by load rate, connection
 // properties.
@@ -118,7 +119,8 @@ struct ConnectionCard {
 const CardOf<ConnectionCard> connection_table_card{
     {&ConnectionCard::con_id, id("con_id", IdSpace::define, required, "number of this connection")},
     {&ConnectionCard::proprul,
-     integer("proprul", 0, at_least(0), "which sheet counts: 0 and 1 that of lower rank; functions are not built")},
+     integer("proprul", 0, at_least(0),
+             "which sheet counts: 0 and 1 that of lower rank; 2: DSIGY to DGFAD are functions of both")},
     {&ConnectionCard::areaeq,
      integer("areaeq", 0, between(-1, 1), "area: 0 as modelled, 1 of diameter 5 sqrt(t) in mm, -1 the same in m")},
     unused(),
@@ -327,21 +329,54 @@ void warn_of_hyperbola(Builder& b, const RowOf<RecordCard>& row) {
                                    "hyperbolic damage is not public: the damage is linear", "leave it blank");
 }
 
-/// PROPRUL 2 and more: functions of both sheets, whose arguments are not public.
-void refuse_functions_of_both_sheets(Builder& b, const RowOf<ConnectionCard>& first) {
-  if (first->proprul <= 1) return;
-  refuse(
-      b, first[&ConnectionCard::proprul],
-      "SIGY to GFAD would be functions of both sheets (*DEFINE_FUNCTION), the order of whose arguments is not public; "
-      "expected 0 or 1: the values of the sheet material of lower RANK",
-      "give each sheet material its values in a record of its own (MID), and PROPRUL 1");
+/// PROPRUL 2: the function of both sheets that stands in place of a number; none where the field is blank.
+template <class Values, class Member>
+Index function_of_both_sheets(Builder& b, const RowOf<Values>& row, Member field) {
+  const deck::Entry& entry = row[field];
+  return entry.blank ? none : weld_function(b, entry);
+}
+
+/// A number that holds for the whole run.
+template <class Values, class Member>
+Index function_without_rate(Builder& b, const RowOf<Values>& row, Member field) {
+  const Index function = function_of_both_sheets(b, row, field);
+  if (function != none && b.model.functions[function].formula.uses(model::rate_argument))
+    refuse(b, row[field], "it depends on the strain rate r, and would change during the run: not built",
+           "let only DSN, DSB and DSS depend on r");
+  return function;
+}
+
+ConnectionProperties::Functions functions_of_both_sheets(Builder& b, const RowOf<RecordCard>& first,
+                                                         const RowOf<MoreCard>& more) {
+  for (const auto curve : {&MoreCard::lcsn, &MoreCard::lcsb, &MoreCard::lcss})
+    refuse_nonzero(b, more[curve], "with PROPRUL 2 the strain rate is an argument of the functions", "leave it blank");
+  return {.yield = function_without_rate(b, first, &RecordCard::sigy),
+          .tangent_modulus = function_without_rate(b, first, &RecordCard::etan),
+          .normal = function_of_both_sheets(b, first, &RecordCard::sn),
+          .bending = function_of_both_sheets(b, first, &RecordCard::sb),
+          .shear = function_of_both_sheets(b, first, &RecordCard::ss),
+          .normal_exponent = function_without_rate(b, more, &MoreCard::exsn),
+          .bending_exponent = function_without_rate(b, more, &MoreCard::exsb),
+          .shear_exponent = function_without_rate(b, more, &MoreCard::exss),
+          .fading_energy = function_without_rate(b, more, &MoreCard::gfad)};
+}
+
+void refuse_records(Builder& b, const std::vector<MaterialRows>& rows) {
+  if (!rows.empty())
+    refuse(b, rows.front().strength[&RecordCard::mid],
+           "with PROPRUL 2 the functions of the defaults hold for all sheets, and records of materials are not read",
+           "delete the record, or take PROPRUL 1 and numbers");
 }
 
 void read_connection_table(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const auto first = cursor.read(connection_table_card);
-  refuse_functions_of_both_sheets(b, first);
+  if (first->proprul > 2)
+    refuse(b, first[&ConnectionCard::proprul],
+           "what 3 does other than 2 (functions of both sheets) is not public; expected 0, 1 or 2",
+           "take 2, with functions that do not depend on the order of the sheets");
+  if (first->proprul == 2) refuse_transformed_functions(b, block, first[&ConnectionCard::proprul]);
   const auto second = cursor.read(connection_default_card);
   const auto third = cursor.read(connection_default_more_card);
   const std::vector<MaterialRows> rows = material_rows(cursor);
@@ -349,10 +384,14 @@ void read_connection_table(Builder& b, const Block& block, const Options& option
     ConnectionProperties* table =
         add_weld_table(later, later.model.connections, later.connections, first, first->con_id, "connection");
     if (!table) return;
-    table->rule = first->proprul;
     table->area_rule = first->areaeq;
     table->damage_type = first->dgtyp;
     table->area_change = first->moarfl;
+    if (first->proprul == 2) {
+      table->functions = functions_of_both_sheets(later, second, third);
+      table->standard.torsion_factor = third->sclmrr;
+      return refuse_records(later, rows);
+    }
     table->standard = record(later, second, third, true);
     for (const MaterialRows& row : rows) table->records.push_back(record(later, row.strength, row.more, false));
     if (table->damage_type != 1) return;
@@ -365,12 +404,12 @@ void read_connection_add(Builder& b, const Block& block, const Options& options)
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
   const auto first = cursor.read(connection_table_card);
-  refuse_functions_of_both_sheets(b, first);
   const std::vector<MaterialRows> rows = material_rows(cursor);
   // One phase later than the connections themselves.
   b.defer(Phase::mesh, [first, rows](Builder& later) {
     const Index table = later.find(later.connections, "*DEFINE_CONNECTION_PROPERTIES", first[&ConnectionCard::con_id]);
     if (table == none) return;
+    if (later.model.connections[table].functions) return refuse_records(later, rows);
     for (const MaterialRows& row : rows)
       later.model.connections[table].records.push_back(record(later, row.strength, row.more, false));
   });

@@ -209,7 +209,10 @@ void check_discrete_beam(Builder& b, const Part& part) {
     const kernel::DiscreteSpring& spring = law.dof[i];
     return spring.greatest_stiffness() > 0.0 || spring.greatest_viscosity(0.0) > 0.0;
   };
-  const bool translations = works(0) || works(1) || works(2), rotations = works(3) || works(4) || works(5);
+  if (law.cable && law.cable->needs_area() && !(section.cable_area > 0.0))
+    refuse(b, b.beam_formulations[s], "the stiffness of a cable is that of its area (CA), which is not given",
+           "give CA");
+  const bool translations = law.cable || works(0) || works(1) || works(2), rotations = works(3) || works(4) || works(5);
   const bool couples = std::abs(section.scoor) >= 2 && (works(1) || works(2));
   if (translations && !(section.volume > 0.0))
     refuse(b, b.beam_formulations[s], "a discrete beam of no volume (VOL) has no mass, so no time step",
@@ -246,7 +249,7 @@ void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
   if (elform == 6) {
     if (!is<kernel::DiscreteBeam>(m, part))
       refuse(b, row[&PartCard::mid], fmt::format("*{} is not a law of discrete beams (ELFORM 6)", material.keyword),
-             "built are *MAT_066, 067, 068, 074, 119, 121 and 196");
+             "built are *MAT_066, 067, 068, 071, 074, 119, 121 and 196");
   } else if (elform == 9) {
     if (!is<kernel::Spotweld>(m, part))
       refuse(b, row[&PartCard::mid],

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <variant>
 
-#include "kernel/element/discrete_beam.hpp"
 #include "kernel/element/hexahedron.hpp"
+#include "model/discrete_beam_section.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -52,8 +52,7 @@ MassScalingCost connector_cost(const model::Model& model, const Weld& weld) {
   const model::SectionBeam& section = model.beam_sections[part.section];
   const model::Material& material = model.materials[part.material];
   const auto& law = std::get<kernel::DiscreteBeam>(material.law);
-  const kernel::DiscreteBeamProperties beam{material.density * section.volume, section.inertia, section.scoor,
-                                            law.between_points, law.joint.has_value()};
+  const kernel::DiscreteBeamProperties beam = model::discrete_beam_properties(section, material, law);
   MassScalingCost cost;
   cost.time_step = kernel::discrete_beam_stable_step(beam, law, weld.length);
   cost.mass = beam.mass;

@@ -9,15 +9,24 @@
 // Welds of MAT_100_DA: what *DEFINE_CONNECTION_PROPERTIES says of one of them (docs/theory/failure.md#connections).
 namespace nugget::weld {
 
+namespace failure {
+struct Geometry;
+}
+
 using ConnectionRecord = model::ConnectionProperties::Record;
 
 /// The record that holds for a weld between sheets of the materials given (PROPRUL 0 and 1): each sheet has that of its
 /// material, or the defaults; of these the one with the lower RANK, the first sheet's where they are equal.
 const ConnectionRecord& connection_record(const model::ConnectionProperties& properties,
                                           std::array<model::Index, 2> sheet_materials);
-/// The same by the parts of the sheets.
-const ConnectionRecord& connection_record(const model::Model& model, const model::ConnectionProperties& properties,
-                                          std::array<model::Index, 2> sheets);
+/// The record of a weld, by rank or by functions of both its sheets (PROPRUL 2). Functions of the strain rate refer to
+/// `model`.
+ConnectionRecord connection_record(const model::Model& model, const model::ConnectionProperties& properties,
+                                   const failure::Geometry& weld);
+/// What functions of both sheets cannot give for a weld is an error at `place`; what depends on which sheet is the
+/// first a warning.
+void check_functions(const model::Model& model, const model::ConnectionProperties& properties,
+                     const failure::Geometry& weld, const Place& place, Findings& findings);
 
 /// The material that cards name for the part of a sheet: of a part that got one of its own (layers with laws of their
 /// own, *DEFORMABLE_TO_RIGID) that of the deck. none: the sheet has none.

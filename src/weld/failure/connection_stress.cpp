@@ -74,7 +74,7 @@ class ConnectionStress final : public Function {
   }
 
   const model::ConnectionProperties& properties_;
-  const ConnectionRecord& record_;
+  ConnectionRecord record_;
   double rate_filter_;
   Geometry weld_;
   double rate_ = 0.0;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "weld/failure/connection.hpp"
+#include "weld/failure/function.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -16,7 +17,7 @@ DamageLaw damage_law(const model::Model& model, const Weld& weld) {
   if (!law.connection) return damage_law(law.damage);
   if (law.properties == model::none) return {};
   const model::ConnectionProperties& properties = model.connections[law.properties];
-  return damage_law(properties, connection_record(model, properties, weld.sheets), law.damage);
+  return damage_law(properties, connection_record(model, properties, failure::geometry_of(model, weld)), law.damage);
 }
 
 DamageLaw damage_law(const model::WeldDamage& damage) {

@@ -144,7 +144,8 @@ std::unique_ptr<Function> by_connection(const model::Model& model, const model::
   if (properties.area_rule != 0 && !(weld.thinner() > 0.0))
     findings.warning(place, keyword, "AREAEQ needs the thickness of the sheets, but the weld is tied to no shell",
                      "tie the weld to its sheets; until then its area is that of its bricks");
-  const ConnectionRecord& record = connection_record(model, properties, weld.sheet);
+  if (properties.functions) check_functions(model, properties, weld, place, findings);
+  const ConnectionRecord record = connection_record(model, properties, weld);
   if (!record.normal.given() && !record.bending.given() && !record.shear.given())
     warn_of_no_strength(model, weld, place, "*DEFINE_CONNECTION_PROPERTIES",
                         "give SN, SB and SS of the sheets' materials, or D_SN, D_SB and D_SS", findings);

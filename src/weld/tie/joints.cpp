@@ -13,62 +13,13 @@
 #include <variant>
 
 #include "kernel/element/weld_stack.hpp"
-#include "kernel/law/own_kernels.hpp"
+#include "model/sheet_yield.hpp"
 #include "weld/tie/disc.hpp"
 #include "weld/tie/tie_findings.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
 namespace {
-
-/// Effective stress over plastic strain of a point under shear, by steps of strain at a rate [1/time].
-template <class Law>
-Curve shear_test(const Law& law, double strain_rate, double most_strain) {
-  constexpr std::size_t most_history = 256;
-  constexpr double step = 5e-4;
-  const double dt = step / strain_rate;
-  const kernel::LawKernel<Law> kernel(law);
-  std::array<double, most_history> history{};
-  Curve curve;
-  if (static_cast<std::size_t>(kernel.layer_history()) > most_history) return curve;
-  kernel::LayerTensor<double> stress{}, rate{};
-  rate.xy = strain_rate;
-  double before = 0.0;
-  for (double strain = 0.0; strain < most_strain; strain += step) {
-    kernel.template layer<double>(stress, rate, dt, history.data());
-    const double plastic = history[kernel::plastic_strain_field], effective = std::sqrt(3.0) * std::abs(stress.xy);
-    if (effective < 0.5 * before) break;  // the point has failed
-    before = effective;
-    if (!(plastic > (curve.empty() ? 0.0 : curve.x.back()))) continue;
-    curve.x.push_back(plastic);
-    curve.y.push_back(effective);
-  }
-  if (curve.x.size() < 2) return {};
-  // Back to the first yield by the first slope.
-  curve.y.front() = curve.y[0] - curve.x[0] * (curve.y[1] - curve.y[0]) / (curve.x[1] - curve.x[0]);
-  curve.x.front() = 0.0;
-  return curve;
-}
-
-/// Of the laws with one yield stress in all directions that needs no element's size; empty of others.
-Curve shear_test(const model::Material& material, double strain_rate, double most_strain) {
-  return std::visit(
-      [&](const auto& law) -> Curve {
-        using Law = std::decay_t<decltype(law)>;
-        if constexpr (std::is_same_v<Law, kernel::PlasticKinematic> || std::is_same_v<Law, kernel::PiecewiseLinear>) {
-          return shear_test(law, strain_rate, most_strain);
-        } else if constexpr (std::is_same_v<Law, kernel::ComposedLaw>) {
-          const kernel::LawKernel<Law> kernel(law);
-          const bool one = kernel.axes() == nullptr && kernel.size_field() == 0;
-          return one ? shear_test(law, strain_rate, most_strain) : Curve{};
-        } else {
-          return {};
-        }
-      },
-      material.law);
-}
-
-constexpr double at_rest = 1e-12;  // [1/time], whatever the unit of time
 
 bool may_be_joined(const model::Model& model, const Weld& weld) {
   return model.control.weld_tie == model::WeldTie::joint && (weld.kind == Weld::Kind::beam || weld.of_bricks()) &&
@@ -130,29 +81,6 @@ std::string why_no_joint(const model::Model& model, const Ties& ties, const Weld
   return {};
 }
 
-}  // namespace
-
-Curve yield_at_rest(const model::Material& material) {
-  return shear_test(material, at_rest, 1.0);
-}
-
-Curve rate_factor(const model::Material& material) {
-  constexpr double strain = 0.02, enough = 0.06;  // shear strain to reach that plastic strain and more
-  const Curve slow = shear_test(material, at_rest, enough);
-  if (slow.empty()) return {};
-  Curve factor{.x = {0.0}, .y = {1.0}};
-  for (double rate = 1e-6; rate < 2e4; rate *= 3.0) {
-    const Curve fast = shear_test(material, std::sqrt(3.0) * rate, enough);  // effective over shear strain
-    if (fast.empty()) break;
-    factor.x.push_back(rate);
-    factor.y.push_back(fast.clamped(strain) / slow.clamped(strain));
-  }
-  const bool counts = std::any_of(factor.y.begin(), factor.y.end(), [](double y) { return std::abs(y - 1.0) > 1e-6; });
-  return counts ? factor : Curve{};
-}
-
-namespace {
-
 /// What the laws of sheets answer to shear tests, once a material: there are many welds to few of them.
 class SheetTests {
  public:
@@ -161,7 +89,8 @@ class SheetTests {
   };
   const Answers& of(const model::Model& model, Index material) {
     const auto [found, is_new] = answers_.try_emplace(material);
-    if (is_new) found->second = {yield_at_rest(model.materials[material]), rate_factor(model.materials[material])};
+    if (is_new)
+      found->second = {model::yield_at_rest(model.materials[material]), model::rate_factor(model.materials[material])};
     return found->second;
   }
 

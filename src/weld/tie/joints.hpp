@@ -12,13 +12,6 @@
 // (docs/theory/ties.md#joint).
 namespace nugget::weld {
 
-/// Yield stress of a sheet's law over its plastic strain, at rest [stress]: what the law itself gives under shear in
-/// small steps. Empty where it does not flow, or has no effective plastic strain.
-Curve yield_at_rest(const model::Material& material);
-/// Factor on it over the plastic strain rate, at 2 % of plastic strain, by the same test at other speeds; empty where
-/// the rate does not count.
-Curve rate_factor(const model::Material& material);
-
 /// What is known of the sheets of a weld: one an end that is tied by area to shells that deform, in their order. Of
 /// bricks an end is a face, its nodes on one disc.
 std::vector<kernel::JointEnd> joint_ends(const model::Model& model, const Ties& ties, const Weld& weld);

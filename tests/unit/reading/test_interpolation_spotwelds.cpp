@@ -119,7 +119,8 @@ TEST(InterpolationSpotwelds, RefusedByName) {
   };
   const std::string head = "         1         4         7       2.4       0.3    1000.0       0.5";
   error("SPR4", &Spr3Cards::join, head + "         2", "model");
-  error("functions", &Spr3Cards::join, head + "        11", "model");
+  error("what it does other than 11", &Spr3Cards::join, head + "        21", "model");
+  error("*DEFINE_FUNCTION 1000.0 is not in the deck", &Spr3Cards::join, head + "        11", "stiff");
   error("both sides", &Spr3Cards::join, "         1         1         7       2.4       0.3    1000.0", "pid2");
   error("not defined", &Spr3Cards::join, "         1         4         8       2.4       0.3    1000.0", "nsid");
   error("peel ratio", &Spr3Cards::yield, "     -61.0       0.8       2.0        61        62        63    7.8e-9",

@@ -208,13 +208,33 @@ TEST(WeldCards, ConnectionProperties) {
   EXPECT_DOUBLE_EQ(c.records[1].rank, 3.0);
 }
 
+// PROPRUL 2: ids of functions of both sheets stand in place of numbers.
+TEST(WeldCards, ConnectionByFunctions) {
+  const std::string functions =
+      "*DEFINE_FUNCTION\n11\nyield(t1,t2,sy1,sy2,sm1,sm2,r,a,e1,e2)=min(sy1,sy2)\n"
+      "*DEFINE_FUNCTION\n12\nstrength(t1,t2,sy1,sy2,sm1,sm2,r)=(sm1+sm2)*(1.0+r)\n"
+      "*DEFINE_FUNCTION\n13\nother(t2,t1)=t1\n";
+  const auto connection = [&](const std::string& rest) {
+    return built("*DEFINE_CONNECTION_PROPERTIES\n5,2\n" + rest + functions);
+  };
+  const auto b = connection(",11,,,,12,,12\n,11\n");
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  ASSERT_TRUE(b.model.connections.at(0).functions);
+  const ConnectionProperties::Functions& f = *b.model.connections[0].functions;
+  EXPECT_THAT((std::array{f.yield, f.tangent_modulus, f.normal, f.bending, f.shear, f.normal_exponent,
+                          f.bending_exponent, f.shear_exponent, f.fading_energy}),
+              ElementsAre(0, none, 1, none, 1, none, 0, none, none));
+  EXPECT_TRUE(connection(",,,,,77\n\n").error("*DEFINE_FUNCTION 77 is not in the deck", "dsn"));
+  EXPECT_TRUE(connection(",,,,,13\n\n").error("its arguments are (t2, t1); expected (t1, t2, sy1", "dsn"));
+  EXPECT_TRUE(connection(",12\n\n").error("it depends on the strain rate r", "dsigy"));
+  EXPECT_TRUE(connection(",11\n,,,1\n").error("with PROPRUL 2 the strain rate is an argument", "dlcsn"));
+  EXPECT_TRUE(connection(",11\n\n1,410.0\n\n").error("records of materials are not read", "mid"));
+}
+
 TEST(WeldCards, TablesNameWhatIsMissing) {
   EXPECT_TRUE(built("*DEFINE_SPOTWELD_RUPTURE_STRESS\n77,300.0\n").error("part 77 is not defined", "pid"));
   EXPECT_TRUE(built("*DEFINE_CONNECTION_PROPERTIES_ADD\n5\n").error("5 is not defined", "con_id"));
-  for (const char* rule : {"2", "3"})
-    EXPECT_TRUE(built(fmt::format("*DEFINE_CONNECTION_PROPERTIES\n5,{}\n\n\n", rule))
-                    .error("expected 0 or 1: the values of the sheet material of lower RANK", "proprul"))
-        << rule;
+  EXPECT_TRUE(built("*DEFINE_CONNECTION_PROPERTIES\n5,3\n\n\n").error("expected 0, 1 or 2", "proprul"));
   EXPECT_TRUE(built("*DEFINE_CONNECTION_PROPERTIES\n5,-1\n\n\n").error("expected 0 or more", "proprul"));
   EXPECT_TRUE(built("*DEFINE_SPOTWELD_RUPTURE_PARAMETER\n1\n").error("OPT 9"));
   EXPECT_TRUE(built("*DEFINE_SPOTWELD_MULTISCALE\n1\n").error("this table of weld strengths is not built"));

@@ -163,8 +163,87 @@ TEST(Connection, ARecordHoldsForTheSheetsWhoseMaterialItNames) {
   a.model.materials.push_back(a.model.materials[a.model.parts[sheet].material]);
   a.model.parts[sheet].material = static_cast<model::Index>(a.model.materials.size()) - 1;
   EXPECT_EQ(material_of_sheet(a.model, sheet), p.records[0].material);
-  EXPECT_EQ(&connection_record(a.model, p, {other, sheet}), &p.records[0]);
-  EXPECT_EQ(&connection_record(a.model, p, {other, other}), &p.standard);
+  failure::Geometry weld = failure::disc(6.0);
+  weld.sheet = {other, sheet};
+  EXPECT_EQ(connection_record(a.model, p, weld).rank, -1.0);
+  weld.sheet = {other, other};
+  EXPECT_EQ(connection_record(a.model, p, weld).rank, 0.0);
+}
+
+/// A weld between a sheet of 1 that yields at 300 and one of 2 that yields at 500, both without hardening.
+struct WeldedByFunctions {
+  test::Assembly a;
+  model::ConnectionProperties properties;
+  failure::Geometry weld = failure::disc(6.0);
+  Findings findings;
+
+  WeldedByFunctions() {
+    properties.functions = model::ConnectionProperties::Functions{};
+    weld.thickness = {1.0, 2.0};
+    for (std::size_t k = 0; k < 2; ++k) {
+      weld.sheet[k] = a.sheet(weld.thickness[k], {0, 0, 1.5 * static_cast<double>(k)});
+      kernel::PlasticKinematic law;
+      law.E = 210000.0;
+      law.nu = 0.3;
+      law.yield = k == 0 ? 300.0 : 500.0;
+      law.beta = 1.0;
+      a.model.parts[weld.sheet[k]].material = static_cast<model::Index>(a.model.materials.size());
+      a.model.materials.push_back({static_cast<int>(10 + k), "", "", 7.85e-9, law, {}});
+    }
+  }
+  model::Index add(const std::string& value) {
+    Formula::Fault fault;
+    model::UserFunction function;
+    function.id = 1 + static_cast<int>(a.model.functions.size());
+    function.formula = Formula::read("f(t1,t2,sy1,sy2,sm1,sm2,r,a,e1,e2)=" + value, fault);
+    EXPECT_FALSE(fault.any()) << fault.text;
+    a.model.functions.push_back(std::move(function));
+    return static_cast<model::Index>(a.model.functions.size()) - 1;
+  }
+  void check() { check_functions(a.model, properties, weld, {}, findings); }
+};
+
+// Without hardening a sheet necks when it begins to yield: at S exp(-S / E). What the program finds there is one step
+// of plastic strain on.
+TEST(Connection, FunctionsOfBothSheets) {
+  WeldedByFunctions w;
+  w.properties.functions->yield = w.add("0.5*(sy1+sy2)");
+  w.properties.functions->normal = w.add("sm2*t2/t1*(1.0+0.01*r)");
+  w.properties.functions->shear = w.add("sm1+sm2");
+  w.properties.functions->normal_exponent = w.add("1.0+e1/e2");
+  w.properties.functions->fading_energy = w.add("a*t1");
+  w.properties.standard.torsion_factor = 0.5;
+  const ConnectionRecord record = connection_record(w.a.model, w.properties, w.weld);
+  EXPECT_NEAR(record.yield, 400.0, 1e-6);
+  EXPECT_NEAR(record.normal.at(0.0), 1000.0 * std::exp(-500.0 / 210000.0), 1.0);
+  EXPECT_NEAR(record.normal.at(20.0) / record.normal.at(0.0), 1.2, 1e-12);
+  EXPECT_NEAR(record.shear.at(1e6), 800.0, 3.0);
+  EXPECT_EQ(record.normal_exponent, 2.0);
+  EXPECT_EQ(record.bending_exponent, 1.0);
+  EXPECT_FALSE(record.bending.given());
+  EXPECT_NEAR(record.fading_energy, 9.0 * std::numbers::pi, 1e-9);
+  EXPECT_EQ(record.torsion_factor, 0.5);
+  w.check();
+  EXPECT_EQ(w.findings.errors(), 0);
+  ASSERT_EQ(w.findings.all().size(), 2u);  // a sheet's thickness at one place, and GFAD by that of the first
+  EXPECT_NE(w.findings.all()[0].text.find("SN by function 2"), std::string::npos) << w.findings.all()[0].text;
+}
+
+TEST(Connection, FunctionsThatGiveNoNumber) {
+  for (const auto& [value, said] : {std::pair{"log(t1-t2)", "it gives"}, {"-1.0", "it gives -1"}}) {
+    WeldedByFunctions w;
+    w.properties.functions->bending = w.add(value);
+    w.check();
+    EXPECT_EQ(w.findings.errors(), 1) << value;
+    EXPECT_NE(w.findings.all()[0].text.find(said), std::string::npos) << w.findings.all()[0].text;
+  }
+  WeldedByFunctions w;
+  w.a.model.materials.back().law = kernel::Elastic{210000.0, 0.3};
+  w.properties.functions->yield = w.add("min(sy1,sy2)");
+  w.properties.functions->bending = w.add("t1+t2");
+  w.check();
+  EXPECT_EQ(w.findings.errors(), 1);
+  EXPECT_NE(w.findings.all()[0].text.find("one of which has none"), std::string::npos) << w.findings.all()[0].text;
 }
 
 TEST(Connection, Area) {

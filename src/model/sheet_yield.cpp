@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/sheet_yield.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <variant>
+
+#include "kernel/law/own_kernels.hpp"
+
+namespace nugget::model {
+namespace {
+
+using EndOfTest = std::function<bool(double plastic, double stress)>;
+
+/// Effective stress over plastic strain of a point under shear, by steps of strain at a rate [1/time].
+template <class Law>
+Curve shear_test(const Law& law, double strain_rate, double most_strain, const EndOfTest& enough) {
+  constexpr std::size_t most_history = 256;
+  constexpr double step = 5e-4;
+  const double dt = step / strain_rate;
+  const kernel::LawKernel<Law> kernel(law);
+  std::array<double, most_history> history{};
+  Curve curve;
+  if (static_cast<std::size_t>(kernel.layer_history()) > most_history) return curve;
+  kernel::LayerTensor<double> stress{}, rate{};
+  rate.xy = strain_rate;
+  double before = 0.0;
+  for (double strain = 0.0; strain < most_strain; strain += step) {
+    kernel.template layer<double>(stress, rate, dt, history.data());
+    const double plastic = history[kernel::plastic_strain_field], effective = std::sqrt(3.0) * std::abs(stress.xy);
+    if (effective < 0.5 * before) break;  // the point has failed
+    before = effective;
+    if (!(plastic > (curve.empty() ? 0.0 : curve.x.back()))) continue;
+    curve.x.push_back(plastic);
+    curve.y.push_back(effective);
+    if (enough && enough(plastic, effective)) break;
+  }
+  if (curve.x.size() < 2) return {};
+  // Back to the first yield by the first slope.
+  curve.y.front() = curve.y[0] - curve.x[0] * (curve.y[1] - curve.y[0]) / (curve.x[1] - curve.x[0]);
+  curve.x.front() = 0.0;
+  return curve;
+}
+
+/// Of the laws with one yield stress in all directions that needs no element's size; empty of others.
+Curve shear_test(const Material& material, double strain_rate, double most_strain, const EndOfTest& enough = {}) {
+  return std::visit(
+      [&](const auto& law) -> Curve {
+        using Law = std::decay_t<decltype(law)>;
+        if constexpr (std::is_same_v<Law, kernel::PlasticKinematic> || std::is_same_v<Law, kernel::PiecewiseLinear>) {
+          return shear_test(law, strain_rate, most_strain, enough);
+        } else if constexpr (std::is_same_v<Law, kernel::ComposedLaw>) {
+          const kernel::LawKernel<Law> kernel(law);
+          const bool one = kernel.axes() == nullptr && kernel.size_field() == 0;
+          return one ? shear_test(law, strain_rate, most_strain, enough) : Curve{};
+        } else {
+          return {};
+        }
+      },
+      material.law);
+}
+
+constexpr double at_rest = 1e-12;  // [1/time], whatever the unit of time
+
+}  // namespace
+
+Curve yield_at_rest(const Material& material) {
+  return shear_test(material, at_rest, 1.0);
+}
+
+Curve rate_factor(const Material& material) {
+  constexpr double strain = 0.02, enough = 0.06;  // shear strain to reach that plastic strain and more
+  const Curve slow = shear_test(material, at_rest, enough);
+  if (slow.empty()) return {};
+  Curve factor{.x = {0.0}, .y = {1.0}};
+  for (double rate = 1e-6; rate < 2e4; rate *= 3.0) {
+    const Curve fast = shear_test(material, std::sqrt(3.0) * rate, enough);  // effective over shear strain
+    if (fast.empty()) break;
+    factor.x.push_back(rate);
+    factor.y.push_back(fast.clamped(strain) / slow.clamped(strain));
+  }
+  const bool counts = std::any_of(factor.y.begin(), factor.y.end(), [](double y) { return std::abs(y - 1.0) > 1e-6; });
+  return counts ? factor : Curve{};
+}
+
+Strength strength_of(const Material& material) {
+  constexpr double at_yield = 0.002, farthest = 4.0;
+  const double young = material.young();
+  double most = 0.0;
+  const auto necked = [&](double plastic, double stress) {
+    const double engineering = stress * std::exp(-plastic - stress / young);
+    most = std::max(most, engineering);
+    return plastic > at_yield && engineering < 0.9 * most;  // past a plateau after first yield, too
+  };
+  const Curve yield = shear_test(material, at_rest, farthest, necked);
+  return yield.empty() ? Strength{} : Strength{yield.clamped(at_yield), most};
+}
+
+}  // namespace nugget::model
