@@ -82,6 +82,28 @@ class DiscreteBeams(CommandTest):
             last = max(time for time, force in path if force > 0.0)
             self.assertAlmostEqual(5.0 + last, at_length, delta=0.02)
 
+    def test_a_net_of_cables_that_catches_a_mass(self):
+        """Stretched by OFFSET and F0, driven far out of its plane: energy is kept to 1e-4. Sabotage: cables taken for welds that
+        nothing holds; forces along the lines of the start."""
+        cells, middle = 4, 13
+        deck = ("*KEYWORD\n*CONTROL_TERMINATION\n" + card(0.02) + "*DATABASE_GLSTAT\n" + card(1e-3) + "*DATABASE_NODOUT\n" + card(1e-3)
+                + "*DATABASE_HISTORY_NODE\n" + card(middle) + "*MAT_071\n" + card(1, 7.85e-9, 1e5, 0, 20.0) + "*SECTION_BEAM\n" + card(1, 6)
+                + card(200.0, 1.0, 0, 2.0, 0.05) + "*PART\ncables\n" + card(1, 1, 1) + "*NODE\n")
+        number = lambda i, j: 1 + i + (cells + 1) * j  # noqa: E731
+        nodes = [(i, j) for j in range(cells + 1) for i in range(cells + 1)]
+        deck += "".join(f"{number(i, j):8}{100 * i:16}{100 * j:16}{0:16}\n" for i, j in nodes) + "*ELEMENT_BEAM\n"
+        pairs = [(number(i, j), number(i + 1, j)) for i, j in nodes if i < cells] + [(number(i, j), number(i, j + 1)) for i, j in nodes if j < cells]
+        deck += "".join(f"{e:8}{1:8}{a:8}{b:8}\n" for e, (a, b) in enumerate(pairs, 1)) + "*BOUNDARY_SPC_NODE\n"
+        deck += "".join(card(number(i, j), 0, 1, 1, 1, 1, 1, 1) for i, j in nodes if i in (0, cells) or j in (0, cells))
+        deck += f"*ELEMENT_MASS\n{1:8}{middle:8}{1e-4:16}\n*INITIAL_VELOCITY_NODE\n" + card(middle, 0, 0, -5000.0) + "*END\n"
+        run = self.nugget("run", self.write(deck), "--quiet")
+        self.assertNotIn("weld", run.stderr)
+        energy = self.json("summary.json")["energy"]
+        self.assertAlmostEqual(energy["ratio"], 1.0, delta=1e-4)
+        self.assertAlmostEqual(energy["ratio_without_step_change"], 1.0, delta=1e-3)
+        lowest = min(float(line.split()[3]) for line in self.read("nodout").splitlines() if line.split()[:1] == [str(middle)] and len(line.split()) > 6)
+        self.assertLess(lowest, -10.0)
+
     def test_a_cable_needs_its_area_and_length(self):
         still = ((0, 0), (9, 0))
         law = "*MAT_071\n" + card(1, 1.0, 210.0)

@@ -13,6 +13,12 @@ bool discrete(const model::Model& model, Index part) {
   return material != none && std::holds_alternative<kernel::DiscreteBeam>(model.materials[material].law);
 }
 
+/// A cable only pulls: it holds no sheets together.
+bool may_connect(const model::Model& model, Index part) {
+  return discrete(model, part) &&
+         !std::get<kernel::DiscreteBeam>(model.materials[model.parts[part].material].law).cable;
+}
+
 }  // namespace
 
 bool joins_sheets(const model::Model& model, Index part) {
@@ -29,12 +35,12 @@ bool has_rivets(const model::Model& model, Index part) {
 std::vector<Index> find_connectors(const model::Model& model) {
   std::vector<Index> candidates;
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)
-    if (discrete(model, model.beams.part[e])) candidates.push_back(e);
+    if (may_connect(model, model.beams.part[e])) candidates.push_back(e);
   if (candidates.empty()) return {};
 
   std::vector<char> of_mesh(model.nodes.size(), 0), of_body(model.nodes.size(), 0);
   for (Index e = 0; e < static_cast<Index>(model.beams.size()); ++e)
-    if (!discrete(model, model.beams.part[e]) && !of_weld_material(model, model.beams.part[e]))
+    if (!may_connect(model, model.beams.part[e]) && !of_weld_material(model, model.beams.part[e]))
       for (const Index n : model.beams.node[e]) of_mesh[n] = 1;
   for (const model::Discrete& spring : model.discretes)
     for (const Index n : spring.node)
