@@ -27,7 +27,8 @@ Curve shear_test(const Law& law, double strain_rate, double most_strain, const E
   kernel::LayerTensor<double> stress{}, rate{};
   rate.xy = strain_rate;
   double before = 0.0;
-  for (double strain = 0.0; strain < most_strain; strain += step) {
+  const auto steps = static_cast<std::size_t>(std::ceil(most_strain / step));
+  for (std::size_t i = 0; i < steps; ++i) {
     kernel.template layer<double>(stress, rate, dt, history.data());
     const double plastic = history[kernel::plastic_strain_field], effective = std::sqrt(3.0) * std::abs(stress.xy);
     if (effective < 0.5 * before) break;  // the point has failed
@@ -75,11 +76,13 @@ Curve rate_factor(const Material& material) {
   const Curve slow = shear_test(material, at_rest, enough);
   if (slow.empty()) return {};
   Curve factor{.x = {0.0}, .y = {1.0}};
-  for (double rate = 1e-6; rate < 2e4; rate *= 3.0) {
+  double rate = 1e-6;
+  while (rate < 2e4) {
     const Curve fast = shear_test(material, std::sqrt(3.0) * rate, enough);  // effective over shear strain
     if (fast.empty()) break;
     factor.x.push_back(rate);
     factor.y.push_back(fast.clamped(strain) / slow.clamped(strain));
+    rate *= 3.0;
   }
   const bool counts = std::any_of(factor.y.begin(), factor.y.end(), [](double y) { return std::abs(y - 1.0) > 1e-6; });
   return counts ? factor : Curve{};

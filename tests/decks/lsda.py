@@ -38,5 +38,8 @@ def read(path):
 
 def states(found, branch):
     """[{name: values}] of a branch, however deep it lies, in the order of the states."""
-    names = sorted({key[len(branch) + 1:].split("/")[0] for key in found if key.startswith(branch + "/d")})
-    return [{key.split("/")[-1]: value for key, value in found.items() if key.startswith(f"{branch}/{name}/")} for name in names]
+    by_state = {}
+    for key, value in found.items():
+        if key.startswith(branch + "/d"):
+            by_state.setdefault(key[len(branch) + 1:].split("/")[0], {})[key.split("/")[-1]] = value
+    return [by_state[name] for name in sorted(by_state)]
