@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -225,10 +226,22 @@ TEST(ContactOfRanks, SegmentsComeWithTheShareAndSumsInPlaceOfWhatTheyAreMadeFrom
     }
     EXPECT_GE(held, segments);
     const system::SumsByRank& by_rank = *runs[0]->system.sums_by_rank();
+    std::size_t before = 0;
+    for (int k = 0; k < static_cast<int>(runs[0]->system.nodes); ++k) {
+      if (by_rank.travels(k)) {
+        ASSERT_EQ(by_rank.place_among_travelling(k), before++);
+      } else {
+        ASSERT_THROW(by_rank.place_among_travelling(k), std::logic_error);
+      }
+    }
+    EXPECT_GT(before, 0u);
+    EXPECT_LT(before, runs[0]->system.nodes / 2);
+    EXPECT_EQ(by_rank.travelling(), before);
     for (std::size_t i = 0; i < by_rank.rows_of_nodes(); ++i) rows_of_nodes += by_rank.of_nodes(i) > 0;
     for (std::size_t g = 0; g < runs[0]->system.groups.size(); ++g)
       for (std::size_t i = 0; i < by_rank.rows_of_elements(g); ++i) rows_of_elements += by_rank.of_elements(g, i) > 0;
-    // Sabotage to be caught: a sum of another rank that is left out, or is that of other elements or nodes.
+    // Sabotage to be caught: a sum of another rank that is left out, or is that of other elements or nodes, or of other
+    // nodes of the contact.
     const Energy &a = alone.energy(), &b = simulations[0]->energy();
     EXPECT_EQ(bits(b.kinetic), bits(a.kinetic));
     EXPECT_EQ(bits(b.internal), bits(a.internal));
