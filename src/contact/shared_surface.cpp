@@ -184,8 +184,8 @@ void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& cos
   };
   if (made_for_this) forget_lists();
   if (outline_ != nullptr) {
-    faces_ = {};
-    nodes_ = {};
+    free_room(faces_);
+    free_room(nodes_);
     around_ = {};
     free_room(held_);
   }

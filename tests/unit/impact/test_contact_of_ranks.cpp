@@ -235,7 +235,7 @@ TEST(ContactOfRanks, SegmentsComeWithTheShareAndSumsInPlaceOfWhatTheyAreMadeFrom
       }
     }
     EXPECT_GT(before, 0u);
-    EXPECT_LT(before, runs[0]->system.nodes / 2);
+    EXPECT_LT(before, runs[0]->system.nodes);
     EXPECT_EQ(by_rank.travelling(), before);
     for (std::size_t i = 0; i < by_rank.rows_of_nodes(); ++i) rows_of_nodes += by_rank.of_nodes(i) > 0;
     for (std::size_t g = 0; g < runs[0]->system.groups.size(); ++g)
