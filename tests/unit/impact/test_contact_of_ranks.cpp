@@ -24,7 +24,7 @@
 namespace nugget::impact {
 namespace {
 
-constexpr int along = 100, across = 40;
+constexpr int along = 200, across = 60;  // so that ranks have rows of 1,024 nodes that touch for themselves
 
 struct Text {
   std::string nodes, shells, solids;
@@ -71,9 +71,8 @@ struct Text {
 std::string two_sheets_and_bricks(const std::string& contact) {
   Text text;
   text.add_sheet(1, 0.0);
-  text.add_sheet(2, 2.5);
+  text.add_sheet(2, 1.24);  // in touch: then the ranks cut both sheets at one place
   text.add_bricks(60.0, 5.0);
-  for (const double z : {400.0, 800.0}) text.add_sheet(1, z);  // apart: nodes of one rank in a row
   return text.deck(contact);
 }
 
@@ -185,7 +184,7 @@ TEST(ContactOfRanks, SegmentsComeWithTheShareAndSumsInPlaceOfWhatTheyAreMadeFrom
   DeckRun whole(text);
   Simulation alone(whole.system, whole.findings);
   Nobody nobody;
-  const Options options{.max_cycles = 40};
+  const Options options{.max_cycles = 25};
   alone.run(options, nobody, {});
   const std::size_t segments = alone.components().contacts.all().front().surface().held();
   ASSERT_GT(std::abs(alone.energy().contact), 1.0);
