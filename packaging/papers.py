@@ -60,6 +60,14 @@ def shared_libraries(program):
     """(those that the program itself asks for, all that are loaded with them)"""
     asked = set(re.findall(r"\(NEEDED\).*\[(.*)\]", run("readelf", "-d", program)))
     where = {name: os.path.realpath(path) for name, path in re.findall(r"^\s*(\S+) => (/\S+)", run("ldd", program), re.M)}
+    # Those that the program loads by name when it needs them (report/loaded_library.hpp).
+    known = dict(re.findall(r"^\s*(\S+) \(libc6,x86-64.*\) => (/\S+)", run("/sbin/ldconfig", "-p"), re.M))
+    for source in sorted((ROOT / "src" / "report").glob("*.cpp")):
+        for name in re.findall(r'LoadedLibrary library\{"([^"]+)"', source.read_text(encoding="utf-8")):
+            asked.add(name)
+            where[name] = os.path.realpath(known[name])
+            for needed, path in re.findall(r"^\s*(\S+) => (/\S+)", run("ldd", known[name]), re.M):
+                where.setdefault(needed, os.path.realpath(path))
     return {where[name] for name in asked if name in where}, set(where.values())
 
 

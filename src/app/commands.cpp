@@ -560,6 +560,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   if (!goes_on) {  // the report of a large run needs the room
     simulation.reset();
     system.reset();
+    p = PreparedDeck();
   }
   report::write_report(directory);
   switch (outcome.termination) {

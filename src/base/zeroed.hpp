@@ -63,4 +63,21 @@ void forget(ZeroedVector<T>& list, std::size_t begin, std::size_t end) {
   if (from < to) ::madvise(first + from, to - from, MADV_DONTNEED);
 }
 
+/// Pages on which every bit is 0 take no room any more, as before they were written.
+template <class T>
+void forget_zeros(ZeroedVector<T>& list) {
+  const std::size_t bytes = list.size() * sizeof(T), page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  if (list.capacity() * sizeof(T) < zeroed_by_pages) return;
+  auto* const first = reinterpret_cast<std::byte*>(list.data());
+  // A byte that is 0 and, from there on, each like the one before it.
+  const auto is_zero = [&](std::size_t at) {
+    return first[at] == std::byte{0} && std::memcmp(first + at, first + at + 1, page - 1) == 0;
+  };
+  for (std::size_t begin = 0, end; begin + page <= bytes; begin = end) {
+    for (end = begin; end + page <= bytes && is_zero(end);) end += page;
+    if (end > begin) ::madvise(first + begin, end - begin, MADV_DONTNEED);
+    if (end + page <= bytes || end == begin) end += page;
+  }
+}
+
 }  // namespace nugget

@@ -15,8 +15,6 @@ NodalForces::NodalForces(std::vector<int> nodes, bool friction)
   for (std::size_t i = 0; i < nodes_.size(); ++i) index_[nodes_[i]] = static_cast<int>(i);
   side_.assign(nodes_.size(), 0);
   parts_.resize((nodes_.size() + part_size - 1) / part_size);
-  for (Part& part : parts_)
-    for (Touched* list : {&part.now, &part.before}) list->slot.assign(part_size, 0);
 }
 
 void NodalForces::each_part(const std::function<void(std::size_t)>& call) const {
@@ -93,19 +91,34 @@ void NodalForces::book_work(double dt, std::span<const Row> v) {
 
 std::array<double, 2> NodalForces::energy_of_sides() const {
   std::array<double, 2> energy{};
-  for (std::size_t i = 0; i < work_.size(); ++i) energy[side_[i]] -= work_[i];
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const Given part = given(p);
+    for (std::size_t side = 0; side < 2; ++side) energy[side] += part.of_sides[side];
+  }
   return energy;
+}
+
+NodalForces::Given NodalForces::given(std::size_t part) const {
+  if (const auto known = of_others_.find(part); known != of_others_.end()) return known->second;
+  Given given;
+  const std::size_t end = std::min(work_.size(), (part + 1) * part_size);
+  for (std::size_t i = part * part_size; i < end; ++i) {
+    given.of_sides[side_[i]] -= work_[i];
+    if (!friction_work_.empty()) given.friction -= friction_work_[i];
+  }
+  return given;
 }
 
 double NodalForces::friction_energy() const {
   double energy = 0.0;
-  for (const double work : friction_work_) energy -= work;
+  for (std::size_t p = 0; !friction_work_.empty() && p < parts_.size(); ++p) energy += given(p).friction;
   return energy;
 }
 
 void NodalForces::carry(int place, bool forces, system::Parcel& parcel) {
   parcel(&work_[place], 1);
   if (!friction_work_.empty()) parcel(&friction_work_[place], 1);
+  if (parcel.reading()) of_others_.erase(at(place) / part_size);
   if (!forces) return;
   Touched& now = parts_[place / part_size].now;
   const Sum* found = now.find(place);
@@ -115,6 +128,13 @@ void NodalForces::carry(int place, bool forces, system::Parcel& parcel) {
   Sum sum = found != nullptr ? *found : Sum{};
   parcel(&sum, 1);
   if (parcel.reading()) now.at(place) = sum;
+}
+
+void NodalForces::carry_sum(std::size_t part, system::Parcel& parcel) {
+  Given sum;
+  if (!parcel.reading()) sum = given(part);
+  parcel(&sum, 1);
+  if (parcel.reading()) of_others_[part] = sum;
 }
 
 void NodalForces::Touched::archive(Archive& a) {
@@ -134,7 +154,7 @@ void NodalForces::Touched::archive(Archive& a) {
 
 void NodalForces::archive(Archive& a) {
   a(parts_, work_, friction_work_);
-  a.built(nodes_, index_, side_, left_out_);
+  a.built(nodes_, index_, side_, left_out_, of_others_);
 }
 
 }  // namespace nugget::contact

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,8 +43,9 @@ struct TwoBodies {
 /// The forces of a contact on its nodes, in this cycle and in the one before, and the work that they have done. Only
 /// nodes that are touched cost anything. The nodes stand in parts of a fixed size, so that several threads can add
 /// forces, each to parts of its own; a node's sum has the same bits for any number of threads if the forces on a part
-/// are always added in the same order. Work is booked node by node, and summed up when somebody asks: so a rank of
-/// several need know no other nodes than those that it follows (docs/decisions/0115).
+/// are always added in the same order. Work is booked node by node, and summed up by part when somebody asks: so a rank
+/// of several need know no other nodes than those that it follows (docs/decisions/0115), and can send the sum of a part
+/// (docs/decisions/0146).
 class NodalForces {
  public:
   static constexpr int part_size = 1024;  ///< nodes in a part
@@ -96,6 +98,9 @@ class NodalForces {
   bool left_out(int place) const { return !left_out_.empty() && left_out_[place]; }
   /// What is kept of a node, on its way to another rank. `forces`: those of this cycle as well.
   void carry(int place, bool forces, system::Parcel& parcel);
+  /// What all nodes of a part have given, from a rank that has booked the work on each of them: until work on one of
+  /// them arrives, that counts.
+  void carry_sum(std::size_t part, system::Parcel& parcel);
 
   void archive(Archive& a);
 
@@ -108,13 +113,15 @@ class NodalForces {
   struct Touched {
     std::vector<int> place;
     std::vector<Sum> sum;
-    std::vector<unsigned short> slot;  // by place in the part: which of these it is, if it is there
+    std::vector<unsigned short> slot;  // by place in the part: which of these it is, if it is there; empty: none was
 
     const Sum* find(int at) const {
+      if (slot.empty()) return nullptr;
       const unsigned short here = slot[at % part_size];
       return here < place.size() && place[here] == at ? &sum[here] : nullptr;
     }
     Sum& at(int at) {
+      if (slot.empty()) slot.resize(part_size);
       unsigned short& here = slot[at % part_size];
       if (here < place.size() && place[here] == at) return sum[here];
       here = static_cast<unsigned short>(place.size());
@@ -133,6 +140,12 @@ class NodalForces {
       a.built(before);
     }
   };
+  /// Minus the work on the nodes of a part, by side, and minus that of friction.
+  struct Given {
+    std::array<double, 2> of_sides{};
+    double friction = 0.0;
+  };
+  Given given(std::size_t part) const;
   void each_part(const std::function<void(std::size_t)>& call) const;
 
   std::vector<int> nodes_;
@@ -141,6 +154,7 @@ class NodalForces {
   std::vector<Part> parts_;
   ZeroedVector<double> work_, friction_work_;  // so far, by place; the latter empty where there is no friction
   std::vector<char> left_out_;                 // by place; empty: none
+  std::map<std::size_t, Given> of_others_;     // by part: what another rank has summed up
 };
 
 }  // namespace nugget::contact

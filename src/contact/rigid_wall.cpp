@@ -49,9 +49,9 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
       death_(wall.death),
       bodies_(std::move(bodies)) {
   if (motion != nullptr) motion_ = *motion;
-  tracked_.reserve(nodes.size());
-  for (int n : nodes) tracked_.push_back({n, kernel::WallAttachment::none});
-  groups_.resize((tracked_.size() + nodes_per_sum - 1) / nodes_per_sum);
+  nodes_ = std::move(nodes);
+  attachment_.resize(nodes_.size());
+  groups_.resize((nodes_.size() + nodes_per_sum - 1) / nodes_per_sum);
   found_.resize(groups_.size());
 }
 
@@ -66,8 +66,7 @@ Vec3d RigidWall::prescribed_velocity(double time, double dt) const {
 }
 
 void RigidWall::turn(bool on) {
-  if (on_ && !on)
-    for (Tracked& tracked : tracked_) tracked.attachment = kernel::WallAttachment::none;
+  if (on_ && !on) std::ranges::fill(attachment_, kernel::WallAttachment::none);
   on_ = on;
 }
 
@@ -124,13 +123,13 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
 template <class Shape>
 std::vector<RigidWall::Caught> RigidWall::find_caught(const Shape& shape, const Step& step) const {
   std::vector<Caught> caught;
-  for (std::size_t i = 0; i < tracked_.size(); ++i) {
-    const Tracked& t = tracked_[i];
-    if (!step.skip.empty() && step.skip[t.node]) continue;
-    if (step.share != nullptr && step.share->answering(t.node) != step.share->ranks().rank()) continue;
-    const Vec3d from = vec(step.x[t.node]) - origin_, v = vec(step.v[t.node]);
-    if (push(shape, from, from + step.dt * (v - step.wall_velocity), t.attachment).touching)
-      caught.push_back({static_cast<int>(i), t.attachment, step.mass[t.node], from, v});
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const int node = nodes_[i];
+    if (!step.skip.empty() && step.skip[node]) continue;
+    if (step.share != nullptr && step.share->answering(node) != step.share->ranks().rank()) continue;
+    const Vec3d from = vec(step.x[node]) - origin_, v = vec(step.v[node]);
+    if (push(shape, from, from + step.dt * (v - step.wall_velocity), attachment_[i]).touching)
+      caught.push_back({static_cast<int>(i), attachment_[i], step.mass[node], from, v});
   }
   if (step.share == nullptr) return caught;
   caught = gather_lists(step.share->ranks(), caught);
@@ -220,76 +219,75 @@ void RigidWall::look_at_group(const Shape& shape, std::size_t g, const Step& ste
   found.stopped.clear();
   const bool all = step.share == nullptr;
   const auto tracked = [&](std::size_t i) { return all ? i : at(followed_[i]); };
-  const std::size_t size = std::min(nodes_per_sum, tracked_.size() - g * nodes_per_sum);
+  const std::size_t size = std::min(nodes_per_sum, nodes_.size() - g * nodes_per_sum);
   const bool begins = slept || !started_ || group.last.size() != size;
   group.last.resize(size);
   const std::size_t begin = all ? g * nodes_per_sum : first_followed_[g],
-                    end = all ? std::min(tracked_.size(), (g + 1) * nodes_per_sum) : first_followed_[g + 1];
+                    end = all ? std::min(nodes_.size(), (g + 1) * nodes_per_sum) : first_followed_[g + 1];
   for (std::size_t i = begin; i < end; ++i) {
     // The nodes of a wall are in the order of the deck, not of memory: not asked for ahead, each is waited for.
-    const int soon = tracked_[tracked(std::min(i + nodes_ahead, end - 1))].node;
+    const int soon = nodes_[tracked(std::min(i + nodes_ahead, end - 1))];
     __builtin_prefetch(&step.x[soon]);
     __builtin_prefetch(&step.v[soon], 1);
     const std::size_t now = tracked(i);
     stop(shape, static_cast<int>(now), group, begins, step, found.stopped);
-    const double free = clearance(shape, vec(step.x[tracked_[now].node]) - origin_);
+    const double free = clearance(shape, vec(step.x[nodes_[now]]) - origin_);
     if (!(free >= found.clear)) found.clear = free;
-    found.attached = found.attached || tracked_[now].attachment != kernel::WallAttachment::none;
+    found.attached = found.attached || attachment_[now] != kernel::WallAttachment::none;
   }
 }
 
 template <class Shape>
 void RigidWall::stop(const Shape& shape, int index, Group& group, bool begins, const Step& step,
                      std::vector<Stopped>& stopped) {
-  Tracked& tracked = tracked_[index];
+  const int node = nodes_[index];
+  kernel::WallAttachment& attachment = attachment_[index];
   Vec3d& last = group.last[at(index) % nodes_per_sum];
-  if (!step.skip.empty() && step.skip[tracked.node]) {
-    tracked.attachment = kernel::WallAttachment::none;
+  if (!step.skip.empty() && step.skip[node]) {
+    attachment = kernel::WallAttachment::none;
     return;
   }
-  const Vec3d from = vec(step.x[tracked.node]) - origin_;
-  const Vec3d free = vec(step.v[tracked.node]);
+  const Vec3d from = vec(step.x[node]) - origin_;
+  const Vec3d free = vec(step.v[node]);
   Vec3d relative = free - step.wall_velocity;
-  kernel::WallPush p = push(shape, from, from + step.dt * relative, tracked.attachment);
+  kernel::WallPush p = push(shape, from, from + step.dt * relative, attachment);
   Vec3d before = begins ? free : last;
   // Of a wall that begins, what the forces have changed since then is no velocity that the wall has stopped; and only a
   // node that in one step goes half of its way to the wall meets it as the group wakes.
-  if (begins && step.mass[tracked.node] > 0.0)
-    before = free - (step.between_middles / step.mass[tracked.node]) * vec(step.f[tracked.node]);
+  if (begins && step.mass[node] > 0.0) before = free - (step.between_middles / step.mass[node]) * vec(step.f[node]);
   last = free;
   if (!p.touching) {
-    tracked.attachment = kernel::WallAttachment::none;
+    attachment = kernel::WallAttachment::none;
     return;
   }
-  const bool first = tracked.attachment == kernel::WallAttachment::none;
+  const bool first = attachment == kernel::WallAttachment::none;
   const double speed = dot(relative, p.normal);
-  tracked.attachment =
-      tracked.attachment == kernel::WallAttachment::welded || (friction_ >= 2.0 && first && -speed > weld_velocity_)
-          ? kernel::WallAttachment::welded
-          : kernel::WallAttachment::touching;
+  attachment = attachment == kernel::WallAttachment::welded || (friction_ >= 2.0 && first && -speed > weld_velocity_)
+                   ? kernel::WallAttachment::welded
+                   : kernel::WallAttachment::touching;
 
   if (friction_ > 0.0) {
     relative += friction(relative - speed * p.normal, std::abs(p.distance) / step.dt);
     // On a round wall less sliding needs another push.
-    const kernel::WallPush again = push(shape, from, from + step.dt * relative, tracked.attachment);
+    const kernel::WallPush again = push(shape, from, from + step.dt * relative, attachment);
     if (again.touching) p = again;
   }
   relative += (p.distance / step.dt) * p.normal;
 
   const Vec3d after = relative + step.wall_velocity;
-  const Vec3d impulse = step.mass[tracked.node] * (after - free);
+  const Vec3d impulse = step.mass[node] * (after - free);
   last = after;
-  set(step.v[tracked.node], after);
+  set(step.v[node], after);
   stopped.push_back({index,
                      {impulse, dot(impulse, p.normal), -0.5 * dot(impulse, before), -0.5 * dot(impulse, after),
-                      dot(vec(step.f[tracked.node]), after - free), 1}});
+                      dot(vec(step.f[node]), after - free), 1}});
 }
 
 void RigidWall::list_followed(const system::Share& share) {
   if (!first_followed_.empty()) return;
-  for (std::size_t i = 0; i < tracked_.size(); ++i) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (i % nodes_per_sum == 0) first_followed_.push_back(followed_.size());
-    if (share.follows(tracked_[i].node)) followed_.push_back(static_cast<int>(i));
+    if (share.follows(nodes_[i])) followed_.push_back(static_cast<int>(i));
   }
   first_followed_.push_back(followed_.size());
 }
@@ -308,7 +306,7 @@ void RigidWall::share_found(const system::Share& share) {
     awake.push_back(g);
     own.push_back({found_[g].clear, found_[g].attached ? 1.0 : 0.0});
     for (const Stopped& s : found_[g].stopped)
-      if (share.answering(tracked_[s.tracked].node) == ranks.rank()) stopped.push_back(s);
+      if (share.answering(nodes_[s.tracked]) == ranks.rank()) stopped.push_back(s);
     found_[g].stopped.clear();
   }
   if (awake.empty()) return;
@@ -325,10 +323,10 @@ void RigidWall::share_found(const system::Share& share) {
 }
 
 void RigidWall::carry(int rank, const system::Share& share, system::Parcel& parcel) {
-  for (std::size_t i = 0; i < tracked_.size(); ++i) {
-    const int node = tracked_[i].node;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const int node = nodes_[i];
     if (share.everyone_follows(node) || share.answering(node) != rank) continue;
-    parcel(&tracked_[i], 1);
+    parcel(&attachment_[i], 1);
     // All ranks look at the same groups.
     if (std::vector<Vec3d>& last = groups_[i / nodes_per_sum].last; !last.empty()) parcel(&last[i % nodes_per_sum], 1);
   }
@@ -337,7 +335,7 @@ void RigidWall::carry(int rank, const system::Share& share, system::Parcel& parc
 std::size_t RigidWall::awake() const {
   std::size_t count = 0;
   for (std::size_t g = 0; g < groups_.size(); ++g)
-    if (!groups_[g].slept) count += std::min(tracked_.size(), (g + 1) * nodes_per_sum) - g * nodes_per_sum;
+    if (!groups_[g].slept) count += std::min(nodes_.size(), (g + 1) * nodes_per_sum) - g * nodes_per_sum;
   return count;
 }
 
@@ -348,11 +346,11 @@ void RigidWall::average(double time, bool begins) {
 
 void RigidWall::archive(Archive& a) {
   a.section("wall");
-  a(origin_, velocity_, tracked_, groups_, travelled_, started_, force_, impulse_, normal_force_, normal_impulse_,
+  a(origin_, velocity_, attachment_, groups_, travelled_, started_, force_, impulse_, normal_force_, normal_impulse_,
     energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_, on_);
   if (bodies_) a(*bodies_);
-  a.built(shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_, motion_direction_,
-          birth_, death_, found_, followed_, first_followed_);
+  a.built(nodes_, shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_,
+          motion_direction_, birth_, death_, found_, followed_, first_followed_);
 }
 
 }  // namespace nugget::contact

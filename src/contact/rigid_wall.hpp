@@ -64,8 +64,8 @@ class RigidWall {
                  double fastest = std::numeric_limits<double>::infinity(), const system::Share* share = nullptr);
   /// Over several ranks: what is known of the nodes for which one answers, on its way to another one.
   void carry(int rank, const system::Share& share, system::Parcel& parcel);
-  std::size_t tracked() const { return tracked_.size(); }  ///< nodes
-  std::size_t awake() const;                               ///< of these, those that the last step looked at
+  std::size_t tracked() const { return nodes_.size(); }  ///< nodes
+  std::size_t awake() const;                             ///< of these, those that the last step looked at
 
   /// Force of the wall on the nodes at `time` [force], and the sum of its normal parts.
   /// In sub-cycling: the forces that results show are means over a period, of which this step may be the first.
@@ -100,10 +100,6 @@ class RigidWall {
   void archive(Archive& a);
 
  private:
-  struct Tracked {
-    int node = 0;
-    kernel::WallAttachment attachment = kernel::WallAttachment::none;
-  };
   struct Sum {
     Vec3d impulse;
     double normal = 0.0;
@@ -180,11 +176,12 @@ class RigidWall {
   double birth_ = 0.0, death_ = 0.0;
   bool on_ = true;
 
-  std::vector<Tracked> tracked_;
-  std::vector<Group> groups_;                // of tracked nodes
-  std::vector<Found> found_;                 // by group
-  std::vector<int> followed_;                // over several ranks: tracked nodes, and
-  std::vector<std::size_t> first_followed_;  // where those of each group begin and the last one's end
+  std::vector<int> nodes_;                          // tracked
+  std::vector<kernel::WallAttachment> attachment_;  // of each of them
+  std::vector<Group> groups_;                       // of tracked nodes
+  std::vector<Found> found_;                        // by group
+  std::vector<int> followed_;                       // over several ranks: tracked nodes, and
+  std::vector<std::size_t> first_followed_;         // where those of each group begin and the last one's end
   double travelled_ = 0.0;  // by how much a node can have come closer to the wall since the start, at most
   bool started_ = false;    // Group::last holds
   std::optional<WallPenalty> bodies_;

@@ -71,11 +71,17 @@ void SurfaceContact::take_share(const SharedNodes& shared, const SurfaceSource& 
   for (std::size_t i = 0; i < forces_.nodes().size(); ++i) {
     const int node = forces_.nodes()[i];
     const std::span<const int> adding = share_->adding(node);
-    if (!adding.empty()) answered_[adding.front()].push_back(static_cast<int>(i));
+    if (!adding.empty()) answered_[adding.front()].add(static_cast<int>(i));
     left_out.push_back(!looks_everywhere_ && !share_->adds_up(node));
     others_add_.push_back(looks_everywhere_ || adding.size() != 1 || adding.front() != rank_);
   }
   forces_.leave_out(std::move(left_out));
+  rank_of_part_.clear();
+  const std::span<const int> nodes = forces_.nodes();
+  for (std::size_t begin = 0; begin < nodes.size(); begin += NodalForces::part_size) {
+    const std::size_t size = std::min<std::size_t>(NodalForces::part_size, nodes.size() - begin);
+    rank_of_part_.push_back(looks_everywhere_ ? 0 : share_->adder_of_all(nodes.subspan(begin, size), 0));
+  }
   list_followed_nodes();
   if (outline_ != nullptr)
     fill_share(source, shared.x);
@@ -178,8 +184,8 @@ void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& cos
   };
   if (made_for_this) forget_lists();
   if (outline_ != nullptr) {
-    faces_ = {};
-    nodes_ = {};
+    free_room(faces_);
+    free_room(nodes_);
     around_ = {};
     free_room(held_);
   }
@@ -297,7 +303,12 @@ void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parce
   }
   // Histories show what pressed, and nothing of the work.
   if (what == system::Carried::histories) return;
-  for (const int place : answered_[rank]) forces_.carry(place, whole, parcel);
+  // The first rank has what all add up.
+  for (std::size_t p = 0; !whole && rank != 0 && p < rank_of_part_.size(); ++p)
+    if (rank_of_part_[p] == rank) forces_.carry_sum(p, parcel);
+  for (const int place : answered_[rank])
+    if (whole || rank_of_part_[at(place) / NodalForces::part_size] == system::Share::nobody)
+      forces_.carry(place, whole, parcel);
   for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i) {
     const std::span<const int> adding = share_->adding(active_nodes_[i]);
     if (adding.empty() || adding.front() != rank) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "base/row.hpp"
 
@@ -18,6 +19,27 @@ struct SharedNodes {
   std::span<Row> x, v;
 };
 
+/// Mass by node that contacts go by: of a node that follows others what it has of its own, not what it has handed over.
+class NodalMasses {
+ public:
+  NodalMasses() = default;
+  /// `masses`: of all nodes.
+  NodalMasses(std::span<const double> masses) : mass_(masses) {}     // NOLINT(google-explicit-constructor): these
+  NodalMasses(const std::vector<double>& masses) : mass_(masses) {}  // NOLINT(google-explicit-constructor)
+  /// `dependent`: by node, whether it follows others; then its mass is that of `own`.
+  NodalMasses(std::span<const double> masses, std::span<const unsigned char> dependent, std::span<const double> own)
+      : mass_(masses), own_(own), dependent_(dependent) {}
+  double operator[](int node) const {
+    const auto k = static_cast<std::size_t>(node);
+    return !dependent_.empty() && dependent_[k] != 0 ? own_[k] : mass_[k];
+  }
+  void ask_for(int node) const { __builtin_prefetch(&mass_[static_cast<std::size_t>(node)]); }
+
+ private:
+  std::span<const double> mass_, own_;
+  std::span<const unsigned char> dependent_;
+};
+
 /// The step at whose end contact forces are found. Spans are by node, but `element_alive` (see Segment::element; empty:
 /// all are active).
 struct Step {
@@ -29,7 +51,7 @@ struct Step {
   double longest = 0.0;    ///< the longest of these so far
   std::span<const Row> x;  ///< positions at its end [length]
   std::span<const Row> v;  ///< velocities in its middle
-  std::span<const double> mass;
+  NodalMasses mass;
   std::span<const unsigned char> element_alive;
   const SharedNodes* shared = nullptr;  ///< null: one process
   bool off = false;                     ///< *SENSOR_CONTROL has turned the contact off

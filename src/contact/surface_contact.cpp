@@ -245,7 +245,7 @@ void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, st
     ask_for_lines(&block.touches[pair.touch], sizeof(Touch));
     for (const int n : faces_[pair.segment].node) {
       __builtin_prefetch(&step.v[n]);
-      __builtin_prefetch(&step.mass[n]);
+      step.mass.ask_for(n);
       forces_.ask_for_place(n);
     }
   }
@@ -616,7 +616,7 @@ void SurfaceContact::archive(Archive& a) {
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, outline_, excluded_,
           stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_, results_need_hits_,
           share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, by_share_,
-          held_, at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, out_, in_, hits_for_);
+          held_, at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, rank_of_part_, out_, in_, hits_for_);
 }
 
 }  // namespace nugget::contact

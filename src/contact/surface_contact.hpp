@@ -12,6 +12,7 @@
 #include "base/archive.hpp"
 #include "base/bvh.hpp"
 #include "base/row.hpp"
+#include "base/runs.hpp"
 #include "base/zeroed.hpp"
 #include "contact/contact_energies.hpp"
 #include "contact/nodal_forces.hpp"
@@ -508,7 +509,8 @@ class SurfaceContact {
   std::vector<int> boxed_;        // of them those whose boxes it makes for all
   system::GhostNodes tracked_ghosts_;  // tracked nodes of its blocks
   system::GhostNodes ghosts_;
-  std::vector<std::vector<int>> answered_;        // by rank: places in forces_ of the nodes for which it answers
+  std::vector<Runs> answered_;                    // by rank: places in forces_ of the nodes for which it answers
+  std::vector<int> rank_of_part_;                 // of forces_: who books the work on all its nodes
   std::vector<std::vector<std::byte>> out_, in_;  // hits for, and of, each rank; they keep their room
   std::vector<std::vector<int>> hits_for_;        // by rank: those of the block that is looked at
 };

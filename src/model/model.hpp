@@ -88,13 +88,14 @@ struct Shells {
   std::vector<Index> part;
   std::vector<std::array<Index, 4>> node;
   std::vector<double> thickness;  ///< initial, mean of the nodal ones [length]
-  std::vector<double>
-      offset;  ///< of the reference surface from the nodes, along the normal [length]; see SectionShell::nloc
-  std::vector<double> angle;  ///< BETA of single shells, NaN where blank; empty: none has one [rad]
+  std::vector<double> offsets;    ///< empty: all are 0; see `offset`
+  std::vector<double> angle;      ///< BETA of single shells, NaN where blank; empty: none has one [rad]
   Places place;
   std::size_t size() const { return id.size(); }
   std::span<const Index> nodes(std::size_t e) const { return node[e]; }
   bool triangle(std::size_t e) const { return node[e][3] == node[e][2]; }
+  /// Of the reference surface from the nodes, along the normal [length]; see SectionShell::nloc.
+  double offset(Index e) const { return offsets.empty() ? 0.0 : offsets[e]; }
   std::optional<double> own_angle(Index e) const {
     return angle.empty() || std::isnan(angle[e]) ? std::nullopt : std::optional(angle[e]);
   }

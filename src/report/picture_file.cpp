@@ -8,19 +8,43 @@
 #include <stdexcept>
 
 #include "output/result_file.hpp"
+#include "report/loaded_library.hpp"
 
 namespace nugget::report {
 namespace {
 
+/// librsvg, and what it draws with.
+struct Rsvg {
+  LoadedLibrary library{"librsvg-2.so.2", "a picture as PNG"};
+#define NUGGET_FUNCTION(name) decltype(::name)* name = library.find<decltype(::name)>(#name)
+  NUGGET_FUNCTION(rsvg_handle_new_from_data);
+  NUGGET_FUNCTION(rsvg_handle_get_intrinsic_size_in_pixels);
+  NUGGET_FUNCTION(rsvg_handle_render_document);
+  NUGGET_FUNCTION(cairo_create);
+  NUGGET_FUNCTION(cairo_destroy);
+  NUGGET_FUNCTION(cairo_image_surface_create);
+  NUGGET_FUNCTION(cairo_image_surface_create_for_data);
+  NUGGET_FUNCTION(cairo_surface_destroy);
+  NUGGET_FUNCTION(cairo_surface_write_to_png_stream);
+  NUGGET_FUNCTION(g_error_free);
+  NUGGET_FUNCTION(g_object_unref);
+#undef NUGGET_FUNCTION
+};
+
+const Rsvg& rsvg() {
+  static const Rsvg loaded;
+  return loaded;
+}
+
 struct Unref {
-  void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
+  void operator()(RsvgHandle* handle) const { rsvg().g_object_unref(handle); }
+  void operator()(cairo_surface_t* surface) const { rsvg().cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { rsvg().cairo_destroy(context); }
 };
 
 [[noreturn]] void throw_drawing_error(GError* error) {
   const std::string reason = error ? error->message : "out of memory";
-  if (error) g_error_free(error);
+  if (error) rsvg().g_error_free(error);
   throw std::runtime_error("the picture cannot be drawn: " + reason);
 }
 
@@ -30,23 +54,25 @@ std::string png_bytes(cairo_surface_t* surface) {
     static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), length);
     return CAIRO_STATUS_SUCCESS;
   };
-  if (cairo_surface_write_to_png_stream(surface, append, &png) != CAIRO_STATUS_SUCCESS) throw_drawing_error(nullptr);
+  if (rsvg().cairo_surface_write_to_png_stream(surface, append, &png) != CAIRO_STATUS_SUCCESS)
+    throw_drawing_error(nullptr);
   return png;
 }
 
 std::string drawn_as_png(const std::string& svg, int width) {
   GError* error = nullptr;
   const std::unique_ptr<RsvgHandle, Unref> handle(
-      rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
+      rsvg().rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
   if (!handle) throw_drawing_error(error);
   double own_width = 0.0, own_height = 0.0;
-  if (!rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &own_width, &own_height) || !(own_width > 0.0))
+  if (!rsvg().rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &own_width, &own_height) || !(own_width > 0.0))
     throw std::runtime_error("the picture cannot be drawn: it has no size in pixels");
   const int height = static_cast<int>(std::lround(width * own_height / own_width));
-  const std::unique_ptr<cairo_surface_t, Unref> surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
-  const std::unique_ptr<cairo_t, Unref> context(cairo_create(surface.get()));
+  const std::unique_ptr<cairo_surface_t, Unref> surface(
+      rsvg().cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+  const std::unique_ptr<cairo_t, Unref> context(rsvg().cairo_create(surface.get()));
   const RsvgRectangle all{0.0, 0.0, static_cast<double>(width), static_cast<double>(height)};
-  if (!rsvg_handle_render_document(handle.get(), context.get(), &all, &error)) throw_drawing_error(error);
+  if (!rsvg().rsvg_handle_render_document(handle.get(), context.get(), &all, &error)) throw_drawing_error(error);
   return png_bytes(surface.get());
 }
 
@@ -62,7 +88,7 @@ void write_picture(const std::filesystem::path& file, const std::string& svg, in
 
 std::string png_of(std::vector<std::uint32_t> pixels, int width) {
   const int height = static_cast<int>(pixels.size()) / width;
-  const std::unique_ptr<cairo_surface_t, Unref> surface(cairo_image_surface_create_for_data(
+  const std::unique_ptr<cairo_surface_t, Unref> surface(rsvg().cairo_image_surface_create_for_data(
       reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_ARGB32, width, height, 4 * width));
   return png_bytes(surface.get());
 }

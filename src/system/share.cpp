@@ -102,7 +102,7 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   summed_ = ranges_of(system.nodes, [&](int k) { return adds_up(k); });
   reported_.resize(at(count));
   for (int k = 0; k < static_cast<int>(system.nodes); ++k)
-    if (!everyone_follows(k)) reported_[answering(k)].push_back(k);
+    if (!everyone_follows(k)) reported_[answering(k)].add(k);
 
   for (const bool border : {true, false}) {
     for (std::size_t g = 0; g < system.groups.size(); ++g) {
@@ -175,15 +175,6 @@ void Share::exchange_sums(std::span<Row> force, std::span<Row> moment) {
   }
 }
 
-void Share::forget_others(Rows& of_nodes) const {
-  int begin = 0;
-  for (const Range& range : followed_) {
-    forget(of_nodes, at(begin), at(range.begin));
-    begin = range.end;
-  }
-  forget(of_nodes, at(begin), of_nodes.size());
-}
-
 void Share::spread(std::span<Row> of_nodes) const {
   // One rank after the other, so that nobody holds twice what all the others have.
   const int own = ranks_.rank();
@@ -192,23 +183,27 @@ void Share::spread(std::span<Row> of_nodes) const {
     if (reported_[r].empty()) continue;
     rows.resize(reported_[r].size());
     if (r == own) {
-      for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = of_nodes[reported_[r][i]];
+      std::ranges::transform(reported_[r], rows.begin(), [&](int k) { return of_nodes[k]; });
       for (int to = 0; to < ranks_.count(); ++to)
         if (to != own) ranks_.send(to, std::as_bytes(std::span<const Row>(rows)));
     } else {
       ranks_.receive(r, std::as_writable_bytes(std::span(rows)));
     }
     ranks_.finish();
-    for (std::size_t i = 0; r != own && i < rows.size(); ++i) of_nodes[reported_[r][i]] = rows[i];
+    if (r == own) continue;
+    auto row = rows.begin();
+    for (const int k : reported_[r]) of_nodes[k] = *row++;
   }
 }
 
-int Share::follower_of_all(std::span<const int> nodes, int of_all) const {
+/// The first rank that stands in `adding` of all these nodes but the ignored ones.
+template <class Ignored>
+int Share::first_of_all(std::span<const int> nodes, int of_all, const Ignored& ignored) const {
   std::vector<int> ranks, more;
   bool any = false;
   for (const int n : nodes) {
-    if (everyone_follows(n)) continue;
     const std::span<const int> some = adding(n);
+    if (some.empty() || ignored(n)) continue;
     more.clear();
     if (any)
       std::ranges::set_intersection(ranks, some, std::back_inserter(more));
@@ -219,6 +214,14 @@ int Share::follower_of_all(std::span<const int> nodes, int of_all) const {
   }
   if (!any) return of_all;
   return ranks.empty() ? nobody : ranks.front();
+}
+
+int Share::follower_of_all(std::span<const int> nodes, int of_all) const {
+  return first_of_all(nodes, of_all, [this](int n) { return everyone_follows(n); });
+}
+
+int Share::adder_of_all(std::span<const int> nodes, int of_all) const {
+  return first_of_all(nodes, of_all, [](int) { return false; });
 }
 
 }  // namespace nugget::system

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/ranks.hpp"
+#include "base/runs.hpp"
 #include "system/partition.hpp"
 
 namespace nugget::system {
@@ -75,12 +76,22 @@ class Share {
   static constexpr int nobody = -1;
   /// The first rank that follows all these nodes, or `nobody`; `of_all` where every rank does.
   int follower_of_all(std::span<const int> nodes, int of_all) const;
-  /// Nodes that not all ranks follow, by the rank that answers for them.
-  const std::vector<int>& reported_by(int rank) const { return reported_[rank]; }
+  /// The first rank that adds up the forces on all these nodes, or `nobody`; `of_all` where every rank does.
+  int adder_of_all(std::span<const int> nodes, int of_all) const;
+  /// Nodes that not all ranks follow, rising, by the rank that answers for them.
+  const Runs& reported_by(int rank) const { return reported_[rank]; }
   /// The rows of these nodes come to all ranks.
   void spread(std::span<Row> of_nodes) const;
-  /// Rows of nodes that this rank does not follow take no room any more, until somebody writes them.
-  void forget_others(Rows& of_nodes) const;
+  /// Rows, or numbers, of nodes that this rank does not follow take no room any more, until somebody writes them.
+  template <class T>
+  void forget_others(ZeroedVector<T>& of_nodes) const {
+    std::size_t begin = 0;
+    for (const Range& range : followed_) {
+      forget(of_nodes, begin, std::min(static_cast<std::size_t>(range.begin), of_nodes.size()));
+      begin = static_cast<std::size_t>(range.end);
+    }
+    forget(of_nodes, begin, of_nodes.size());
+  }
 
  private:
   struct Row3 {
@@ -99,6 +110,8 @@ class Share {
     std::vector<Row3> data;
   };
   int nodes() const { return static_cast<int>(everyone_follows_.size()); }
+  template <class Ignored>
+  int first_of_all(std::span<const int> nodes, int of_all, const Ignored& ignored) const;
 
   Ranks& ranks_;
   Partition partition_;
@@ -109,8 +122,8 @@ class Share {
   std::vector<Range> summed_, followed_;
   std::vector<char> everyone_follows_;  ///< by node; virtual ones all follow
   std::vector<std::uint32_t> first_adding_;
-  std::vector<int> adding_;                 ///< ranks, from `first_adding_` on of each node
-  std::vector<std::vector<int>> reported_;  ///< by rank
+  std::vector<int> adding_;     ///< ranks, from `first_adding_` on of each node
+  std::vector<Runs> reported_;  ///< by rank
 };
 
 }  // namespace nugget::system

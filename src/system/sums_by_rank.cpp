@@ -25,7 +25,8 @@ int rank_of_all(const Partition& partition, int group, std::size_t begin, std::s
 
 }  // namespace
 
-SumsByRank::SumsByRank(const System& system) : travels_(system.all_nodes()) {
+SumsByRank::SumsByRank(const System& system) {
+  std::vector<char> travels(system.all_nodes());
   const Share& share = *system.share();
   std::vector<int> row;
   for (std::size_t begin = 0; begin < system.nodes; begin += in_a_row) {
@@ -34,7 +35,7 @@ SumsByRank::SumsByRank(const System& system) : travels_(system.all_nodes()) {
     std::iota(row.begin(), row.end(), static_cast<int>(begin));
     of_nodes_.push_back(share.follower_of_all(row, 0));
     if (of_nodes_.back() == nobody)
-      std::fill(travels_.begin() + std::ptrdiff_t(begin), travels_.begin() + std::ptrdiff_t(end), 1);
+      std::fill(travels.begin() + std::ptrdiff_t(begin), travels.begin() + std::ptrdiff_t(end), 1);
   }
   of_elements_.resize(system.groups.size());
   for (std::size_t g = 0; g < system.groups.size(); ++g) {
@@ -45,22 +46,30 @@ SumsByRank::SumsByRank(const System& system) : travels_(system.all_nodes()) {
       for (std::size_t e = begin; of_elements_[g].back() == nobody && e < end; ++e) {
         const ElementNodes nodes = group.nodes(e);
         for (int a = 0; a < group.nodes_per_element; ++a)
-          if (nodes[a] >= 0) travels_[at(nodes[a])] = 1;
+          if (nodes[a] >= 0) travels[at(nodes[a])] = 1;
       }
     }
   }
   for (const System::MassOnlyElement& mass_only : system.mass_only_elements())
-    for (int a = 0; a < mass_only.corners; ++a) travels_[at(mass_only.node[a])] = 1;
-  for (const model::PointMass& m : system.model.masses) travels_[at(system.node_of[m.node])] = 1;
-  for (const model::PointInertia& p : system.model.inertias) travels_[at(system.node_of[p.node])] = 1;
+    for (int a = 0; a < mass_only.corners; ++a) travels[at(mass_only.node[a])] = 1;
+  for (const model::PointMass& m : system.model.masses) travels[at(system.node_of[m.node])] = 1;
+  for (const model::PointInertia& p : system.model.inertias) travels[at(system.node_of[p.node])] = 1;
   // Nodes that a row names may be dependent themselves.
   for (bool more = true; more;) {
     more = false;
     system.map.each_row([&](int dependent, int other) {
-      if (travels_[at(dependent)] == 0 || travels_[at(other)] != 0) return;
-      travels_[at(other)] = 1;
+      if (travels[at(dependent)] == 0 || travels[at(other)] != 0) return;
+      travels[at(other)] = 1;
       more = true;
     });
+  }
+  travels_.resize((travels.size() + bits - 1) / bits);
+  for (std::size_t k = 0; k < travels.size(); ++k) {
+    Bits& word = travels_[k / bits];
+    if (k % bits == 0) word.before = static_cast<std::uint32_t>(travelling_);
+    if (travels[k] == 0) continue;
+    word.mask |= std::uint64_t{1} << k % bits;
+    ++travelling_;
   }
 }
 

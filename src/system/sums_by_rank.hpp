@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 namespace nugget::system {
@@ -33,12 +36,29 @@ class SumsByRank {
   std::size_t rows_of_elements(std::size_t group) const { return of_elements_[group].size(); }
   /// Whether a sum that nobody can make alone, or of what has mass besides elements, looks at a node: at once, or by a
   /// row of the constraint map.
-  bool travels(int node) const { return travels_[static_cast<std::size_t>(node)] != 0; }
+  bool travels(int node) const {
+    const auto k = static_cast<std::size_t>(node);
+    return (travels_[k / bits].mask >> k % bits & 1) != 0;
+  }
+  /// How many nodes do, and which of these, in the order of nodes, one is.
+  std::size_t travelling() const { return travelling_; }
+  std::size_t place_among_travelling(int node) const {
+    if (!travels(node)) throw std::logic_error("a balance of energies asks for a node whose motion no rank sends");
+    const auto k = static_cast<std::size_t>(node);
+    const Bits& word = travels_[k / bits];
+    return word.before + static_cast<std::size_t>(std::popcount(word.mask & ((std::uint64_t{1} << k % bits) - 1)));
+  }
 
  private:
   std::vector<int> of_nodes_;
   std::vector<std::vector<int>> of_elements_;
-  std::vector<char> travels_;
+  static constexpr std::size_t bits = 64;
+  struct Bits {
+    std::uint64_t mask = 0;    ///< of nodes in a row
+    std::uint32_t before = 0;  ///< how many of the nodes before them travel
+  };
+  std::vector<Bits> travels_;
+  std::size_t travelling_ = 0;
 };
 
 }  // namespace nugget::system

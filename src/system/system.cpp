@@ -447,6 +447,7 @@ State System::initial_state() {
     set(state.x[s.anchor], tie.lever ? ties.x[tie.node] : tie.point);
   }
   map.apply_to_velocities(0.0, state.v, state.w);
+  for (Rows* rows : {&state.v, &state.w}) forget_zeros(*rows);  // dependent nodes that do not turn
   return state;
 }
 

@@ -273,10 +273,12 @@ class ExplicitRanks(RepeatedRuns):
         self.compare_ranks(lap_joint(("*CONTROL_TERMINATION\n", bricks + "*CONTROL_TERMINATION\n")), "--weld-tie", "joint")
 
     def test_restart_files_with_other_numbers_of_ranks(self):
-        """Two ranks, three, one process."""
-        for name, text, options in (("tube", tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4), ()), ("lap joint", lap_joint(), ("--max-cycles", 600))):
+        """Two ranks, three, one process. In the double hat with contact and a wall."""
+        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
+        for name, text, options in (("tube", tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4), ()), ("lap joint", lap_joint(), ("--max-cycles", 600)),
+                                    ("double hat", self.folder / "double_hat.k", ("--max-cycles", 120))):
             with self.subTest(name):
-                model = self.write(text)
+                model = self.write(text) if isinstance(text, str) else text
                 self.nugget("run", model, "-o", "whole", "-j", 1, "--quiet", *options)
                 cycles = self.json("whole/summary.json")["cycles"]
                 at = cycles // 3

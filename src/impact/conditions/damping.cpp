@@ -367,7 +367,7 @@ void Damping::add(const Relative& damping, const system::State& state) {
 
 void Damping::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
   if (force_.empty() || what == system::Carried::histories) return;
-  const std::vector<int>& nodes = of.share.reported_by(of.rank);
+  const Runs& nodes = of.share.reported_by(of.rank);
   for (const int k : nodes) parcel(&energy_of_node_[k], 1);
   if (what != system::Carried::whole) return;
   for (std::vector<Row>* rows : {&force_, &moment_})

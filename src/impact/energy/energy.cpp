@@ -37,7 +37,8 @@ struct Carried {
                                                     std::span<const Row> v_before, std::span<const Row> w_before,
                                                     std::span<const NodalMotion> of_others, std::size_t k,
                                                     double share) {
-  if (!of_others.empty() && !system.follows(k)) return of_others[k];
+  if (!of_others.empty() && !system.follows(k))
+    return of_others[system.sums_by_rank()->place_among_travelling(static_cast<int>(k))];
   return nodal_motion(state, v_before, w_before, k, share);
 }
 

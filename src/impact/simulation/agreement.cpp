@@ -46,10 +46,12 @@ struct Balance {
   Recorder::Marks next_marks;
 };
 
-/// By node, whether it is one of welds or adhesives, of which the end of a run reports (Carried::end).
+/// By node, whether the end of a run (Carried::end) reports of bricks of a weld or an adhesive there. Beams have their
+/// length in their state.
 std::vector<char> nodes_reported_at_end(const system::System& system) {
   std::vector<char> nodes(system.nodes);
   for (const auto& group : system.groups) {
+    if (group->kind == model::ElementKind::beam) continue;
     if (!group->weld && !model::bond_of(system.model, system.model.parts[group->part])) continue;
     for (std::size_t e = 0; e < group->size(); ++e) {
       const system::ElementNodes node = group->nodes(e);
@@ -240,9 +242,13 @@ void Simulation::collect(system::Carried what, bool to_all) {
       what == system::Carried::end && ranks_ != nullptr ? nodes_reported_at_end(system_) : std::vector<char>();
   const double share = share_of_interval(state_);
   free_room(motion_of_others_);
+  free_room(step_change_of_others_);
   sums_of_ranks_ = {};
   if (sums_only && ranks_ != nullptr) {
-    if (on_first_rank()) motion_of_others_.resize(system_.nodes);
+    if (on_first_rank()) {
+      motion_of_others_.resize(system_.sums_by_rank()->travelling());
+      step_change_of_others_.resize(motion_of_others_.size());
+    }
     sums_of_ranks_ = sums_for_first(system_, state_, v_before_, w_before_,
                                     [this](std::size_t k) { return step_change_before_now(k); });
   }
@@ -259,14 +265,17 @@ void Simulation::collect(system::Carried what, bool to_all) {
             NodalMotion of_node;
             if (!parcel.reading()) of_node = nodal_motion(state_, v_before_, w_before_, at(k), share);
             parcel(&of_node, 1);
-            if (parcel.reading()) motion_of_others_[k] = of_node;
+            if (parcel.reading()) motion_of_others_[system_.sums_by_rank()->place_among_travelling(k)] = of_node;
           }
           if (!step_change_of_node_.empty()) {
             // A run goes on from what is booked; a balance shows what was done up to now.
             double booked = step_change_of_node_[k];
             if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
             parcel(&booked, 1);
-            if (parcel.reading()) step_change_of_node_[k] = booked;
+            if (parcel.reading() && sums_only)
+              step_change_of_others_[system_.sums_by_rank()->place_among_travelling(k)] = booked;
+            else if (parcel.reading())
+              step_change_of_node_[k] = booked;
           }
           if (what != system::Carried::whole) continue;
           parcel(&inverse_mass_[k], 1);

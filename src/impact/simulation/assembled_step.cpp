@@ -58,7 +58,7 @@ class DoubtfulShells {
                  shortest = *std::min_element(s.side.begin(), s.side.begin() + s.corners);
     if (model_.control.length_basis == 2 && shortest * longest > 1.001 * (s.corners == 3 ? 2.0 : 1.0) * s.area)
       return true;
-    const bool off = model_.shells.offset[group.element[e]] != 0.0;
+    const bool off = model_.shells.offset(group.element[e]) != 0.0;
     return (off || s.corners == 3) && model_.shells.thickness[group.element[e]] > thick * std::sqrt(s.area);
   }
 

@@ -30,18 +30,25 @@ constexpr double between_reports = 0.2;  // seconds
 const char* volatile interrupted_by = nullptr;  ///< by whom; null: not at all
 
 /// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
-/// of a body that nothing can move, none, which counts as held.
-void set_rigid_contact_mass(const system::System& system, std::vector<double>& contact_mass) {
+/// of a body that nothing can move, none, which counts as held. `mass`: that of all nodes then; empty where there is no
+/// such body, and what nodes have is what they bring.
+void find_rigid_contact_mass(const system::System& system, std::span<const unsigned char> dependent,
+                             std::vector<double>& mass) {
+  mass.clear();
   for (const system::RigidBody& body : system.bodies) {
     const model::RigidBody& source = system.model.rigid_bodies[body.source];
     const bool held = is_fully_prescribed(system.model, body.source);
     if (source.origin != model::RigidBody::Origin::part || !(held || source.given)) continue;
+    if (mass.empty()) {
+      mass.resize(system.all_nodes());
+      for (std::size_t k = 0; k < system.nodes; ++k) mass[k] = dependent[k] ? system.own_mass[k] : system.mass[k];
+    }
     double mesh = 0.0;
     for (const model::Index n : source.nodes) mesh += system.own_mass[system.node_of[n]];
     const double share = held || !(mesh > 0.0) ? 0.0 : body.mass / mesh;
     for (const model::Index n : source.nodes) {
       const std::size_t k = at(system.node_of[n]);
-      contact_mass[k] = share * system.own_mass[k];
+      mass[k] = share * system.own_mass[k];
     }
   }
 }
@@ -188,6 +195,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
         update_energy_balance();
         if (record) masses_ = system_.masses();
         free_room(motion_of_others_);
+        free_room(step_change_of_others_);
         sums_of_ranks_ = {};
       }
     }
@@ -274,6 +282,8 @@ void Simulation::leave_to_others() {
   components_.contacts.leave_to_others();
   for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m, &v_before_, &w_before_})
     system_.share()->forget_others(*rows);
+  for (ZeroedVector<double>* numbers : {&step_change_of_node_, &inverse_mass_, &inverse_inertia_})
+    system_.share()->forget_others(*numbers);
 }
 
 void Simulation::update_velocities() {
@@ -443,16 +453,13 @@ void Simulation::update_inverse_mass() {
   for (std::size_t k = 0; k < system_.all_nodes(); ++k) dependent_[k] = system_.map.dependent(static_cast<int>(k));
   inverse_mass_.resize(system_.nodes);
   inverse_inertia_.resize(system_.nodes);
-  contact_mass_.assign(system_.all_nodes(), 0.0);
   system_.for_each_node(4096, [this](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) {
       inverse_mass_[k] = system_.mass[k] > 0.0 ? 1.0 / system_.mass[k] : 0.0;
       inverse_inertia_[k] = system_.inertia[k] > 0.0 ? 1.0 / system_.inertia[k] : 0.0;
     }
   });
-  for (std::size_t k = 0; k < system_.nodes; ++k)
-    contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
-  set_rigid_contact_mass(system_, contact_mass_);
+  find_rigid_contact_mass(system_, dependent_, contact_mass_);
   components_.loads.update_masses();
 }
 
@@ -559,8 +566,18 @@ void Simulation::contact_forces() {
   const int period = state_.dt > 0.0 ? std::min(system_.model.control.subcycling.contact_period, state_.period) : 1;
   if (state_.cycle % period != 0) return;
   longest_step_ = std::max(longest_step_, period * stable_step_);
-  contact::Step step{state_.time, period * state_.dt, period * stable_step_,           longest_step_, state_.x,
-                     state_.v,    contact_mass_,      components_.element_alive.all(), nullptr};
+  const contact::NodalMasses mass = contact_mass_.empty()
+                                        ? contact::NodalMasses(system_.mass, dependent_, system_.own_mass)
+                                        : contact::NodalMasses(contact_mass_);
+  contact::Step step{state_.time,
+                     period * state_.dt,
+                     period * stable_step_,
+                     longest_step_,
+                     state_.x,
+                     state_.v,
+                     mass,
+                     components_.element_alive.all(),
+                     nullptr};
   if (ranks_ != nullptr) {
     const contact::SharedNodes shared{*system_.share(), state_.x, state_.v};
     step.shared = &shared;
@@ -624,7 +641,10 @@ void Simulation::update_energy_balance() {
   });
   energy_.step_change = step_change_ + components_.supports.step_change() +
                         sum_over_nodes(system_, sums_of_ranks_.step_change, [this](std::size_t k) {
-                          return system_.follows(k) ? step_change_before_now(k) : step_change_of_node_[k];
+                          if (system_.follows(k)) return step_change_before_now(k);
+                          if (step_change_of_others_.empty()) return step_change_of_node_[k];
+                          const auto node = static_cast<int>(k);
+                          return step_change_of_others_[system_.sums_by_rank()->place_among_travelling(node)];
                         });
   if (state_.cycle == 0) energy_.initial = energy_.total();
   gives_energy_ = giving_part() != parts_.end() || contact_gives();
@@ -656,7 +676,7 @@ void Simulation::archive(Archive& a) {
   a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
           momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
           rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_, shares_,
-          motion_of_others_, sums_of_ranks_);
+          motion_of_others_, step_change_of_others_, sums_of_ranks_);
 }
 
 }  // namespace nugget::impact

@@ -184,15 +184,18 @@ class Simulation {
   system::State state_;
   Components components_;
   std::vector<system::SpringGroup*> stopped_springs_;    ///< those with stops
-  std::vector<double> contact_mass_;                     ///< by node, dependent nodes with what they had of their own
+  std::vector<double> contact_mass_;                     ///< by node, where that of rigid parts is not that of nodes
   std::vector<unsigned char> dependent_;                 ///< by node
   ZeroedVector<double> inverse_mass_, inverse_inertia_;  ///< by node; over several ranks of those that it follows
   system::Rows v_before_, w_before_;
-  ZeroedVector<NodalMotion> motion_of_others_;  ///< by node, on the first of several ranks while it adds up energies
-  SumsOfRanks sums_of_ranks_;                   ///< likewise
-  system::Rows v_period_, w_period_;            ///< in sub-cycling: velocities and spins after those of the last period
-  std::vector<Row> contact_forces_;             ///< in sub-cycling, where contacts have theirs not in each cycle
-  double run_end_ = 0.0;                        ///< where the period that begins ends the run: its time; else 0
+  /// Of nodes whose motion travels (SumsByRank), on the first of several ranks while it adds up energies: that, and
+  /// what of `step_change` is booked there.
+  std::vector<NodalMotion> motion_of_others_;
+  std::vector<double> step_change_of_others_;
+  SumsOfRanks sums_of_ranks_;         ///< likewise
+  system::Rows v_period_, w_period_;  ///< in sub-cycling: velocities and spins after those of the last period
+  std::vector<Row> contact_forces_;   ///< in sub-cycling, where contacts have theirs not in each cycle
+  double run_end_ = 0.0;              ///< where the period that begins ends the run: its time; else 0
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle

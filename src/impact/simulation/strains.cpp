@@ -157,7 +157,8 @@ void Strains::advance_shell(std::size_t e, const system::State& state) {
     shear = {};
   }
   const auto add = [&](InPlane& strain, double zeta) {
-    const double z = system_.model.shells.offset[e] + 0.5 * zeta * group.thickness(at(location.element));
+    const double z =
+        system_.model.shells.offset(static_cast<model::Index>(e)) + 0.5 * zeta * group.thickness(at(location.element));
     strain[0] += scale * v_x.x + z * bent[0];
     strain[1] += scale * v_y.y + z * bent[1];
     strain[2] += 0.5 * (scale * (v_y.x + v_x.y) + z * bent[2]);

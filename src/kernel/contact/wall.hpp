@@ -20,7 +20,7 @@ struct WallPush {
 };
 
 /// How a node is attached to the wall at the start of the step.
-enum class WallAttachment { none, touching, welded };
+enum class WallAttachment : unsigned char { none, touching, welded };
 
 /// Flat wall through the reference point; with edges, a rectangle from the reference point along `l` and `m`.
 struct PlaneWall {

@@ -436,7 +436,6 @@ void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
   const auto& table = b.shell_table;
   Shells& shells = b.model.shells;
   shells.thickness.resize(shells.size());
-  shells.offset.resize(shells.size());
   if (!table.angle.empty())
     for (std::size_t e = 0; e < shells.size(); ++e)
       shells.angle.push_back(table.angle[rows[e]] * (std::numbers::pi / 180.0));
@@ -448,8 +447,12 @@ void set_thickness(Builder& b, const std::vector<std::size_t>& rows) {
                               ? section.thickness
                               : mean_thickness(table.thickness[rows[e]], section.thickness, shells.triangle(e) ? 3 : 4);
     const bool own_offset = !table.offset.empty() && given(table.offset[rows[e]]);
-    shells.offset[e] = -0.5 * section.nloc * shells.thickness[e];
-    if (!own_offset || table.offset[rows[e]] == shells.offset[e]) continue;
+    const double offset = -0.5 * section.nloc * shells.thickness[e];
+    if (offset != 0.0) {
+      shells.offsets.resize(shells.size());
+      shells.offsets[e] = offset;
+    }
+    if (!own_offset || table.offset[rows[e]] == offset) continue;
     offsets.add(
         shells.place[e],
         [&] { return fmt::format("shell {}: offsets of single shells are not supported", shells.id[e]); },

@@ -128,7 +128,7 @@ class Merging {
 
   bool alike(Index a, Index b) const {
     return shells_.part[a] == shells_.part[b] && shells_.thickness[a] == shells_.thickness[b] &&
-           shells_.offset[a] == shells_.offset[b];
+           shells_.offset(a) == shells_.offset(b);
   }
 
   bool nodes_allow(const Block& b) const {

@@ -33,8 +33,10 @@ class Holding {
     hold_where(Hold::no_shell, [&](Index n) { return mesh_.at(n).empty(); });
     hold_at_elements();
     hold_where(Hold::other_part, [&](Index n) { return differ(n, model_.shells.part); });
-    hold_where(Hold::thickness,
-               [&](Index n) { return differ(n, model_.shells.thickness) || differ(n, model_.shells.offset); });
+    const model::Shells& shells = model_.shells;
+    hold_where(Hold::thickness, [&](Index n) {
+      return differ(n, shells.thickness) || (!shells.offsets.empty() && differ(n, shells.offsets));
+    });
     hold_named();
     hold_tied();
     hold_where(Hold::text, [&](Index n) { return !can_move(n); });

@@ -443,12 +443,12 @@ void report_what_is_not_built(const model::Model& model, const model::Contact& c
                    "is obeyed");
   std::set<Index> reported;
   for (const ReferenceSegment& s : segments) {
-    const bool off_its_nodes = s.shell != none && std::abs(model.shells.offset[s.shell]) > 0.0;  // not: not a number
+    const bool off_its_nodes = s.shell != none && std::abs(model.shells.offset(s.shell)) > 0.0;  // not: not a number
     if (!off_its_nodes || !reported.insert(s.part).second) continue;
     findings.warning(
         contact.place, name_contact(contact),
         fmt::format("the mid-surface of part {} lies {:.4g} off its nodes; ties go to the surface of the nodes",
-                    model.parts[s.part].id, std::abs(model.shells.offset[s.shell])),
+                    model.parts[s.part].id, std::abs(model.shells.offset(s.shell))),
         "LS-DYNA does the same unless CNTCO is set; move the nodes into the mid-surface if that matters");
   }
 }

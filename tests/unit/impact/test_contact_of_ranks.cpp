@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,7 +24,7 @@
 namespace nugget::impact {
 namespace {
 
-constexpr int along = 100, across = 40;
+constexpr int along = 200, across = 60;  // so that ranks have rows of 1,024 nodes that touch for themselves
 
 struct Text {
   std::string nodes, shells, solids;
@@ -70,9 +71,8 @@ struct Text {
 std::string two_sheets_and_bricks(const std::string& contact) {
   Text text;
   text.add_sheet(1, 0.0);
-  text.add_sheet(2, 2.5);
+  text.add_sheet(2, 1.24);  // in touch: then the ranks cut both sheets at one place
   text.add_bricks(60.0, 5.0);
-  for (const double z : {400.0, 800.0}) text.add_sheet(1, z);  // apart: nodes of one rank in a row
   return text.deck(contact);
 }
 
@@ -184,7 +184,7 @@ TEST(ContactOfRanks, SegmentsComeWithTheShareAndSumsInPlaceOfWhatTheyAreMadeFrom
   DeckRun whole(text);
   Simulation alone(whole.system, whole.findings);
   Nobody nobody;
-  const Options options{.max_cycles = 40};
+  const Options options{.max_cycles = 25};
   alone.run(options, nobody, {});
   const std::size_t segments = alone.components().contacts.all().front().surface().held();
   ASSERT_GT(std::abs(alone.energy().contact), 1.0);
@@ -225,10 +225,22 @@ TEST(ContactOfRanks, SegmentsComeWithTheShareAndSumsInPlaceOfWhatTheyAreMadeFrom
     }
     EXPECT_GE(held, segments);
     const system::SumsByRank& by_rank = *runs[0]->system.sums_by_rank();
+    std::size_t before = 0;
+    for (int k = 0; k < static_cast<int>(runs[0]->system.nodes); ++k) {
+      if (by_rank.travels(k)) {
+        ASSERT_EQ(by_rank.place_among_travelling(k), before++);
+      } else {
+        ASSERT_THROW(by_rank.place_among_travelling(k), std::logic_error);
+      }
+    }
+    EXPECT_GT(before, 0u);
+    EXPECT_LT(before, runs[0]->system.nodes);
+    EXPECT_EQ(by_rank.travelling(), before);
     for (std::size_t i = 0; i < by_rank.rows_of_nodes(); ++i) rows_of_nodes += by_rank.of_nodes(i) > 0;
     for (std::size_t g = 0; g < runs[0]->system.groups.size(); ++g)
       for (std::size_t i = 0; i < by_rank.rows_of_elements(g); ++i) rows_of_elements += by_rank.of_elements(g, i) > 0;
-    // Sabotage to be caught: a sum of another rank that is left out, or is that of other elements or nodes.
+    // Sabotage to be caught: a sum of another rank that is left out, or is that of other elements or nodes, or of other
+    // nodes of the contact.
     const Energy &a = alone.energy(), &b = simulations[0]->energy();
     EXPECT_EQ(bits(b.kinetic), bits(a.kinetic));
     EXPECT_EQ(bits(b.internal), bits(a.internal));

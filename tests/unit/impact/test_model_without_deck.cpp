@@ -38,7 +38,6 @@ model::Model falling_shell(double gravity, double end_time) {
   m.shells.part = {0};
   m.shells.node = {{0, 1, 2, 3}};
   m.shells.thickness = {1.0};
-  m.shells.offset = {0.0};
   m.shells.place.push_back(0, 0);
 
   Curve& curve = m.curves.emplace_back();

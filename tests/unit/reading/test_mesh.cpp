@@ -105,8 +105,8 @@ TEST(Mesh, NodalThicknessesAndOffsets) {
   EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
   EXPECT_DOUBLE_EQ(b.model.shells.thickness[0], (2.0 + 2.0 + 4.0 + 1.25) / 4.0);
   EXPECT_DOUBLE_EQ(b.model.shells.thickness[1], 1.25);
-  EXPECT_DOUBLE_EQ(b.model.shells.offset[1], 0.0);
-  EXPECT_DOUBLE_EQ(b.model.shells.offset[2], -1.0);  // nodes on the top surface
+  EXPECT_DOUBLE_EQ(b.model.shells.offset(1), 0.0);
+  EXPECT_DOUBLE_EQ(b.model.shells.offset(2), -1.0);  // nodes on the top surface
   const Built own(cube_deck("*ELEMENT_SHELL_OFFSET\n1,1,1,2,3,4\n0.0\n2,1,5,6,7,8\n0.75\n"));
   EXPECT_TRUE(own.error("shell 2: offsets of single shells are not supported")) << own.all_findings();
   EXPECT_EQ(own.findings.errors(), 1);

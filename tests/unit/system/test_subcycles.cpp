@@ -38,7 +38,6 @@ model::Model thrown_strip() {
     m.shells.part.push_back(0);
     m.shells.node.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
     m.shells.thickness.push_back(1.0);
-    m.shells.offset.push_back(0.0);
     m.shells.place.push_back(0, 0);
   }
   return m;

@@ -42,7 +42,6 @@ struct Assembly {
     model.shells.part.push_back(part);
     model.shells.node.push_back(nodes);
     model.shells.thickness.push_back(thickness);
-    model.shells.offset.push_back(0.0);
     model.shells.place.push_back(0, 0);
     return static_cast<Index>(model.shells.size()) - 1;
   }

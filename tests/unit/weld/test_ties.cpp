@@ -642,7 +642,7 @@ TEST(Ties, AnEdgeNodeThatCarriesAWeldIsTiedByItsEdgesContact) {
 
 TEST(Ties, SheetsOffTheirNodesAreWarnedOfOnceAPart) {
   TwoSheets a;
-  for (double& offset : a.model.shells.offset) offset = -0.5;
+  a.model.shells.offsets.assign(a.model.shells.size(), -0.5);
   a.beam(a.welds, {15, 15, 0}, {15, 15, 1});
   a.tied();
   EXPECT_EQ(a.findings.warnings(), 2);
