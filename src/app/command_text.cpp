@@ -22,12 +22,12 @@ struct ValueName {
 };
 
 constexpr ValueName value_names[] = {
-    {"weld", "--output", deck_value},    {"fit", "--output", deck_value}, {"plot", "--output", file_value},
-    {"picture", "--output", file_value}, {"", "--output", folder_value},  {"", "--resume", folder_value},
-    {"", "--compare", folder_value},     {"", "--with", folder_value},    {"", "--weld-law", file_value},
-    {"", "model", deck_value},           {"", "card", deck_value},        {"", "points", file_value},
-    {"", "curves", file_value},          {"", "directory", folder_value}, {"", "other", folder_value},
-    {"", "folder", folder_value}};
+    {"tidy", "--output", deck_value}, {"weld", "--output", deck_value},    {"fit", "--output", deck_value},
+    {"plot", "--output", file_value}, {"picture", "--output", file_value}, {"", "--output", folder_value},
+    {"", "--resume", folder_value},   {"", "--compare", folder_value},     {"", "--with", folder_value},
+    {"", "--weld-law", file_value},   {"", "model", deck_value},           {"", "card", deck_value},
+    {"", "points", file_value},       {"", "curves", file_value},          {"", "directory", folder_value},
+    {"", "other", folder_value},      {"", "folder", folder_value}};
 
 std::string last_name(const CLI::Option& option) {
   if (!option.get_lnames().empty()) return "--" + option.get_lnames().front();

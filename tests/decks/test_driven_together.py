@@ -108,6 +108,23 @@ class Driven(CommandTest):
                 self.assertAlmostEqual(dot(v, along), speed, 6)
         self.energies_close(energies)
 
+    def test_a_rivet_beside_two_oblique_supports(self):
+        """One end slides on the line that two supports, askew to each other, leave it; at the start the other one parts from it, which the
+        rivet stops. It keeps its length, and the energy is accounted for. Sabotage: the directions are taken out as they are, so that the
+        rivet expects another motion of that end than it gets, and pulls again in the next step."""
+        axes = "*DEFINE_COORDINATE_VECTOR\n11,1,0,0,0,1,0\n*DEFINE_COORDINATE_VECTOR\n12,0.6,0.8,0.3,0,0,1\n"
+        cards = ("*ELEMENT_MASS\n1,1,3e-6\n2,2,2e-6\n*CONSTRAINED_RIVET\n2,1\n*BOUNDARY_SPC_NODE\n2,11,1\n2,12,1\n"
+                 "*NODE\n1,20,5,0\n2,10,0,0\n*DATABASE_HISTORY_NODE\n1,2\n*INITIAL_VELOCITY_NODE\n1,100,300,900\n")
+        energies, states = self.run_deck(axes + cards)
+        start = energies[0]["kinetic_energy"][0]
+        self.assertAlmostEqual(start, 0.5 * 3e-6 * (100.0**2 + 300.0**2 + 900.0**2), 9)
+        for state in energies:
+            self.assertAlmostEqual(state["total_energy"][0] / start, 1.0, delta=5e-4)
+        for state in states:
+            line = [state[f"{a}_coordinate"][1] - state[f"{a}_coordinate"][0] for a in "xyz"]
+            self.assertAlmostEqual(math.sqrt(dot(line, line)), math.sqrt(125.0), 6)
+            self.assertAlmostEqual(state["x_coordinate"][1], 10.0, 9)
+
 
 if __name__ == "__main__":
     unittest.main()

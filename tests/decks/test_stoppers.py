@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """*CONSTRAINED_RIGID_BODY_STOPPERS: a body that flies or is pulled goes no farther and no faster than its bounds; what it loses is the work
 of the stop."""
+import math
 import unittest
 
 import lsda
@@ -31,13 +32,17 @@ def stopper(most=0, least=0, fastest=0, direction=1, vector=0, birth=0, death=0)
 class Stoppers(RepeatedRuns):
     def places(self, cards, speed=(0, 0, 0)):
         """[(time, place, velocity)] of the body's centre, and the last state of glstat."""
-        self.nugget("run", self.write(deck(cards, speed)).name, "-o", "run", "--quiet")
+        return self.places_of(deck(cards, speed))
+
+    def places_of(self, text, spins=False):
+        self.nugget("run", self.write(text).name, "-o", "run", "--quiet")
         states = lsda.states(lsda.read(self.folder / "run" / "binout0000"), "rbdout")
         energies = self.glstat("run/glstat")
         start, most = energies[0]["total energy"], max(state["kinetic energy"] for state in energies)
         for state in energies:
             self.assertAlmostEqual(state["total energy"], start + state["external work"], delta=1e-5 * most)
-        return [(s["time"][0], [s[f"global_{a}"][0] for a in "xyz"], [s[f"global_v{a}"][0] for a in "xyz"]) for s in states], energies[-1]
+        place, velocity = ("global_rd", "global_rv") if spins else ("global_", "global_v")
+        return [(s["time"][0], [s[place + a][0] for a in "xyz"], [s[velocity + a][0] for a in "xyz"]) for s in states], energies[-1]
 
     def test_a_wall(self):
         """Thrown against it: there at once, and there it stays; along the wall nothing changes."""
@@ -146,6 +151,73 @@ class Stoppers(RepeatedRuns):
         loss = 0.5 * 40.0**2 / ease
         after = next(state for state in energies if state["time"] > 1.5e-4)
         self.assertAlmostEqual(after["external work"], -loss, delta=0.02 * loss)
+
+    def test_a_body_that_is_beyond_its_bound(self):
+        """It is not carried back, which in one step would make it fly on at 1e5 mm/s: it goes no farther, and may come back by itself."""
+        beyond = level(1, (0, 4.0), (1, 4.0))
+        said = self.nugget("check", self.write(deck(beyond + stopper(most=1))).name).stderr
+        self.assertIn("body 7 starts 1 beyond the bound of LCMAX: it goes no farther, and is not carried back", said)
+        for speed, x in ((40.0, CENTRE[0]), (-40.0, CENTRE[0] - 40.0 * END)):
+            states, last = self.places(beyond + stopper(most=1), (speed, 300.0, 0.0))
+            self.assertAlmostEqual(states[-1][1][0], x, delta=1e-9)
+            self.assertAlmostEqual(states[-1][1][1], CENTRE[1] + 300.0 * END, delta=1e-9)
+            self.assertAlmostEqual(last["external work"], -0.5 * MASS * 40.0**2 if speed > 0 else 0.0, delta=1e-3 * MASS * 40.0**2)
+        # it has passed the bound when the stopper begins, which then moves away with 50 mm/s
+        cards = level(1, (0, 6.0), (5e-3, 6.0), (1e-2, 6.25)) + stopper(most=1, birth=5e-3)
+        states, last = self.places(cards, (400.0, 0.0, 0.0))
+        for time, place, _velocity in states:
+            self.assertAlmostEqual(place[0], CENTRE[0] + 400.0 * min(time, 5e-3) + 50.0 * max(0.0, time - 5e-3), delta=400.0 * 1.1e-5)
+        self.assertAlmostEqual(last["external work"], 0.5 * MASS * (50.0**2 - 400.0**2), delta=1e-2 * MASS * 400.0**2)
+
+    def test_beside_constraints_of_the_body(self):
+        """A slide along x with a stop across it: the stop pushes along the slide; y stays as CON1 says."""
+        cards = "*DEFINE_VECTOR\n3,0,0,0,1,1,0\n" + level(2, (0, 0.8), (1, 0.8)) + stopper(most=-2, direction=4, vector=3)
+        slide = deck(cards, (400.0, 0.0, 0.0)).replace("210000,0.3\n\n\n", "210000,0.3\n1,5,0\n\n")
+        states, last = self.places_of(slide)
+        for time, place, _velocity in states:
+            self.assertAlmostEqual(place[0], min(CENTRE[0] + 400.0 * time, CENTRE[0] + 0.8 * math.sqrt(2.0)), delta=1e-9)
+            self.assertAlmostEqual(place[1], CENTRE[1], delta=1e-12)
+        self.assertAlmostEqual(last["external work"], -0.5 * MASS * 400.0**2, delta=1e-6 * MASS * 400.0**2)
+
+    def test_a_hinge_of_a_body_that_is_askew(self):
+        """A hinge about z by CON2, whose body has products of inertia: the stop brings it to rest, all its energy is the stop's work."""
+        n = (1.0 / math.sqrt(5.0), 0.0, 2.0 / math.sqrt(5.0))  # an axis askew to the hinge sees 2/sqrt(5) of the angle
+        for axis, vector, of_hinge in ((7, 0, 1.0), (8, 3, n[2])):
+            cards = "*DEFINE_VECTOR\n3,0,0,0,1,0,2\n" + level(1, (0, 0.1), (1, 0.1)) + stopper(most=1, direction=axis, vector=vector)
+            hinge = deck(cards).replace("210000,0.3\n\n\n", "210000,0.3\n1,7,4\n\n").replace("7,0,0,0\n", "7,0,0,0,0,0,40\n")
+            hinge = hinge.replace("12,10,0,10", "12,14,-3,8").replace("17,10,10,20", "17,15,13,26")
+            states, last = self.places_of(hinge, spins=True)
+            for time, angle, spin in states:
+                self.assertAlmostEqual(angle[2], min(40.0 * time, 0.1 / of_hinge), delta=1e-6)
+                for across in (0, 1):
+                    self.assertAlmostEqual(spin[across], 0.0, delta=1e-9)
+            self.assertAlmostEqual(last["external work"], -self.glstat("run/glstat")[0]["kinetic energy"], delta=1e-6)
+
+    def test_beside_prescribed_motions(self):
+        """Driven across, it is stopped along; where the motion goes against the stop, the stop counts."""
+        ramp = "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,{},0,9,100.\n" + level(9, (0, 1.0), (1, 1.0))
+        cards = "*DEFINE_VECTOR\n3,0,0,0,1,1,0\n" + level(2, (0, 0.8), (1, 0.8)) + stopper(most=-2, direction=4, vector=3)
+        states, _ = self.places(cards + ramp.format(2), (400.0, 100.0, 0.0))
+        reach = 0.8 * math.sqrt(2.0)
+        for time, place, _velocity in states:
+            self.assertAlmostEqual(place[0] - CENTRE[0], min(400.0 * time, reach - 100.0 * time), delta=1e-9)
+            self.assertAlmostEqual(place[1] - CENTRE[1], 100.0 * time, delta=1e-9)
+        states, last = self.places(level(2, (0, 0.8), (1, 0.8)) + stopper(most=-2) + ramp.format(1), (100.0, 0.0, 0.0))
+        self.assertAlmostEqual(states[-1][1][0], CENTRE[0] + 0.8, delta=1e-9)
+        self.assertAlmostEqual(last["external work"], -0.5 * MASS * 100.0**2, delta=1e-6 * MASS * 100.0**2)
+
+    def test_two_stops_at_one_time(self):
+        """In the corner of x <= 0 and y <= x the throw (10, 20) ends: it is a sum of the two normals with factors above 0."""
+        cards = ("*DEFINE_VECTOR\n3,0,0,0,-1,1,0\n" + level(1, (0, 0.0), (1, 0.0)) + level(2, (0, 1e-30), (1, 1e-30))
+                 + stopper(most=-2, direction=1) + stopper(most=-2, direction=4, vector=3))
+        for first, second in ((0, 1), (1, 0)):
+            blocks = cards.split("*CONSTRAINED_RIGID_BODY_STOPPERS\n")
+            stops = ["*CONSTRAINED_RIGID_BODY_STOPPERS\n" + b for b in blocks[1:]]
+            states, last = self.places(blocks[0] + stops[first] + stops[second], (10.0, 20.0, 5.0))
+            for _time, place, _velocity in states:
+                self.assertAlmostEqual(place[0], CENTRE[0], delta=1e-9)
+                self.assertAlmostEqual(place[1], CENTRE[1], delta=1e-9)
+            self.assertAlmostEqual(last["external work"], -0.5 * MASS * 500.0, delta=1e-6 * MASS * 500.0)
 
     def test_restart(self):
         turning = deck(level(1, (0, 0.5), (1e-2, -0.5)) + stopper(most=1, direction=7, death=6e-3))

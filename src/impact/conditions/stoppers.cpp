@@ -1,95 +1,268 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "impact/conditions/stoppers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/index.hpp"
-#include "system/constraint_map.hpp"
-#include "system/mobility.hpp"
+#include "impact/conditions/normals.hpp"
 
 namespace nugget::impact {
 namespace {
 
-Frame3d turned(const Frame3d& axes, const Vec3d& by) {
-  return {system::turned(axes.e1, by), system::turned(axes.e2, by), system::turned(axes.e3, by)};
-}
+/// Directions of a body's velocity, or spin, that get given values at one time, by impulses along themselves.
+class Together {
+ public:
+  Together(system::RigidBody& body, bool rotation, system::State& state)
+      : body_(body),
+        rotation_(rotation),
+        state_(state),
+        free_(vec((rotation ? state.w : state.v)[at(body.node)])),
+        momentum_(body.angular_momentum) {}
+
+  /// Whether it can be met: not where the directions before it hold it already.
+  bool add(const Vec3d& direction, double speed) {
+    if (n_ == 3) return false;
+    Vec3d rest = direction;
+    for (int k = 0; k < n_; ++k) {
+      const double along = dot(met_[k].unit, direction);
+      rest -= along * met_[k].unit;
+      speed -= along * met_[k].speed;
+    }
+    const double share = norm(rest);
+    if (share < 1e-3) return false;
+    met_[n_++] = {direction, (1.0 / share) * rest, share, speed / share, 0.0};
+    return true;
+  }
+
+  /// Sets the velocity; afterwards `impulse` has those along the directions as they were given.
+  void solve() {
+    if (rotation_) {
+      body_.angular_momentum = momentum_;
+      set(state_.w[at(body_.node)], free_);
+      Frame3d basis{met_[0].unit, met_[1].unit, met_[2].unit};
+      if (n_ == 1) {
+        const std::array<Vec3d, 2> others = normals(basis.e1);
+        basis.e2 = others[0];
+        basis.e3 = others[1];
+      }
+      if (n_ == 2) basis.e3 = cross(basis.e1, basis.e2);
+      body_.drive_spin(basis, (1u << n_) - 1u, {met_[0].speed, met_[1].speed, met_[2].speed}, state_.dt, state_);
+      for (int k = 0; k < n_; ++k) met_[k].impulse = dot(met_[k].unit, body_.angular_momentum - momentum_);
+    } else {
+      Vec3d v = free_;
+      for (int k = 0; k < n_; ++k) {
+        const double change = met_[k].speed - dot(met_[k].unit, v);
+        v += change * met_[k].unit;
+        met_[k].impulse = body_.mass * change;
+      }
+      set(state_.v[at(body_.node)], v);
+    }
+    for (int j = n_ - 1; j >= 0; --j) {
+      met_[j].impulse /= met_[j].share;
+      for (int k = 0; k < j; ++k) met_[k].impulse -= met_[j].impulse * dot(met_[k].unit, met_[j].given);
+    }
+  }
+  void leave() {
+    body_.angular_momentum = momentum_;
+    set((rotation_ ? state_.w : state_.v)[at(body_.node)], free_);
+  }
+
+  Vec3d velocity() const { return vec((rotation_ ? state_.w : state_.v)[at(body_.node)]); }
+  const Vec3d& free() const { return free_; }
+  /// Of the direction that was added as number `k`.
+  double impulse(int k) const { return met_[k].impulse; }
+  int size() const { return n_; }
+  void clear() { n_ = 0; }
+
+ private:
+  struct Met {
+    Vec3d given, unit;  ///< the direction, and what of it is at right angles to those before it
+    double share = 1.0, speed = 0.0, impulse = 0.0;
+  };
+  system::RigidBody& body_;
+  bool rotation_;
+  system::State& state_;
+  Vec3d free_, momentum_;
+  std::array<Met, 3> met_;
+  int n_ = 0;
+};
 
 }  // namespace
 
-Stoppers::Stoppers(const system::System& system) : system_(system) {
-  for (const model::BodyStopper& card : system.model.body_stoppers)
-    stops_.push_back({&card, system.body_of[at(card.body)]});
-}
-
-double Stoppers::allowed(const Stop& stop, const system::State& state, double free) const {
-  const model::BodyStopper& card = *stop.card;
-  if (!(state.dt > 0.0) || state.time < card.birth || state.time >= card.death) return free;
-  const system::RigidBody& body = system_.bodies[at(stop.body)];
-  const auto at_end = [&](model::Index curve) {
-    return system_.model.curves[at(curve)].clamped(state.time + state.dt);
-  };
-  double velocity = free;
-  if (card.fastest != model::none) {
-    const double most = std::abs(at_end(card.fastest));
-    velocity = std::clamp(velocity, -most, most);
+Stoppers::Stoppers(const system::System& system, Findings& findings) : system_(system) {
+  for (const model::BodyStopper& card : system.model.body_stoppers) {
+    Stop stop;
+    stop.card = &card;
+    stop.body = system.body_of[at(card.body)];
+    const auto same = [&](const Group& g) { return g.body == stop.body && g.rotation == card.rotation; };
+    auto group = std::ranges::find_if(groups_, same);
+    if (group == groups_.end()) group = groups_.insert(group, {stop.body, card.rotation, {}, {}});
+    group->stops.push_back(stops_.size());
+    stops_.push_back(stop);
+    if (card.birth > 0.0) continue;
+    const system::RigidBody& body = system.bodies[at(stop.body)];
+    const double here = place(stop, body.center0);
+    const auto warn = [&](const model::BodyStopper::Bound& bound, std::string_view field, double sign) {
+      if (bound.curve == model::none) return;
+      const double limit = system.model.curves[at(bound.curve)].clamped(0.0) + origin(stop, bound);
+      const double beyond = sign * (here - limit);
+      if (beyond > 1e-9 * std::max(std::abs(here), std::abs(limit)))
+        findings.warning(card.place, "*CONSTRAINED_RIGID_BODY_STOPPERS",
+                         fmt::format("body {} starts {:.4g}{} beyond the bound of {}: it goes no farther, and is not "
+                                     "carried back",
+                                     body.id, beyond, card.rotation ? " rad" : "", field),
+                         "correct the curve, or the place of the body; below 0 its number means displacements");
+    };
+    warn(card.most, "LCMAX", 1.0);
+    warn(card.least, "LCMIN", -1.0);
   }
-  const double place = card.rotation ? stop.angle : dot(card.direction, vec(state.x[at(body.node)]));
-  const double start = card.rotation ? 0.0 : dot(card.direction, body.center0);
-  const auto to_bound = [&](const model::BodyStopper::Bound& bound) {
-    return (at_end(bound.curve) + (bound.of_displacement ? start : 0.0) - place) / state.dt;
-  };
-  if (card.most.curve != model::none) velocity = std::min(velocity, to_bound(card.most));
-  if (card.least.curve != model::none) velocity = std::max(velocity, to_bound(card.least));
-  return velocity;
 }
 
-void Stoppers::apply(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies) {
+double Stoppers::place(const Stop& stop, const Vec3d& center) const {
+  return stop.card->rotation ? stop.angle : dot(stop.card->direction, center);
+}
+
+double Stoppers::origin(const Stop& stop, const model::BodyStopper::Bound& bound) const {
+  if (!bound.of_displacement || stop.card->rotation) return 0.0;
+  return dot(stop.card->direction, system_.bodies[at(stop.body)].center0);
+}
+
+Stoppers::Limits Stoppers::limits(const Stop& stop, const system::State& state) const {
+  const model::BodyStopper& card = *stop.card;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Limits allowed{-none, none};
+  if (!(state.dt > 0.0) || state.time < card.birth || state.time >= card.death) return allowed;
+  const double here = place(stop, vec(state.x[at(system_.bodies[at(stop.body)].node)]));
+  const auto value = [&](model::Index curve, double time) { return system_.model.curves[at(curve)].clamped(time); };
+  if (card.fastest != model::none) {
+    const double most = std::abs(value(card.fastest, state.time + state.dt));
+    allowed = {-most, most};
+  }
+  // A body beyond the bound keeps the distance to it, or comes nearer: carried back in one step it would fly on.
+  const auto to_bound = [&](const model::BodyStopper::Bound& bound, double sign) {
+    const double now = value(bound.curve, state.time), then = value(bound.curve, state.time + state.dt);
+    const double from = sign * (here - (now + origin(stop, bound))) > 0.0 ? now + origin(stop, bound) : here;
+    return (then + origin(stop, bound) - from) / state.dt;
+  };
+  if (card.most.curve != model::none) {
+    allowed.high = std::min(allowed.high, to_bound(card.most, 1.0));
+    allowed.low = std::min(allowed.low, allowed.high);
+  }
+  if (card.least.curve != model::none) {
+    allowed.low = std::max(allowed.low, to_bound(card.least, -1.0));
+    allowed.high = std::max(allowed.high, allowed.low);
+  }
+  return allowed;
+}
+
+double Stoppers::velocity(const Stop& stop, const system::State& state) const {
+  const auto node = at(system_.bodies[at(stop.body)].node);
+  return dot(stop.card->direction, vec((stop.card->rotation ? state.w : state.v)[node]));
+}
+
+void Stoppers::start(const system::State& state) {
+  for (Stop& stop : stops_) stop.velocity = velocity(stop, state);
+}
+
+void Stoppers::apply(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies,
+                     Supports& supports) {
   power_on_change_ = 0.0;
   dt_previous_ = state.dt_previous;
-  for (Stop& stop : stops_) {
-    stop.force = 0.0;
+  if (!motions_known_)
+    for (Group& group : groups_) group.driven = supports.motions_of_body(group.body, group.rotation);
+  motions_known_ = true;
+  for (const Group& group : groups_) {
+    if (bodies[at(group.body)].mass > 0.0) meet(group, state, velocity_interval, bodies[at(group.body)], supports);
+  }
+}
+
+/// Those stops act that push: what is beyond its limits is taken in, the farthest first, and what would pull is let go,
+/// until neither is left.
+void Stoppers::meet(const Group& group, system::State& state, double velocity_interval, system::RigidBody& body,
+                    Supports& supports) {
+  struct Trial {
+    Limits limits;
+    double target = 0.0, side = 0.0;  ///< side: 1 pushed upwards, -1 downwards, 0 does not act
+    bool blocked = false;             ///< what holds the body leaves it no way along this direction
+    int number = -1;
+  };
+  Together met(body, group.rotation, state);
+  const auto direction = [&](std::size_t i) -> const Vec3d& { return stops_[group.stops[i]].card->direction; };
+  std::vector<Trial> trials(group.stops.size());
+  for (std::size_t i = 0; i < trials.size(); ++i) trials[i].limits = limits(stops_[group.stops[i]], state);
+  const std::array<Vec3d, 3> own{body.fixed_axes.e1, body.fixed_axes.e2, body.fixed_axes.e3};
+  std::vector<int> of_motion(group.driven.size(), -1);
+  bool acts = false;
+  const std::size_t most = 2 * trials.size() + 8;
+  for (std::size_t pass = 0; pass < most; ++pass) {
+    const Vec3d velocity = met.velocity();
+    double pushes = 0.0;
+    Trial* worst = nullptr;
+    double farthest = 1e-14 * norm(velocity);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      Trial& trial = trials[i];
+      if (trial.side != 0.0 || trial.blocked) continue;
+      const double v = dot(direction(i), velocity);
+      trial.target = std::clamp(v, trial.limits.low, trial.limits.high);
+      if (!(std::abs(trial.target - v) > farthest)) continue;
+      farthest = std::abs(trial.target - v);
+      worst = &trial;
+      pushes = trial.target > v ? 1.0 : -1.0;
+    }
+    if (worst == nullptr) break;
+    worst->side = pushes;
+    for (bool pulls = true; pulls;) {
+      met.clear();
+      for (unsigned i = 0; i < 3; ++i)
+        if (body.fixed >> (group.rotation ? 3 + i : i) & 1u) met.add(own[i], 0.0);
+      for (std::size_t i = 0; i < trials.size(); ++i) {
+        Trial& trial = trials[i];
+        trial.number = -1;
+        if (trial.side == 0.0) continue;
+        if (met.add(direction(i), trial.target))
+          trial.number = met.size() - 1;
+        else
+          trial.blocked = true;
+        if (trial.blocked) trial.side = 0.0;
+      }
+      for (std::size_t d = 0; d < group.driven.size(); ++d) {
+        const Vec3d& axis = supports.axis_of(group.driven[d]);
+        of_motion[d] = supports.drives(group.driven[d]) && met.add(axis, dot(axis, met.free())) ? met.size() - 1 : -1;
+      }
+      acts = std::ranges::any_of(trials, [](const Trial& t) { return t.number >= 0; });
+      if (!acts) {
+        met.leave();
+        break;
+      }
+      met.solve();
+      pulls = false;
+      for (Trial& trial : trials)
+        if (trial.number >= 0 && trial.side * met.impulse(trial.number) < 0.0) {
+          trial.side = 0.0;
+          pulls = true;
+          break;
+        }
+    }
+  }
+
+  const Vec3d velocity = met.velocity();
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    Stop& stop = stops_[group.stops[i]];
     stop.before = stop.velocity;
-    if (stop.card->rotation)
-      stop_turning(stop, bodies[at(stop.body)], state, velocity_interval);
-    else
-      stop_centre(stop, bodies[at(stop.body)], state, velocity_interval);
-  }
-}
-
-void Stoppers::stop_centre(Stop& stop, const system::RigidBody& body, system::State& state, double velocity_interval) {
-  const Vec3d& n = stop.card->direction;
-  Row& v = state.v[at(body.node)];
-  const double free = dot(n, vec(v)), velocity = allowed(stop, state, free);
-  if (state.cycle == 0) stop.before = free;
-  if (velocity != free) {
-    add(v, (velocity - free) * n);
-    power_on_change_ += (velocity - free) * dot(n, vec(state.f[at(body.node)]));
-    if (velocity_interval > 0.0) stop.force = body.mass * (velocity - free) / velocity_interval;
+    const bool pushes = acts && trials[i].number >= 0 && velocity_interval > 0.0;
+    stop.force = pushes ? met.impulse(trials[i].number) / velocity_interval : 0.0;
     work_ += 0.5 * stop.force * stop.before * state.dt_previous;
+    stop.velocity = Stoppers::velocity(stop, state);
   }
-  stop.velocity = velocity;
-}
-
-void Stoppers::stop_turning(Stop& stop, system::RigidBody& body, system::State& state, double velocity_interval) {
-  const Vec3d& n = stop.card->direction;
-  const Vec3d w = vec(state.w[at(body.node)]);
-  const double free = dot(n, w), spin = allowed(stop, state, free);
-  if (state.cycle == 0) stop.before = free;
-  // A torque about n alone changes the spin about other axes too, where n is not one of the body's own.
-  const system::Mobility::Matrix inverse = system::inverse_inertia(body);
-  const auto along = [&](const std::array<double, 3>& row) { return row[0] * n.x + row[1] * n.y + row[2] * n.z; };
-  const Vec3d answer{along(inverse[0]), along(inverse[1]), along(inverse[2])};
-  const double ease = dot(n, answer);
-  if (spin != free && ease > 0.0) {
-    const Vec3d change = ((spin - free) / ease) * answer, before = body.angular_momentum;
-    set(state.w[at(body.node)], w + change);
-    body.angular_momentum = body.momentum(w + change, turned(body.axes, (0.5 * state.dt) * (w + change)));
-    power_on_change_ += dot(change, vec(state.m[at(body.node)]));
-    if (velocity_interval > 0.0) stop.force = dot(n, body.angular_momentum - before) / velocity_interval;
-    work_ += 0.5 * stop.force * stop.before * state.dt_previous;
-  }
-  stop.velocity = dot(n, vec(state.w[at(body.node)]));
+  if (!acts) return;
+  power_on_change_ += dot(velocity - met.free(), vec((group.rotation ? state.m : state.f)[at(body.node)]));
+  for (std::size_t d = 0; d < group.driven.size(); ++d)
+    supports.meet_stop(group.driven[d], of_motion[d] >= 0 ? met.impulse(of_motion[d]) : 0.0, velocity_interval, state);
 }
 
 void Stoppers::book_opening_work(double dt) {
@@ -107,7 +280,7 @@ void Stoppers::Stop::archive(Archive& a) {
 
 void Stoppers::archive(Archive& a) {
   a(stops_, work_, dt_previous_);
-  a.built(system_, power_on_change_);
+  a.built(system_, groups_, motions_known_, power_on_change_);
 }
 
 }  // namespace nugget::impact

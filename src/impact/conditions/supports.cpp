@@ -11,6 +11,7 @@
 
 #include "base/index.hpp"
 #include "impact/conditions/in_force.hpp"
+#include "impact/conditions/normals.hpp"
 #include "model/circular_motion.hpp"
 #include "system/share.hpp"
 
@@ -23,15 +24,6 @@ Vec3d axis(const model::Model& model, model::Index system, int i) {
   if (system == model::none) return axis_of[i];
   const Frame3d& a = model.systems[system].axes;
   return i == 0 ? a.e1 : i == 1 ? a.e2 : a.e3;
-}
-
-/// Two unit vectors that complete `d` to a triad.
-std::array<Vec3d, 2> normals(const Vec3d& d) {
-  const Vec3d least = std::abs(d.x) <= std::abs(d.y) && std::abs(d.x) <= std::abs(d.z) ? axis_of[0]
-                      : std::abs(d.y) <= std::abs(d.z)                                 ? axis_of[1]
-                                                                                       : axis_of[2];
-  const Vec3d a = unit(cross(d, least));
-  return {a, cross(d, a)};
 }
 
 /// Where a node is driven in a direction in which it is held, or driven twice, the motion of the last card counts: what
@@ -586,10 +578,28 @@ void Supports::prescribe(system::State& state, double velocity_interval, std::sp
     if (system_.follows(at(group.node))) meet(group, state, velocity_interval, bodies);
   for (PrescribedDof& d : prescribed_dofs_)
     if (d.motion->circular && meets(d)) d.left = vec(state.v[d.node]);
-  if (state.period > 1) average_reactions(state);
+}
+
+std::vector<std::size_t> Supports::motions_of_body(int body, bool rotation) const {
+  std::vector<std::size_t> found;
+  for (std::size_t d = 0; d < prescribed_dofs_.size(); ++d)
+    if (prescribed_dofs_[d].body == body && prescribed_dofs_[d].rotation == rotation) found.push_back(d);
+  return found;
+}
+
+void Supports::meet_stop(std::size_t driven, double impulse, double velocity_interval, const system::State& state) {
+  PrescribedDof& dof = prescribed_dofs_[driven];
+  if (!meets(dof)) return;
+  dof.velocity = dot(dof.axis, vec(dof.rotation ? state.w[dof.node] : state.v[dof.node]));
+  const double force = velocity_interval > 0.0 ? impulse / velocity_interval : 0.0;
+  dof.force += force;
+  Reaction& reaction = motion_[dof.reaction];
+  (dof.rotation ? reaction.moment : reaction.force) += force * dof.axis;
+  reaction.energy += 0.5 * force * dof.before * state.dt_previous;
 }
 
 void Supports::average_reactions(const system::State& state) {
+  if (state.period <= 1) return;
   const double time = system::time_of_mean(state);
   for (std::vector<Reaction>* reactions : {&spc_, &motion_})
     for (Reaction& r : *reactions) {

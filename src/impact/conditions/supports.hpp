@@ -69,6 +69,16 @@ class Supports {
   /// The velocity along it that the next `prescribe` will set; nothing where its curve is not in force.
   std::optional<double> coming_velocity(std::size_t driven, const system::State& state, double velocity_interval) const;
 
+  /// Motions of a body's centre, or of its spin: numbers for `axis_of`, `drives` and `meet_stop`.
+  std::vector<std::size_t> motions_of_body(int body, bool rotation) const;
+  /// Whether the last `prescribe` met it.
+  bool drives(std::size_t driven) const { return prescribed_dofs_[driven].active; }
+  /// After a stop has changed the velocity of the body by which the last `prescribe` left it: `impulse` is what the
+  /// motion does, along its axis, beside what it did then.
+  void meet_stop(std::size_t driven, double impulse, double velocity_interval, const system::State& state);
+  /// In sub-cycling, behind all that adds to reactions: these become what results show.
+  void average_reactions(const system::State& state);
+
   void add_energy(Energy& energy) const { energy.external += work(); }
   /// Over several ranks: reactions on nodes that not all follow.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
@@ -126,9 +136,6 @@ class Supports {
   /// The velocity that the coming step asks for.
   double wanted(PrescribedDof& dof, const system::State& state, double velocity_interval,
                 std::span<const system::RigidBody> bodies) const;
-
-  /// In sub-cycling: what results show.
-  void average_reactions(const system::State& state);
 
   const system::System& system_;
   std::vector<ConstrainedDof> constrained_dofs_;

@@ -19,9 +19,13 @@ Vec3d times(const Matrix& m, const Vec3d& v) {
   return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
 }
 
-/// Takes a direction out of what the matrix lets through.
+/// Takes a direction out of what the matrix lets through: a projection before and after, whether or not it is at right
+/// angles to those that are out already.
 void remove_direction(Matrix& m, const Vec3d& axis) {
-  for (Vec3d& row : m) row = row - dot(row, axis) * axis;
+  const Vec3d left = times(m, axis);
+  if (norm(left) < 1e-6) return;
+  const Vec3d n = unit(left);
+  for (Vec3d& row : m) row = row - dot(row, n) * n;
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       contacts(system, x, findings),
       interiors(system, x, findings),
       walls(system, findings),
-      stoppers(system),
+      stoppers(system, findings),
       sensors(system) {}
 
 int Components::failed_welds() const {

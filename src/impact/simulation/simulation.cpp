@@ -287,6 +287,7 @@ void Simulation::leave_to_others() {
 }
 
 void Simulation::update_velocities() {
+  if (state_.cycle == 0) components_.stoppers.start(state_);
   components_.rivets.apply(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_);
   components_.linear_constraints.apply(state_, 0.5 * (state_.dt + state_.dt_previous), inverse_mass_, inverse_inertia_,
                                        components_.supports);
@@ -294,7 +295,8 @@ void Simulation::update_velocities() {
   components_.supports.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
   for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
   components_.walls.constrain(system_, state_, dependent_, power_on_change_);
-  components_.stoppers.apply(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
+  components_.stoppers.apply(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies, components_.supports);
+  components_.supports.average_reactions(state_);
   power_on_change_ += components_.stoppers.power_on_change();
   add_time(motion);
 }
