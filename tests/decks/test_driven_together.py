@@ -54,6 +54,13 @@ class Driven(CommandTest):
                 for state in energies[2:]:
                     self.assertAlmostEqual(state["external_work"][0] / state["kinetic_energy"][0], 1.0, 4)
 
+    def test_a_motion_against_constraints_of_the_body_is_one_error(self):
+        """CON2 holds about y and z, both of which it drives about in part: said once."""
+        vector = "*DEFINE_VECTOR\n1,0,0,0,0.3,0.8,-0.5\n"
+        self.write(HEAD + CURVES + RIGID.format("1,0,5") + BODY + vector + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,8,0,1,1,1\n*END\n")
+        said = self.nugget("check", "model.k", expect=1).stderr
+        self.assertEqual(said.count("rigid body 1 is held in the direction in which this drives it in part"), 1, said)
+
     def test_two_translations_of_a_body_askew_to_each_other(self):
         """Both speeds are met, and the third component stays free. Sabotage: one after the other."""
         vector = "*DEFINE_VECTOR\n1,0,0,0,3,4,0\n*INITIAL_VELOCITY_RIGID_BODY\n1,0,0,50\n"

@@ -128,6 +128,16 @@ class ThickShells(RepeatedRuns):
                 run = self.nugget("check", "model.k", expect=1)
                 self.assertIn(words, run.stdout + run.stderr)
 
+    def test_a_law_of_other_shells_is_one_error(self):
+        """Thick shells say which laws they take; that they are solids inside is not said beside it."""
+        text = plate(4)
+        begin, end = text.index("*MAT_PIECEWISE"), text.index("*SECTION_TSHELL")
+        hill = "*MAT_HILL_3R\n1,7.85e-9,2.1e5,0.3,1,1000,250\n1.2,0.8,1.5\n2\n,,,1\n0,0,0,0,1\n"
+        self.write(text[:begin] + hill + text[end:])
+        said = self.nugget("check", "model.k", expect=1).stderr
+        self.assertIn("*MAT_HILL_3R is not built for thick shells", said)
+        self.assertNotIn("but the part has solids", said)
+
 
 if __name__ == "__main__":
     unittest.main()

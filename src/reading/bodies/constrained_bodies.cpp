@@ -134,7 +134,7 @@ void release_driven_bodies(Builder& b) {
       const std::string what = fmt::format("rigid body {} is held in the direction in which this drives it", body.id);
       if (share < 1.0 - 1e-6) {
         b.findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION", what + " in part", "free it in CON1 and CON2");
-        continue;
+        break;  // once a motion, however many axes hold
       }
       body.fixed &= ~bit;
       b.motions_of_held_bodies.insert(static_cast<Index>(&motion - b.model.motions.data()));

@@ -424,7 +424,8 @@ void check_compound(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
     refuse(b, row[&PartCard::mid],
            fmt::format("*{} damages the layers of shells, but the part has solids", material.keyword),
            "use *MAT_PLASTICITY_WITH_DAMAGE, or *MAT_SIMPLIFIED_JOHNSON_COOK with PSFAIL");
-  else if (part.kind == ElementKind::solid && !for_bricks(*law->components))
+  else if (part.kind == ElementKind::solid && !for_bricks(*law->components) &&
+           !b.model.has_thick_shells(static_cast<Index>(&part - b.model.parts.data())))  // they say what they take
     refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
            "use a law of solids");
   const kernel::LawComponents& components = *law->components;
