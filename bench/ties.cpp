@@ -30,7 +30,6 @@ void add_sheet(model::Model& m, int columns, int rows, double z) {
       m.shells.part.push_back(part);
       m.shells.node.push_back({n, n + 1, n + columns + 2, n + columns + 1});
       m.shells.thickness.push_back(1.0);
-      m.shells.offset.push_back(0.0);
       m.shells.place.push_back(0, 0);
     }
 }
