@@ -105,7 +105,7 @@ class ExitCodes(CommandTest):
                    "*SECTION_SHELL\n         1         2\n       1.0\n*MAT_ELASTIC\n         1  7.85e-09  210000.0       0.3\n"
                    f"*DATABASE_GLSTAT\n  1.00e-06\n*NODE\n{nodes}*ELEMENT_SHELL\n{shells}*END\n")
         codes = []
-        for room in range(120, 1000, 10):
+        for room in range(40, 1000, 10):
             run = subprocess.run([NUGGET, "run", "model.k", "-j", "1", "--quiet", "--max-cycles", "3"], cwd=self.folder, capture_output=True,
                                  text=True, timeout=120, env=dict(os.environ, OPENBLAS_NUM_THREADS="1"),
                                  preexec_fn=lambda room=room: resource.setrlimit(resource.RLIMIT_AS, (room * 10**6,) * 2))

@@ -9,12 +9,12 @@
 #include <limits>
 
 #include "base/index.hpp"
-#include "impact/conditions/normals.hpp"
+#include "impact/conditions/directions.hpp"
 
 namespace nugget::impact {
 namespace {
 
-/// Directions of a body's velocity, or spin, that get given values at one time, by impulses along themselves.
+/// What a body's velocity, or spin, becomes where it is to have given values in some directions.
 class Together {
  public:
   Together(system::RigidBody& body, bool rotation, system::State& state)
@@ -24,48 +24,23 @@ class Together {
         free_(vec((rotation ? state.w : state.v)[at(body.node)])),
         momentum_(body.angular_momentum) {}
 
-  /// Whether it can be met: not where the directions before it hold it already.
-  bool add(const Vec3d& direction, double speed) {
-    if (n_ == 3) return false;
-    Vec3d rest = direction;
-    for (int k = 0; k < n_; ++k) {
-      const double along = dot(met_[k].unit, direction);
-      rest -= along * met_[k].unit;
-      speed -= along * met_[k].speed;
-    }
-    const double share = norm(rest);
-    if (share < 1e-3) return false;
-    met_[n_++] = {direction, (1.0 / share) * rest, share, speed / share, 0.0};
-    return true;
-  }
+  Directions directions;
 
-  /// Sets the velocity; afterwards `impulse` has those along the directions as they were given.
+  /// Sets the velocity; afterwards the directions have their impulses as they were given.
   void solve() {
+    leave();
     if (rotation_) {
-      body_.angular_momentum = momentum_;
-      set(state_.w[at(body_.node)], free_);
-      Frame3d basis{met_[0].unit, met_[1].unit, met_[2].unit};
-      if (n_ == 1) {
-        const std::array<Vec3d, 2> others = normals(basis.e1);
-        basis.e2 = others[0];
-        basis.e3 = others[1];
-      }
-      if (n_ == 2) basis.e3 = cross(basis.e1, basis.e2);
-      body_.drive_spin(basis, (1u << n_) - 1u, {met_[0].speed, met_[1].speed, met_[2].speed}, state_.dt, state_);
-      for (int k = 0; k < n_; ++k) met_[k].impulse = dot(met_[k].unit, body_.angular_momentum - momentum_);
+      directions.drive_spin(body_, state_);
     } else {
       Vec3d v = free_;
-      for (int k = 0; k < n_; ++k) {
-        const double change = met_[k].speed - dot(met_[k].unit, v);
-        v += change * met_[k].unit;
-        met_[k].impulse = body_.mass * change;
+      for (int k = 0; k < directions.size(); ++k) {
+        const double change = directions.speed(k) - dot(directions.unit(k), v);
+        v += change * directions.unit(k);
+        directions.set_impulse(k, body_.mass * change);
       }
       set(state_.v[at(body_.node)], v);
     }
-    for (int j = n_ - 1; j >= 0; --j) {
-      met_[j].impulse /= met_[j].share;
-      for (int k = 0; k < j; ++k) met_[k].impulse -= met_[j].impulse * dot(met_[k].unit, met_[j].given);
-    }
+    directions.share_out();
   }
   void leave() {
     body_.angular_momentum = momentum_;
@@ -74,22 +49,12 @@ class Together {
 
   Vec3d velocity() const { return vec((rotation_ ? state_.w : state_.v)[at(body_.node)]); }
   const Vec3d& free() const { return free_; }
-  /// Of the direction that was added as number `k`.
-  double impulse(int k) const { return met_[k].impulse; }
-  int size() const { return n_; }
-  void clear() { n_ = 0; }
 
  private:
-  struct Met {
-    Vec3d given, unit;  ///< the direction, and what of it is at right angles to those before it
-    double share = 1.0, speed = 0.0, impulse = 0.0;
-  };
   system::RigidBody& body_;
   bool rotation_;
   system::State& state_;
   Vec3d free_, momentum_;
-  std::array<Met, 3> met_;
-  int n_ = 0;
 };
 
 }  // namespace
@@ -217,22 +182,24 @@ void Stoppers::meet(const Group& group, system::State& state, double velocity_in
     if (worst == nullptr) break;
     worst->side = pushes;
     for (bool pulls = true; pulls;) {
-      met.clear();
+      met.directions.clear();
       for (unsigned i = 0; i < 3; ++i)
-        if (body.fixed >> (group.rotation ? 3 + i : i) & 1u) met.add(own[i], 0.0);
+        if (body.fixed >> (group.rotation ? 3 + i : i) & 1u) met.directions.add(own[i], 0.0);
       for (std::size_t i = 0; i < trials.size(); ++i) {
         Trial& trial = trials[i];
         trial.number = -1;
         if (trial.side == 0.0) continue;
-        if (met.add(direction(i), trial.target))
-          trial.number = met.size() - 1;
+        if (met.directions.add(direction(i), trial.target))
+          trial.number = met.directions.size() - 1;
         else
           trial.blocked = true;
         if (trial.blocked) trial.side = 0.0;
       }
       for (std::size_t d = 0; d < group.driven.size(); ++d) {
         const Vec3d& axis = supports.axis_of(group.driven[d]);
-        of_motion[d] = supports.drives(group.driven[d]) && met.add(axis, dot(axis, met.free())) ? met.size() - 1 : -1;
+        of_motion[d] = supports.drives(group.driven[d]) && met.directions.add(axis, dot(axis, met.free()))
+                           ? met.directions.size() - 1
+                           : -1;
       }
       acts = std::ranges::any_of(trials, [](const Trial& t) { return t.number >= 0; });
       if (!acts) {
@@ -242,7 +209,7 @@ void Stoppers::meet(const Group& group, system::State& state, double velocity_in
       met.solve();
       pulls = false;
       for (Trial& trial : trials)
-        if (trial.number >= 0 && trial.side * met.impulse(trial.number) < 0.0) {
+        if (trial.number >= 0 && trial.side * met.directions.impulse(trial.number) < 0.0) {
           trial.side = 0.0;
           pulls = true;
           break;
@@ -255,14 +222,15 @@ void Stoppers::meet(const Group& group, system::State& state, double velocity_in
     Stop& stop = stops_[group.stops[i]];
     stop.before = stop.velocity;
     const bool pushes = acts && trials[i].number >= 0 && velocity_interval > 0.0;
-    stop.force = pushes ? met.impulse(trials[i].number) / velocity_interval : 0.0;
+    stop.force = pushes ? met.directions.impulse(trials[i].number) / velocity_interval : 0.0;
     work_ += 0.5 * stop.force * stop.before * state.dt_previous;
     stop.velocity = Stoppers::velocity(stop, state);
   }
   if (!acts) return;
   power_on_change_ += dot(velocity - met.free(), vec((group.rotation ? state.m : state.f)[at(body.node)]));
   for (std::size_t d = 0; d < group.driven.size(); ++d)
-    supports.meet_stop(group.driven[d], of_motion[d] >= 0 ? met.impulse(of_motion[d]) : 0.0, velocity_interval, state);
+    supports.meet_stop(group.driven[d], of_motion[d] >= 0 ? met.directions.impulse(of_motion[d]) : 0.0,
+                       velocity_interval, state);
 }
 
 void Stoppers::book_opening_work(double dt) {

@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "base/index.hpp"
+#include "impact/conditions/directions.hpp"
 #include "impact/conditions/in_force.hpp"
-#include "impact/conditions/normals.hpp"
 #include "model/circular_motion.hpp"
 #include "system/share.hpp"
 
@@ -434,26 +434,14 @@ double Supports::wanted(PrescribedDof& dof, const system::State& state, double v
 
 void Supports::meet(const Together& group, system::State& state, double velocity_interval,
                     std::span<system::RigidBody> bodies) {
-  // The directions at right angles to each other (Gram and Schmidt), what adds none is left out: b = (d - sum (b_k.d)
-  // b_k)/share for a direction d. Below a share of 0.001 it is held already.
   struct Met {
     ConstrainedDof* dof = nullptr;  // none: a body's own constraint
     Reaction* reaction = nullptr;
-    Vec3d direction;
-    double share = 1.0, speed = 0.0, impulse = 0.0;
   };
   std::array<Met, 3> met;
-  int n = 0;
+  Directions directions;
   const auto add_direction = [&](const Vec3d& d, double speed, bool across, ConstrainedDof* dof, Reaction* reaction) {
-    if (n == 3) return;
-    Vec3d rest = d;
-    for (int k = 0; k < n; ++k) {
-      const double along = dot(met[k].direction, d);
-      rest -= along * met[k].direction;
-      if (!across) speed -= along * met[k].speed;
-    }
-    const double share = norm(rest);
-    if (share >= 1e-3) met[n++] = {dof, reaction, (1.0 / share) * rest, share, speed / share};
+    if (directions.add(d, speed, across)) met[at(directions.size() - 1)] = {dof, reaction};
   };
   system::RigidBody* body = group.body >= 0 ? &bodies[group.body] : nullptr;
   if (body && group.rotation) {
@@ -465,7 +453,8 @@ void Supports::meet(const Together& group, system::State& state, double velocity
   const auto count = [&](const auto& dofs, const std::vector<std::size_t>& places) {
     return std::count_if(places.begin(), places.end(), [&](std::size_t i) { return acts(dofs[i], state); });
   };
-  const bool too_much = n + count(prescribed_dofs_, group.driven) + count(constrained_dofs_, group.held) > 3;
+  const bool too_much =
+      directions.size() + count(prescribed_dofs_, group.driven) + count(constrained_dofs_, group.held) > 3;
   for (const std::size_t d : group.driven) {
     PrescribedDof& driven = prescribed_dofs_[d];
     if (!acts(driven, state)) continue;
@@ -479,47 +468,36 @@ void Supports::meet(const Together& group, system::State& state, double velocity
     add_direction(held.axis, 0.0, too_much, &held, &spc_[held.reaction]);
   }
 
+  const int n = directions.size();
   const auto node = at(group.node);
   Row& row = group.rotation ? state.w[node] : state.v[node];
   Row& load_row = group.rotation ? state.m[node] : state.f[node];
   const Vec3d free_velocity = vec(row), load = vec(load_row);
   bool massless = false;
   if (body && group.rotation) {
-    const bool any = std::any_of(met.begin(), met.begin() + n, [](const Met& m) { return m.dof; });
-    const Vec3d before = body->angular_momentum;
-    if (any) {
-      Frame3d basis{met[0].direction, met[1].direction, met[2].direction};
-      if (n == 1) {
-        const std::array<Vec3d, 2> across = normals(basis.e1);
-        basis.e2 = across[0];
-        basis.e3 = across[1];
-      }
-      if (n == 2) basis.e3 = cross(basis.e1, basis.e2);
-      body->drive_spin(basis, (1u << n) - 1u, {met[0].speed, met[1].speed, met[2].speed}, state.dt, state);
-    }
-    for (Met& m : std::span(met).first(at(n))) m.impulse = dot(m.direction, body->angular_momentum - before);
+    if (std::any_of(met.begin(), met.begin() + n, [](const Met& m) { return m.dof; }))
+      directions.drive_spin(*body, state);
   } else {
     const double mass = body ? body->mass : (group.rotation ? system_.inertia[node] : system_.mass[node]);
     massless = !body && !(mass > 0.0);
-    for (Met& m : std::span(met).first(at(n))) {
-      const double change = m.speed - dot(m.direction, free_velocity);
-      add(row, change * m.direction);
-      m.impulse = mass * change;
+    for (int k = 0; k < n; ++k) {
+      const Vec3d& direction = directions.unit(k);
+      const double change = directions.speed(k) - dot(direction, free_velocity);
+      add(row, change * direction);
       // A node without mass, as the end of a spring may be, feels what pulls at it and nothing else.
-      if (!massless) continue;
-      m.impulse = -dot(m.direction, load);
-      add(load_row, m.impulse * m.direction);
+      const double impulse = massless ? -dot(direction, load) : mass * change;
+      directions.set_impulse(k, impulse);
+      if (massless) add(load_row, impulse * direction);
     }
   }
-  // Their sum as impulses along the directions that the cards name.
+  directions.share_out();
   const Vec3d velocity = vec(row);
   bool counted = false;
   for (int j = n - 1; j >= 0; --j) {
-    Met& m = met[j];
+    const Met& m = met[at(j)];
     if (!m.dof) continue;
     ConstrainedDof& dof = *m.dof;
-    const double impulse = m.impulse / m.share;
-    for (int k = 0; k < j; ++k) met[k].impulse -= impulse * dot(met[k].direction, dof.axis);
+    const double impulse = directions.impulse(j);
     dof.force = massless ? impulse : velocity_interval > 0.0 ? impulse / velocity_interval : 0.0;
     (dof.rotation ? m.reaction->moment : m.reaction->force) += dof.force * dof.axis;
     m.reaction->energy += 0.5 * dof.force * dof.velocity * state.dt_previous;
