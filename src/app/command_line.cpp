@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/command.hpp"
 #include "app/command_text.hpp"
 #include "app/commands.hpp"
 #include "app/weld_drop_runs.hpp"
@@ -161,9 +163,7 @@ bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& wor
   return true;
 }
 
-}  // namespace
-
-int nugget::app::command_line(int argc, char** argv) {
+int obey(int argc, char** argv) {
   CLI::App cli{
       "Nugget: spot-welded structures from one LS-DYNA keyword deck, impact by explicit dynamics, natural modes and "
       "frequency response.",
@@ -522,8 +522,8 @@ int nugget::app::command_line(int argc, char** argv) {
   demo_command->add_option("-o,--output", demo_directory, "folder for the results (default: nugget_demo)");
 
   std::vector<std::string> words = translated(argc, argv);
-  name_values(cli);
-  if (const std::optional<int> code = write_descriptions(cli, words)) return *code;
+  nugget::app::name_values(cli);
+  if (const std::optional<int> code = nugget::app::write_descriptions(cli, words)) return *code;
   if (is_unknown_command(cli, words)) {
     fmt::print(stderr,
                "nugget: there is no command '{}'; to run a deck: nugget run MODEL.k; for all commands: nugget --help\n",
@@ -570,4 +570,15 @@ int nugget::app::command_line(int argc, char** argv) {
   if (demo_command->parsed()) return static_cast<int>(nugget::app::demo(demo_directory));
   if (report_command->parsed()) return static_cast<int>(nugget::app::report(results, other_results));
   return static_cast<int>(nugget::app::keywords(keyword));
+}
+
+}  // namespace
+
+int nugget::app::command_line(int argc, char** argv) {
+  try {
+    return obey(argc, argv);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "nugget: {}\n", no_memory);
+    return static_cast<int>(ExitCode::error_termination);
+  }
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <new>
 
 namespace nugget::deck {
 namespace {
@@ -39,6 +40,7 @@ std::string FileText::open(const std::filesystem::path& path) {
     if (status.st_size == 0) return {};
     const auto size = static_cast<std::size_t>(status.st_size);
     void* const address = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file.number, 0);
+    if (address == MAP_FAILED && errno == ENOMEM) throw std::bad_alloc();
     if (address == MAP_FAILED) return std::strerror(errno);
     mapped_ = static_cast<const char*>(address);
     size_ = size;

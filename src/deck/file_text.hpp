@@ -16,7 +16,7 @@ class FileText {
   FileText(const FileText&) = delete;
   FileText& operator=(const FileText&) = delete;
 
-  /// Opens a regular file, or reads a pipe to its end. Returns what went wrong, or nothing.
+  /// Opens a regular file, or reads a pipe to its end. Returns what went wrong, or nothing; throws std::bad_alloc.
   std::string open(const std::filesystem::path& path);
 
   std::string_view view() const {
