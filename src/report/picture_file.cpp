@@ -13,24 +13,34 @@
 namespace nugget::report {
 namespace {
 
-/// librsvg, and what it draws with.
-struct Rsvg {
-  LoadedLibrary library{"librsvg-2.so.2", "a picture as PNG"};
 #define NUGGET_FUNCTION(name) decltype(::name)* name = library.find<decltype(::name)>(#name)
-  NUGGET_FUNCTION(rsvg_handle_new_from_data);
-  NUGGET_FUNCTION(rsvg_handle_get_intrinsic_size_in_pixels);
-  NUGGET_FUNCTION(rsvg_handle_render_document);
+
+/// Makes pixels into a PNG: all that a report's picture needs.
+struct Cairo {
+  LoadedLibrary library{"libcairo.so.2", "a picture as PNG"};
   NUGGET_FUNCTION(cairo_create);
   NUGGET_FUNCTION(cairo_destroy);
   NUGGET_FUNCTION(cairo_image_surface_create);
   NUGGET_FUNCTION(cairo_image_surface_create_for_data);
   NUGGET_FUNCTION(cairo_surface_destroy);
   NUGGET_FUNCTION(cairo_surface_write_to_png_stream);
-  NUGGET_FUNCTION(g_error_free);
-  NUGGET_FUNCTION(g_object_unref);
-#undef NUGGET_FUNCTION
 };
 
+/// Draws an SVG with Cairo.
+struct Rsvg {
+  LoadedLibrary library{"librsvg-2.so.2", "an SVG as PNG"};
+  NUGGET_FUNCTION(rsvg_handle_new_from_data);
+  NUGGET_FUNCTION(rsvg_handle_get_intrinsic_size_in_pixels);
+  NUGGET_FUNCTION(rsvg_handle_render_document);
+  NUGGET_FUNCTION(g_error_free);
+  NUGGET_FUNCTION(g_object_unref);
+};
+#undef NUGGET_FUNCTION
+
+const Cairo& cairo() {
+  static const Cairo loaded;
+  return loaded;
+}
 const Rsvg& rsvg() {
   static const Rsvg loaded;
   return loaded;
@@ -38,8 +48,8 @@ const Rsvg& rsvg() {
 
 struct Unref {
   void operator()(RsvgHandle* handle) const { rsvg().g_object_unref(handle); }
-  void operator()(cairo_surface_t* surface) const { rsvg().cairo_surface_destroy(surface); }
-  void operator()(cairo_t* context) const { rsvg().cairo_destroy(context); }
+  void operator()(cairo_surface_t* surface) const { cairo().cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo().cairo_destroy(context); }
 };
 
 [[noreturn]] void throw_drawing_error(GError* error) {
@@ -54,8 +64,8 @@ std::string png_bytes(cairo_surface_t* surface) {
     static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), length);
     return CAIRO_STATUS_SUCCESS;
   };
-  if (rsvg().cairo_surface_write_to_png_stream(surface, append, &png) != CAIRO_STATUS_SUCCESS)
-    throw_drawing_error(nullptr);
+  if (cairo().cairo_surface_write_to_png_stream(surface, append, &png) != CAIRO_STATUS_SUCCESS)
+    throw std::runtime_error("the picture cannot be drawn: out of memory");
   return png;
 }
 
@@ -69,8 +79,8 @@ std::string drawn_as_png(const std::string& svg, int width) {
     throw std::runtime_error("the picture cannot be drawn: it has no size in pixels");
   const int height = static_cast<int>(std::lround(width * own_height / own_width));
   const std::unique_ptr<cairo_surface_t, Unref> surface(
-      rsvg().cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
-  const std::unique_ptr<cairo_t, Unref> context(rsvg().cairo_create(surface.get()));
+      cairo().cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+  const std::unique_ptr<cairo_t, Unref> context(cairo().cairo_create(surface.get()));
   const RsvgRectangle all{0.0, 0.0, static_cast<double>(width), static_cast<double>(height)};
   if (!rsvg().rsvg_handle_render_document(handle.get(), context.get(), &all, &error)) throw_drawing_error(error);
   return png_bytes(surface.get());
@@ -88,7 +98,7 @@ void write_picture(const std::filesystem::path& file, const std::string& svg, in
 
 std::string png_of(std::vector<std::uint32_t> pixels, int width) {
   const int height = static_cast<int>(pixels.size()) / width;
-  const std::unique_ptr<cairo_surface_t, Unref> surface(rsvg().cairo_image_surface_create_for_data(
+  const std::unique_ptr<cairo_surface_t, Unref> surface(cairo().cairo_image_surface_create_for_data(
       reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_ARGB32, width, height, 4 * width));
   return png_bytes(surface.get());
 }
