@@ -177,8 +177,8 @@ void System::add_discrete_beams(std::size_t p, const std::vector<model::Index>& 
     };
     if (law->cable && !(norm(line) > std::max(beam.cable_offset, 0.0)))
       report(Severity::error,
-             fmt::format("is a cable {:.6g} long, and OFFSET leaves no unstretched length of {:.6g}", norm(line),
-                         norm(line) - beam.cable_offset),
+             fmt::format("is a cable of length {:.6g}, of which OFFSET {:.6g} leaves no unstretched length", norm(line),
+                         beam.cable_offset),
              "put its nodes apart, farther than OFFSET");
     if (beam.follows_line() && !has_length)
       report(Severity::error, fmt::format("has no length, so its r axis cannot follow it (SCOOR = {})", section.scoor),

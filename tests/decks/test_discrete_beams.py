@@ -108,7 +108,7 @@ class DiscreteBeams(CommandTest):
         still = ((0, 0), (9, 0))
         law = "*MAT_071\n" + card(1, 1.0, 210.0)
         for cable, second, told in (((), (5, 0, 0), "the stiffness of a cable is that of its area (CA)"),
-                                    ((2.0, 5.0), (5, 0, 0), "OFFSET leaves no unstretched length")):
+                                    ((2.0, 5.0), (5, 0, 0), "is a cable of length 5, of which OFFSET 5 leaves no unstretched length")):
             with self.subTest(told), self.assertRaises(AssertionError) as refused:
                 self.force(law, second, [still, still, still], 1.0, cable=cable)
             self.assertIn(told, str(refused.exception))

@@ -544,7 +544,7 @@ void read_cable(Builder& b, const Block& block, const Options& options) {
             cable.modulus = std::max(row->e, 0.0);
             cable.stiffness = std::max(-row->e, 0.0);
             cable.preload = row->f0;
-            if (const Index c = later.curve(row[&CableCard::lcid]); c != none) cable.stress = later.model.curves[c];
+            if (const Index c = later.curve(row[&CableCard::lcid]); c != none) cable.set_curve(later.model.curves[c]);
             cable.most_strain = beam_failure_value(limits->mxeps);
             cable.most_force = beam_failure_value(limits->mxfrc);
             if (cable.stress.empty() && row->e == 0.0 && row->f0 == 0.0)

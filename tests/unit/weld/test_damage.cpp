@@ -160,14 +160,18 @@ TEST(Connection, ARecordHoldsForTheSheetsWhoseMaterialItNames) {
   p.records = {{}};
   p.records[0].material = a.model.parts[sheet].material;
   p.records[0].rank = -1.0;
+  p.records[0].yield = 410.0;
+  p.standard.yield = 400.0;
   a.model.materials.push_back(a.model.materials[a.model.parts[sheet].material]);
   a.model.parts[sheet].material = static_cast<model::Index>(a.model.materials.size()) - 1;
   EXPECT_EQ(material_of_sheet(a.model, sheet), p.records[0].material);
   failure::Geometry weld = failure::disc(6.0);
   weld.sheet = {other, sheet};
   EXPECT_EQ(connection_record(a.model, p, weld).rank, -1.0);
+  EXPECT_EQ(connection_record(a.model, p, weld).yield, 410.0);
   weld.sheet = {other, other};
   EXPECT_EQ(connection_record(a.model, p, weld).rank, 0.0);
+  EXPECT_EQ(connection_record(a.model, p, weld).yield, 400.0);
 }
 
 /// A weld between a sheet of 1 that yields at 300 and one of 2 that yields at 500, both without hardening.
