@@ -11,6 +11,7 @@
 #include "app/modes.hpp"
 #include "app/preload.hpp"
 #include "app/status.hpp"
+#include "app/without_part.hpp"
 #include "model/units.hpp"
 #include "nvh/response/radiated_power.hpp"
 #include "nvh/response/response_states.hpp"
@@ -207,6 +208,7 @@ ExitCode direct_responses(const fs::path& directory, const RunArguments& argumen
   const model::Model& model = job.deck().model;
   if (job.assembled()) check_responses(job.matrices(), model, findings);
   check_preload(model, nullptr, findings);
+  note_what_takes_no_part(model, model.implicit.modes < 0, findings);
   if (!job.accepted()) return ExitCode::refused;
   return job.attempt([&] {
     Status status(arguments.quiet);

@@ -15,6 +15,7 @@
 #include "app/run_log.hpp"
 #include "app/status.hpp"
 #include "app/weld_study.hpp"
+#include "app/without_part.hpp"
 #include "model/units.hpp"
 #include "nvh/eigen/mode_files.hpp"
 #include "nvh/matrices/ranks.hpp"
@@ -160,6 +161,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   if (job.assembled()) nvh::report_fixed_motions(job.matrices().equations, model, findings);
   if (job.assembled() && arguments.response) check_responses(job.matrices(), model, findings);
   check_preload(model, after, findings);
+  if (after == nullptr) note_what_takes_no_part(model, model.implicit.modes < 0, findings);
   if (!job.accepted()) return ExitCode::refused;
   nvh::Matrices& matrices = job.matrices();
   const nvh::ModeRequest request = request_of(arguments, model);

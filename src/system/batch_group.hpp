@@ -221,10 +221,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   /// The kernel's forces after a step with unit velocity in one freedom, a freedom a lane. The step is so short that it
   /// moves nothing and meets no yield, and a power of two: what is left is the exact derivative (docs/decisions/0017).
   void own_stiffness(std::size_t e, const State& start, std::span<double> k) const override {
-    if constexpr (requires { kernel_.stiffness(reader(e), places(e, start), k); }) {
-      kernel_.stiffness(reader(e), places(e, start), k);
-      return;
-    }
+    if constexpr (requires { kernel_.stiffness(reader(e), places(e, start), k); })
+      return kernel_.stiffness(reader(e), places(e, start), k);
     constexpr int per_node = Element::rotational ? 6 : 3, size = corners * per_node;
     [[maybe_unused]] const Denormals denormals;
     typename Element::template Motion<R> motion;
@@ -233,35 +231,40 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       if (single) x -= vec(start.x[nodes_[node_index(e, 0)]]);
       motion.x[a] = {R(x.x), R(x.y), R(x.z)};
     }
+    std::fill(k.begin(), k.end(), 0.0);
     Numbers scratch(at(state_size() * width));
-    for (int first = 0; first < size; first += width) {
-      for (int i = 0; i < state_size(); ++i)
-        for (int l = 0; l < width; ++l) scratch[i * width + l] = state(e)[i * width + lane(e)];
-      for (int a = 0; a < corners; ++a) {
-        motion.v[a] = unit_motion<R, width>(first - a * per_node);
-        if constexpr (Element::rotational) motion.w[a] = unit_motion<R, width>(first - a * per_node - 3);
-      }
-      const auto out = inviscid_.template cycle<R>(motion, no_step, scratch.data());
-      for (int l = 0; l < std::min(width, size - first); ++l)
+    constexpr auto signs = signs_of_steps<Element>();
+    for (int first = 0; first < size; first += width)
+      for (const double sign : signs) {
+        for (int i = 0; i < state_size(); ++i)
+          for (int l = 0; l < width; ++l) scratch[i * width + l] = state(e)[i * width + lane(e)];
         for (int a = 0; a < corners; ++a) {
-          double* column = &k[a * per_node * size + first + l];
-          const auto put = [&](const Vec3<R>& f) {
-            for (const R* c : {&f.x, &f.y, &f.z}) {
-              *column = nugget::lane(*c, l) / no_step;
-              column += size;
-            }
-          };
-          put(out.f[a]);
-          if constexpr (Element::rotational) put(out.m[a]);
+          motion.v[a] = R(sign) * unit_motion<R, width>(first - a * per_node);
+          if constexpr (Element::rotational) motion.w[a] = R(sign) * unit_motion<R, width>(first - a * per_node - 3);
         }
-    }
+        const auto out = inviscid_.template cycle<R>(motion, no_step, scratch.data());
+        for (int l = 0; l < std::min(width, size - first); ++l)
+          for (int a = 0; a < corners; ++a) {
+            const auto put = [&](const Vec3<R>& f, int row) {
+              for (const R* c : {&f.x, &f.y, &f.z})
+                k[row++ * size + first + l] +=
+                    sign / static_cast<double>(signs.size()) * (nugget::lane(*c, l) / no_step);
+            };
+            put(out.f[a], a * per_node);
+            if constexpr (Element::rotational) put(out.m[a], a * per_node + 3);
+          }
+      }
   }
 
   bool viscosity(std::size_t e, const State& start, std::span<double> c) const override {
     if constexpr (requires { kernel_.viscosity(reader(e), places(e, start), c); })
       return kernel_.viscosity(reader(e), places(e, start), c);
-    else
-      return false;
+    return false;
+  }
+  bool force_at_start(std::size_t e, const State& start, std::span<double> f) const override {
+    if constexpr (requires { kernel_.force_at_start(reader(e), places(e, start), f); })
+      return kernel_.force_at_start(reader(e), places(e, start), f);
+    return false;
   }
 
   /// So small velocities that nothing moves and nothing yields: a power of two, as for `stiffness`.

@@ -53,6 +53,11 @@ struct DiscreteBeamElement {
   }
 
   template <class Field>
+  bool force_at_start(const Field& field, const Places& place, std::span<double> f) const {
+    return kernel::discrete_beam_force_at_start(beam, law, axes_now(field), place[1] - place[0], f);
+  }
+
+  template <class Field>
   ElementGroup::Layer layer(const Field&, int, const Places&) const {
     return {};
   }

@@ -88,6 +88,10 @@ class ElementGroup {
   /// Likewise d f_i / d v_j of the dashpots in element e; false, and `c` as it was, where there is none.
   virtual bool viscosity(std::size_t, const State&, std::span<double>) const { return false; }
 
+  /// Internal forces in the freedoms of element e at time 0, of a spring or discrete beam that has some by its offset
+  /// or preload; false, and `f` as it was, where there are none. Initial stresses are not among them.
+  virtual bool force_at_start(std::size_t, const State&, std::span<double>) const { return false; }
+
   /// Nodal forces, laid out as the slots of block b, of its elements where they are now, free of stress and elastic,
   /// after a step dt with small velocities `v` and spins `w`: dt/2 K v + C v. Of C the hourglass viscosity counts whole
   /// and the linear bulk viscosity of solids half, since it acts under compression only; damping of the part does not.

@@ -1,7 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <type_traits>
+
 namespace nugget::system {
+
+/// The steps by which the stiffness of an element is found: to both sides, of which the mean counts, where its law may
+/// pull with another slope than it pushes (docs/decisions/0145).
+template <class Element>
+constexpr auto signs_of_steps() {
+  if constexpr (requires(const Element& kernel) {
+                  requires std::remove_cvref_t<decltype(kernel.law)>::may_pull_otherwise;
+                })
+    return std::array{1.0, -1.0};
+  else
+    return std::array{1.0};
+}
 
 /// An element for motions so small that its forces are linear in them: its law without the pressure that an equation of
 /// state has at the start (`linear_at_start()`), where it has one; else itself.

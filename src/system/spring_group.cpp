@@ -154,8 +154,33 @@ void SpringGroup::set_bound(std::size_t e, double inverse_mass, double stiffness
   if (s.alive) smallest = std::min(smallest, s.step);
 }
 
+double SpringGroup::pressed_at_start(const Entry& s) const {
+  const double elongation = s.source->offset;
+  return section_.clearance > 0.0 ? std::min(0.0, elongation + section_.clearance) : elongation;
+}
+
+bool SpringGroup::slack_at_start(const Entry& s) const {
+  const double elongation = s.source->offset, limit = section_.failure;
+  const bool deleted = (limit > 0.0 && elongation > limit) || (limit < 0.0 && elongation < limit);
+  return deleted || (section_.clearance > 0.0 && elongation + section_.clearance > 0.0);
+}
+
 void SpringGroup::own_stiffness(std::size_t e, const State&, std::span<double> k) const {
-  along_line(e, law_.initial_stiffness(), k);
+  const Entry& s = springs_[e];
+  along_line(e, slack_at_start(s) ? 0.0 : law_.stiffness_at(pressed_at_start(s)), k);
+}
+
+bool SpringGroup::force_at_start(std::size_t e, const State&, std::span<double> f) const {
+  const Entry& s = springs_[e];
+  kernel::Spring::State state = law_.start();
+  const double force = slack_at_start(s) ? 0.0 : s.source->scale * law_.advance(state, pressed_at_start(s), 0.0, 0.0);
+  if (force == 0.0) return false;
+  std::fill(f.begin(), f.end(), 0.0);
+  const std::array<double, 3> n{s.line.x, s.line.y, s.line.z};
+  const std::size_t per_node = at(freedoms()), first = rotational ? 3 : 0;
+  for (std::size_t a = 0; a < at_each_node(); ++a)
+    for (std::size_t i = 0; i < 3; ++i) f[a * per_node + first + i] = (a == 0 ? -force : force) * n[i];
+  return true;
 }
 
 bool SpringGroup::viscosity(std::size_t e, const State&, std::span<double> c) const {
@@ -279,32 +304,6 @@ bool is_constrained(const System& system, int node, const Vec3d& n, bool rotatio
 }
 
 }  // namespace
-
-void bound_springs(System& system) {
-  struct Sum {
-    double inverse_mass = 0.0, stiffness_rate = 0.0, viscosity_rate = 0.0;
-  };
-  std::map<std::pair<SpringGroup*, std::size_t>, Sum> sums;
-  for (const auto& [key, ends] : springs_at_nodes(system)) {
-    const Mobility m = mobility(system, key.first);
-    const Mobility::Matrix& matrix = key.second ? m.rotation : m.translation;
-    for (const SpringEnd& own : ends) {
-      const Vec3d n = own.group->line(own.spring);
-      // A line that turns may come to lie in any direction.
-      const double inverse_mass = norm(n) > 0.0 ? Mobility::along(matrix, n) : Mobility::largest(matrix);
-      Sum& sum = sums[{own.group, own.spring}];
-      sum.inverse_mass += inverse_mass;
-      for (const SpringEnd& other : ends) {
-        const bool same = other.group == own.group && other.spring == own.spring;
-        const double share = same ? 1.0 : std::abs(dot(n, other.group->line(other.spring)));
-        sum.stiffness_rate += inverse_mass * share * other.group->greatest_stiffness(other.spring);
-        if (!same) sum.viscosity_rate += inverse_mass * share * other.group->greatest_viscosity(other.spring, 0.0);
-      }
-    }
-  }
-  for (const auto& [key, sum] : sums)
-    key.first->set_bound(key.second, sum.inverse_mass, sum.stiffness_rate, sum.viscosity_rate);
-}
 
 void check_springs(const System& system, Findings& findings) {
   for (const auto& [key, ends] : springs_at_nodes(system)) {

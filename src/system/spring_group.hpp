@@ -18,10 +18,11 @@ class System;
 /// does not balance moments, as LS-DYNA warns too. Source: docs/theory/beam.md#springs-and-dampers, LS-DYNA Keyword
 /// Manual.
 ///
-/// Time step: the springs that share nodes are bounded together. With k_t the stiffnesses of all springs at node i and
-/// 1/m_i what it opposes to a force along n (system/mobility.hpp), row sums give omega^2 <= sum_i sum_t k_t |n . n_t|
-/// / m_i, and with the viscosity likewise 2a = sum c/m: step = 2 / (a + sqrt(a^2 + omega^2)). For a single spring that
-/// is 2 sqrt(m1 m2 / (k (m1 + m2))), LS-DYNA's formula with the nodes' masses.
+/// Time step: the springs that share nodes are bounded together, and so are those whose nodes belong to one rigid body
+/// or follow the same nodes. With b_t the elongation of spring t for motions of the nodes that follow no other, and M
+/// their masses, row sums give omega^2 <= sum_t k_t |b M^-1 b_t| (at one node |n . n_t| / m), and with the viscosity
+/// likewise 2a = sum c/m: step = 2 / (a + sqrt(a^2 + omega^2)). For a single spring that is 2 sqrt(m1 m2 / (k (m1 +
+/// m2))), LS-DYNA's formula with the nodes' masses.
 class SpringGroup final : public ElementGroup {
  public:
   SpringGroup(const model::Model& model, model::Index part, std::vector<model::Index> springs,
@@ -35,6 +36,7 @@ class SpringGroup final : public ElementGroup {
              std::span<Row> damping) override;
   void own_stiffness(std::size_t e, const State& start, std::span<double> k) const override;
   bool viscosity(std::size_t e, const State& start, std::span<double> c) const override;
+  bool force_at_start(std::size_t e, const State& start, std::span<double> f) const override;
   void store_reference_state() override {}
 
   void archive(Archive& a) override;
@@ -86,6 +88,10 @@ class SpringGroup final : public ElementGroup {
     double inverse_mass = 0.0, stiffness_rate = 0.0, viscosity_rate = 0.0;
     void archive(Archive& a);
   };
+  /// What of OFFSET the law has at time 0, less the clearance.
+  double pressed_at_start(const Entry& s) const;
+  /// Whether the force is 0 for small motions about time 0: within the clearance, or deleted there.
+  bool slack_at_start(const Entry& s) const;
   /// A modulus along the spring's line, as a matrix of its freedoms.
   void along_line(std::size_t e, double modulus, std::span<double> k) const;
   std::size_t at_each_node() const { return at(nodes_per_element); }

@@ -90,22 +90,29 @@ double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const Discr
 
 namespace {
 
+/// The displacement of spring i along or about its axis for a unit motion of each freedom:
+/// e . (v2 - v1 - (w1 + w2)/2 x line).
+std::array<double, 12> displacement_row(const DiscreteBeamProperties& beam, std::size_t i, const Frame3d& axes,
+                                        const Vec3d& line) {
+  const Vec3d axis = i % 3 == 0 ? axes.e1 : i % 3 == 1 ? axes.e2 : axes.e3;
+  const Vec3d spin = i < 3 && beam.long_beam() ? -0.5 * cross(line, axis) : Vec3d{};
+  const Vec3d move = i < 3 ? axis : Vec3d{}, turn = i < 3 ? Vec3d{} : axis;
+  const std::array<Vec3d, 4> part{-1.0 * move, spin - turn, move, spin + turn};
+  std::array<double, 12> b{};
+  for (std::size_t p = 0; p < 4; ++p) {
+    b[3 * p] = part[p].x;
+    b[3 * p + 1] = part[p].y;
+    b[3 * p + 2] = part[p].z;
+  }
+  return b;
+}
+
 /// Six moduli, along and about the axes, as a matrix of the freedoms of both nodes.
 void spread(const DiscreteBeamProperties& beam, const std::array<double, 6>& modulus, const Frame3d& axes,
             const Vec3d& line, std::span<double> k) {
   std::fill(k.begin(), k.end(), 0.0);
   for (std::size_t i = 0; i < 6; ++i) {
-    const Vec3d axis = i % 3 == 0 ? axes.e1 : i % 3 == 1 ? axes.e2 : axes.e3;
-    // The displacement of the spring for a unit motion of each freedom: e . (v2 - v1 - (w1 + w2)/2 x line).
-    const Vec3d spin = i < 3 && beam.long_beam() ? -0.5 * cross(line, axis) : Vec3d{};
-    const Vec3d move = i < 3 ? axis : Vec3d{}, turn = i < 3 ? Vec3d{} : axis;
-    const std::array<Vec3d, 4> part{-1.0 * move, spin - turn, move, spin + turn};
-    std::array<double, 12> b{};
-    for (std::size_t p = 0; p < 4; ++p) {
-      b[3 * p] = part[p].x;
-      b[3 * p + 1] = part[p].y;
-      b[3 * p + 2] = part[p].z;
-    }
+    const std::array<double, 12> b = displacement_row(beam, i, axes, line);
     for (std::size_t row = 0; row < 12; ++row)
       for (std::size_t column = 0; column < 12; ++column) k[12 * row + column] += modulus[i] * b[row] * b[column];
   }
@@ -123,6 +130,20 @@ void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteB
     if (!slack) stiffness[0] = law.cable->tangent(unstretched, beam.cable_area);
   }
   spread(beam, stiffness, axes, line, k);
+}
+
+bool discrete_beam_force_at_start(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
+                                  const Vec3d& line, std::span<double> f) {
+  std::array<double, 6> force{};
+  for (std::size_t i = 0; i < 6; ++i) force[i] = law.dof[i].force_at_start();
+  if (law.cable) force[0] = law.cable->force(norm(line), norm(line) - beam.cable_offset, beam.cable_area);
+  if (std::all_of(force.begin(), force.end(), [](double component) { return component == 0.0; })) return false;
+  std::fill(f.begin(), f.end(), 0.0);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::array<double, 12> b = displacement_row(beam, i, axes, line);
+    for (std::size_t row = 0; row < 12; ++row) f[row] += force[i] * b[row];
+  }
+  return true;
 }
 
 bool discrete_beam_viscosity(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,

@@ -62,7 +62,11 @@ double discrete_beam_stable_step(const DiscreteBeamProperties& beam, const Discr
 /// to 1 in size) have no couples here and no part of the spin, so that it is symmetric whatever their length.
 void discrete_beam_stiffness(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
                              const Vec3d& line, std::span<double> k);
-/// The same of its dampers; false, and `c` as it was, where there is none.
+/// Internal forces at rest in the same freedoms, by preloads (F0) and by what the springs are stretched at time 0;
+/// false, and `f` as it was, where there are none.
+bool discrete_beam_force_at_start(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
+                                  const Vec3d& line, std::span<double> f);
+/// The same as the stiffness of its dampers; false, and `c` as it was, where there is none.
 bool discrete_beam_viscosity(const DiscreteBeamProperties& beam, const DiscreteBeam& law, const Frame3d& axes,
                              const Vec3d& line, std::span<double> c);
 

@@ -20,6 +20,8 @@ template <>
 class LawKernel<ComposedLaw> {
  public:
   static constexpr bool has_plastic_strain = true;
+  /// Foams, and rubber by a test, are stiffer under compression than in tension, or the other way round.
+  static constexpr bool may_pull_otherwise = true;
 
   explicit LawKernel(const ComposedLaw& law);
 

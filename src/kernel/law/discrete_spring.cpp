@@ -139,16 +139,21 @@ double DiscreteSpring::advance(State& s, double increment, double velocity) cons
   return preload + factor * by_rate * s.force + damping * velocity + scale * damper(velocity);
 }
 
-double DiscreteSpring::initial_stiffness() const {
+double DiscreteSpring::stiffness_at(double displacement) const {
   switch (kind) {
     case Kind::none: return 0.0;
     case Kind::linear:
     case Kind::elastoplastic: return stiffness;
     case Kind::elastic:
     case Kind::two_curves:
-    case Kind::hysteresis: return load.slope(start);
+    case Kind::hysteresis: return load.slope(displacement);
   }
   return 0.0;
+}
+
+double DiscreteSpring::force_at_start() const {
+  State state{start, kind == Kind::hysteresis ? load(start) : 0.0, 0.0};
+  return advance(state, 0.0, 0.0);
 }
 
 double DiscreteSpring::initial_viscosity() const {

@@ -75,7 +75,11 @@ struct DiscreteSpring {
   /// Advances the state by the displacement `increment` at `velocity`; returns F.
   double advance(State& state, double increment, double velocity) const;
   /// Slope of f at the start, for linear analyses [force/length].
-  double initial_stiffness() const;
+  double initial_stiffness() const { return stiffness_at(start); }
+  /// The same at another displacement. Where the force has yielded by then it is that of unloading.
+  double stiffness_at(double displacement) const;
+  /// F at the start, at rest [force].
+  double force_at_start() const;
   /// Slope of the damping forces at the start [force time/length].
   double initial_viscosity() const;
   /// Bounds for the time step: largest stiffness, largest viscosity at a force `f`.

@@ -15,6 +15,8 @@ template <>
 class LawKernel<Laminate> {
  public:
   static constexpr bool has_plastic_strain = true;
+  /// Foams, and rubber by a test, are stiffer under compression than in tension, or the other way round.
+  static constexpr bool may_pull_otherwise = true;
 
   struct Layer {
     LawKernel<ComposedLaw> law;

@@ -22,6 +22,7 @@ namespace nugget::kernel {
 ///   step_share()                            what the viscous stress of layers leaves of the stable step, of membranes
 ///   stiffness_share()                       stiffness of a point now over that of its elastic constants
 ///   shear_wave_modulus()                    part of wave_modulus() beside the bulk modulus of an equation of state
+///   may_pull_otherwise                      whether the slope at rest may differ between tension and compression
 /// Laws with element kernels of their own (own_kernels.hpp) have besides:
 ///   elastic()                               elastic constants
 ///   points_to_delete()                      failed points that delete an element, as in ComposedLaw; 0: all

@@ -111,11 +111,24 @@ double Spring::advance(State& state, double increment, double velocity, double d
   return std::get<InelasticSpring>(law).advance(std::get<InelasticSpring::State>(state), increment);
 }
 
-double Spring::initial_stiffness() const {
-  if (const auto* l = std::get_if<DiscreteSpring>(&law)) return l->initial_stiffness();
-  if (const auto* l = std::get_if<ReversingSpring>(&law)) return l->load.slope(0.0);
+double ReversingSpring::stiffness_at(double first) const {
+  if (first == 0.0) return load.slope(0.0);
+  State state;
+  advance(state, first);
+  return state.yielded ? unload.slope(first - state.shift) : load.slope(first);
+}
+
+double InelasticSpring::stiffness_at(double first) const {
+  if (first == 0.0) return load.slope(0.0);
+  const double way = tension ? first : -first;
+  return way > 0.0 ? load.slope(way) : 0.0;
+}
+
+double Spring::stiffness_at(double elongation) const {
   if (const auto* l = std::get_if<MaxwellSpring>(&law)) return l->instantaneous_stiffness;
-  return std::get<InelasticSpring>(law).load.slope(0.0);
+  if (const auto* l = std::get_if<ReversingSpring>(&law)) return l->stiffness_at(elongation);
+  if (const auto* l = std::get_if<InelasticSpring>(&law)) return l->stiffness_at(elongation);
+  return std::get<DiscreteSpring>(law).stiffness_at(elongation);
 }
 
 double Spring::initial_viscosity() const {

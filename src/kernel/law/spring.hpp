@@ -27,6 +27,7 @@ struct ReversingSpring {
     double shift = 0.0;                       ///< of `unload` along the elongation
   };
   double advance(State& state, double increment) const;
+  double stiffness_at(double first) const;  ///< after a first elongation [force/length]
 
   /// Where `curve` first reaches `force`, seen from `start` towards tension or compression; its end slopes go on.
   static double reach(const Curve& curve, double start, double force, bool towards_tension);
@@ -56,6 +57,7 @@ struct InelasticSpring {
     double elongation = 0.0, remaining = 0.0;
   };
   double advance(State& state, double increment) const;
+  double stiffness_at(double first) const;  ///< after a first elongation [force/length]
 };
 
 /// The law of a discrete element as *MAT_... says it.
@@ -69,8 +71,10 @@ struct Spring {
   /// Advances by an `increment` of the elongation at the rate `velocity` over `dt`; returns the force, positive in
   /// tension.
   double advance(State& state, double increment, double velocity, double dt) const;
-  /// Slope at the start, for linear analyses [force/length].
-  double initial_stiffness() const;
+  /// Slope where a first elongation has led, for linear analyses; of a force that has yielded that of unloading
+  /// [force/length].
+  double stiffness_at(double elongation) const;
+  double initial_stiffness() const { return stiffness_at(0.0); }
   /// Likewise of the damping force [force time/length].
   double initial_viscosity() const;
   /// Bounds for the time step: largest stiffness, largest viscosity at a force.

@@ -114,6 +114,15 @@ double slope_of(const system::System& system, const model::JointStiffness::Freed
   return stopped ? slope + f.stiffness : slope;
 }
 
+/// Force of a freedom that begins at `start`, in which its friction has not been moved yet.
+double force_of(const system::System& system, const model::JointStiffness::Freedom& f, double start) {
+  const double beyond = f.high_stop > 0.0 && start > f.high_stop  ? start - f.high_stop
+                        : f.low_stop > 0.0 && start < -f.low_stop ? start + f.low_stop
+                                                                  : 0.0;
+  const double load = f.load == model::none ? 0.0 : kernel::ForceCurve(system.model.curves[f.load])(start);
+  return load + f.stiffness * beyond;
+}
+
 BodyLink link_of(const system::System& system, const model::JointStiffness& s) {
   BodyLink link;
   std::array<Vec3d, 2> arm;
@@ -129,7 +138,9 @@ BodyLink link_of(const system::System& system, const model::JointStiffness& s) {
     constrained.spring = slope_of(system, s.freedom[i], dot(own[i], start));
     if (const model::Index damper = s.freedom[i].damper; damper != model::none)
       constrained.dashpot = kernel::ForceCurve(system.model.curves[damper]).slope(0.0);
-    if (constrained.spring != 0.0 || constrained.dashpot != 0.0) link.constrained.push_back(constrained);
+    constrained.start = force_of(system, s.freedom[i], dot(own[i], start));
+    if (constrained.spring != 0.0 || constrained.dashpot != 0.0 || constrained.start != 0.0)
+      link.constrained.push_back(constrained);
   }
   return link;
 }

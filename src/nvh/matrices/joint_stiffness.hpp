@@ -19,6 +19,7 @@ struct ConstrainedMotion {
   bool rotation = false;
   double spring = 0.0;   ///< [force/length], [force length]
   double dashpot = 0.0;  ///< [force time/length], [force length time]
+  double start = 0.0;    ///< internal force at time 0, which a spring has that does not begin at 0
 };
 
 /// What holds two rigid bodies together. Of *CONSTRAINED_JOINT_...: displacements of B's point against that of A, all

@@ -52,6 +52,23 @@ std::vector<double> tangent_stiffness(const Matrices& m, const system::ElementGr
   return k;
 }
 
+Nodal forces_at_start(const Matrices& m) {
+  Nodal all(m.system.all_nodes());
+  for (const auto& group : m.system.groups) {
+    const std::size_t per_node = at(group->freedoms()), n = at(group->nodes_per_element) * per_node;
+    std::vector<double> f(n);
+    for (std::size_t e = 0; e < group->size(); ++e) {
+      if (!group->alive(e) || !group->force_at_start(e, m.rest, f)) continue;
+      const system::ElementNodes node = group->nodes(e);
+      for (std::size_t i = 0; i < n; ++i) all[node[i / per_node]][i % per_node] += f[i];
+    }
+  }
+  for (const BodyLink& link : m.links)
+    for (const ConstrainedMotion& constrained : link.constrained)
+      for (std::size_t i = 0; i < 12; ++i) all[link.node[i / 6]][i % 6] += constrained.start * constrained.row[i];
+  return all;
+}
+
 ConstrainedMotion::Row motion_of(const BodyLink& link, const Nodal& u) {
   ConstrainedMotion::Row motion;
   for (std::size_t i = 0; i < 12; ++i) motion[i] = u[link.node[i / 6]][i % 6];

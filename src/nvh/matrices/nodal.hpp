@@ -26,6 +26,9 @@ std::vector<double> tangent_stiffness(const Matrices& matrices, const system::El
 /// Motion of the twelve freedoms of the bodies that a link joins.
 ConstrainedMotion::Row motion_of(const BodyLink& link, const Nodal& motion);
 
+/// Internal forces of springs, discrete beams and joint stiffnesses at time 0, by their offsets and preloads.
+Nodal forces_at_start(const Matrices& matrices);
+
 /// Forces K_e u_e of all elements and joints on the nodes, and what strain energy they hold.
 struct Internal {
   Nodal force;

@@ -192,6 +192,17 @@ Tensor& Prestress::of(const ElementLocation& location) {
   return tensor_[location.group][location.element];
 }
 
+void Prestress::add_along(const ElementLocation& location, const Vec3d& force) {
+  const system::ElementGroup& group = *system_.groups[location.group];
+  if (group.kind == model::ElementKind::discrete) {
+    const model::Index o = system_.model.discretes[group.element[at(location.element)]].orientation;
+    if (o != model::none && !system_.model.spring_orientations[o].in_plane) return;
+  }
+  const system::ElementNodes node = group.nodes(at(location.element));
+  const Vec3d line = vec(rest_.x[node[1]]) - vec(rest_.x[node[0]]);
+  if (norm(line) > 0.0) add_to(of(location), dot(unit(line), force), along(unit(line)));
+}
+
 void Prestress::add_initial() {
   const system::System& system = system_;
   const model::InitialState& initial = system.model.initial_state;
@@ -217,6 +228,16 @@ void Prestress::add_initial() {
       if (norm(line) > 0.0)
         add_to(of(location), f.scale * system.model.curves[f.curve].clamped(0.0), along(unit(line)));
     }
+  for (std::size_t g = 0; g < tensor_.size(); ++g) {
+    const system::ElementGroup& group = *system.groups[g];
+    if (dimension_of(group) != 1) continue;
+    const std::size_t per_node = at(group.freedoms());
+    std::vector<double> force(2 * per_node);
+    for (std::size_t e = 0; e < group.size(); ++e)
+      if (group.alive(e) && group.force_at_start(e, rest_, force))
+        add_along({static_cast<int>(g), static_cast<int>(e)},
+                  {force[per_node], force[per_node + 1], force[per_node + 2]});
+  }
 }
 
 void Prestress::add(const std::vector<SixDof>& motion) {
@@ -241,13 +262,11 @@ void Prestress::add(const std::vector<SixDof>& motion) {
       std::vector<double> k(n * n);
       group.stiffness(e, rest_, k);
       const system::ElementNodes node = group.nodes(e);
-      const Vec3d line = vec(rest_.x[node[1]]) - vec(rest_.x[node[0]]);
-      if (!(norm(line) > 0.0)) continue;
       double force[3] = {0.0, 0.0, 0.0};
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < n; ++j)
           force[i] += k[(per_node + i) * n + j] * motion[node[j / per_node]][j % per_node];
-      add_to(of(location), dot(unit(line), Vec3d{force[0], force[1], force[2]}), along(unit(line)));
+      add_along(location, {force[0], force[1], force[2]});
     }
   }
 }
@@ -260,9 +279,7 @@ void Prestress::add(const system::System& run, const system::State& now) {
       const std::size_t e = at(from[i].element);
       if (!group.alive(e)) continue;
       if (dimension_of(group) == 1) {
-        const system::ElementNodes node = group.nodes(e);
-        const Vec3d line = vec(now.x[node[1]]) - vec(now.x[node[0]]);
-        if (norm(line) > 0.0) add_to(of(to[i]), dot(unit(line), run.nodal_force(from[i], 1)), along(unit(line)));
+        add_along(to[i], run.nodal_force(from[i], 1));
         continue;
       }
       const int layers = group.layers();

@@ -20,7 +20,8 @@ class Prestress {
  public:
   explicit Prestress(const Matrices& matrices);
 
-  /// *INITIAL_STRESS_SHELL, _SOLID, _SECTION and *INITIAL_AXIAL_FORCE_BEAM at time 0.
+  /// *INITIAL_STRESS_SHELL, _SOLID, _SECTION and *INITIAL_AXIAL_FORCE_BEAM at time 0, and what springs and discrete
+  /// beams carry by their offsets and preloads.
   void add_initial();
   /// Those of a linear solution, by the motion of each system node.
   void add(const std::vector<SixDof>& motion);
@@ -38,6 +39,9 @@ class Prestress {
   /// Stress, membrane force or axial force: xx yy zz xy yz zx, global axes.
   using Tensor = std::array<double, 6>;
   Tensor& of(const system::System::ElementLocation& location);
+  /// Adds the axial force of an element between two nodes: `force` is that at its second end. Of a spring whose
+  /// direction stays when its nodes move there is none.
+  void add_along(const system::System::ElementLocation& location, const Vec3d& force);
   const system::System& system_;
   const system::State& rest_;
   std::vector<std::vector<Tensor>> tensor_;  ///< by group and element

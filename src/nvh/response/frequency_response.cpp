@@ -45,6 +45,11 @@ void check_frequency_response(const Matrices& m, const model::FrequencyResponse&
   const Place& place = request.cases.front().excitation.place;
   if (request.direct)
     check_direct(m.system.model, request.damping, request.near_modes.has_value(), place, keyword, findings);
+  warn_of_idle_damping(
+      m.system.model, false, place, keyword,
+      "give DAMPF, LCDAM, DMPMAS or DMPSTF, or use *FREQUENCY_DOMAIN_SSD with DMPFLG 1, which has that "
+      "of parts",
+      findings);
   if (has_dashpots(m))
     findings.warning(place, keyword, "dashpots take no part in it: damping is that of its second card",
                      "use *FREQUENCY_DOMAIN_SSD with DMPFLG 1");

@@ -8,7 +8,7 @@
 
 #include "base/index.hpp"
 #include "nvh/eigen/modes.hpp"
-#include "nvh/matrices/factorization.hpp"
+#include "nvh/response/static_answer.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -36,37 +36,37 @@ void add_load(const Matrices& m, const Nodal& f, double factor, std::span<double
   }
 }
 
-void solve_statically(const Matrices& m, Columns& q) {
-  const Factorization factor(m, small_shift(m));
-  const Columns load = q;
-  const auto largest = [](const std::vector<double>& v) {
-    double most = 0.0;
-    for (const double x : v) most = std::max(most, std::abs(x));
-    return most;
-  };
-  q.value.assign(q.value.size(), 0.0);
-  std::vector<double> internal(m.size());
-  for (int pass = 0; pass < 100; ++pass) {
-    Columns rest = load;
-    m.stiffness.multiply(q[0], internal);
-    for (std::size_t i = 0; i < m.size(); ++i) rest.value[i] -= internal[i];
-    if (largest(rest.value) <= 1e-12 * largest(load.value)) return;
-    factor.solve(rest);
-    for (std::size_t i = 0; i < m.size(); ++i) q.value[i] += rest.value[i];
-  }
+/// Whether this is the support by which an excitation drives a node.
+bool drives(const Excitation& e, const Equations::Support& s) {
+  return s.moves && !s.rotation && norm(s.direction - e.direction) == 0.0;
 }
 
-/// The structure at rest under a unit displacement of the nodes, the other supports standing still. A small shift lets
-/// what is not held otherwise stay where it is; its error is worked off by refinement.
-Nodal static_shape(const Matrices& m, const Excitation& e) {
+/// A unit displacement of the nodes in the excitation's direction. Where supports hold a part of that, they do not
+/// move: the node goes along what is left, as far as it takes.
+Nodal displacement_of(const Matrices& m, const Excitation& e) {
   Nodal u(m.system.all_nodes());
-  for (const model::Index n : e.nodes) add_to(u[m.system.node_of[n]], false, e.direction);
+  std::vector<char> driven(m.system.all_nodes(), 0);
+  for (const model::Index n : e.nodes) driven[m.system.node_of[n]] = 1;
+  for (const Equations::Support& s : m.equations.supports()) {
+    if (!driven[s.node] || s.rotation) continue;
+    const double wanted = drives(e, s) ? 1.0 : 0.0, share = dot(s.direction, s.taken);
+    const double missing = wanted - dot(s.direction, part_of(u[s.node], false));
+    if (share > 0.0) add_to(u[s.node], false, (missing / share) * s.taken);
+  }
+  return u;
+}
+
+/// The structure at rest under a unit displacement of the nodes, the other supports standing still. What is not held
+/// otherwise stays where it is.
+Nodal static_shape(const Matrices& m, const Excitation& e) {
+  Nodal u = displacement_of(m, e);
   apply_constraints(m.system, u);
-  Columns q(m.size(), 1);
-  add_load(m, internal_forces(m, u).force, -1.0, q[0]);
-  if (m.size() > 0) solve_statically(m, q);
+  std::vector<double> load(m.size(), 0.0), q(m.size(), 0.0);
+  add_load(m, internal_forces(m, u).force, -1.0, load);
+  if (std::ranges::any_of(load, [](double f) { return f != 0.0; }))
+    solve_statically(m, Factorization(m, small_shift(m)), load, q);
   for (std::size_t k = 0; k < u.size(); ++k) {
-    const SixDof more = m.equations.motion(static_cast<int>(k), q[0]);
+    const SixDof more = m.equations.motion(static_cast<int>(k), q);
     for (std::size_t i = 0; i < 6; ++i) u[k][i] += more[i];
   }
   return u;
@@ -93,6 +93,18 @@ void check_effect(const Matrices& m, const Excitation& e, const char* keyword, F
   if (std::ranges::all_of(load, zero))
     findings.warning(e.place, keyword, "the load moves nothing: supports hold what it acts on in its direction",
                      "load nodes that are free to move that way");
+}
+
+/// Nodes that supports hold in the very direction in which they are to be driven.
+void check_driven(const Matrices& m, const Excitation& e, const char* keyword, Findings& findings) {
+  for (const model::Index n : e.nodes)
+    for (const Equations::Support& s : m.equations.supports())
+      if (s.node == m.system.node_of[n] && drives(e, s) && dot(s.taken, s.taken) == 0.0)
+        findings.error(e.place, keyword,
+                       fmt::format("node {} is to be driven in a direction in which *BOUNDARY_SPC holds it, or in "
+                                   "which something else drives it",
+                                   m.system.model.nodes.id[n]),
+                       "free it in that direction, or drive the base (VAD1 0 to 2 of FRF, VAD 2 to 4 of SSD)");
 }
 
 }  // namespace
@@ -134,6 +146,7 @@ void check_excitation(const Matrices& m, const Excitation& e, const char* keywor
         findings.error(e.place, keyword,
                        fmt::format("node {} carries a torque, but nothing there can turn", model.nodes.id[n]),
                        "put it on a node of shells, beams or a rigid body, or write a pair of forces");
+  if (e.kind == Kind::enforced) check_driven(m, e, keyword, findings);
   if (!e.moves() && findings.errors() == errors) check_effect(m, e, keyword, findings);
 }
 

@@ -59,6 +59,17 @@ void add_masses(const Matrices& m, const system::ElementGroup& group, std::size_
   }
 }
 
+/// Of one without stiffness (*MAT_NULL).
+void add_masses(const Matrices& m, const system::System::MassOnlyElement& element, double alpha,
+                std::vector<Piece>& pieces) {
+  for (int a = 0; a < element.corners; ++a) {
+    const double mass = alpha * element.nodal_mass(a), inertia = alpha * element.nodal_inertia;
+    std::vector<double> c(36, 0.0);
+    for (std::size_t i = 0; i < 6; ++i) c[7 * i] = i < 3 ? mass : inertia;
+    pieces.push_back({DofMap(m.equations, {&element.node[a], 1}, 6), std::move(c)});
+  }
+}
+
 bool same(const Vec3d& scale) {
   return scale.x == 1.0 && scale.y == 1.0 && scale.z == 1.0;
 }
@@ -74,6 +85,8 @@ Symmetric part_damping(const Matrices& m) {
       add_element(m, *group, e, beta[group->part], pieces);
       if (alpha[group->part] != 0.0) add_masses(m, *group, e, alpha[group->part], pieces);
     }
+  for (const system::System::MassOnlyElement& mass_only : m.system.mass_only_elements())
+    if (alpha[mass_only.part] != 0.0) add_masses(m, mass_only, alpha[mass_only.part], pieces);
   for (const BodyLink& link : m.links)
     if (link.damps()) pieces.push_back({DofMap(m.equations, link.node, 6), link.viscosity()});
   std::vector<std::vector<int>> lists;
@@ -81,6 +94,22 @@ Symmetric part_damping(const Matrices& m) {
   Symmetric c(pattern(m.size(), lists));
   for (const Piece& p : pieces) scatter(p.dof_map, p.c, c);
   return c;
+}
+
+void warn_of_idle_damping(const model::Model& model, bool of_parts, const Place& place, const char* keyword,
+                          const char* remedy, Findings& findings) {
+  const model::Damping& d = model.damping;
+  const auto of_all = [](const model::MassDamping& mass) { return mass.everything; };
+  std::vector<const char*> idle;
+  if (std::ranges::any_of(d.mass, of_all)) idle.push_back("*DAMPING_GLOBAL");
+  if (!of_parts && !std::ranges::all_of(d.mass, of_all)) idle.push_back("*DAMPING_PART_MASS");
+  if (!of_parts && !d.stiffness.empty()) idle.push_back("*DAMPING_PART_STIFFNESS");
+  if (!d.range.empty()) idle.push_back("*DAMPING_FREQUENCY_RANGE");
+  if (!d.relative.empty()) idle.push_back("*DAMPING_RELATIVE");
+  if (!idle.empty())
+    findings.warning(place, keyword,
+                     fmt::format("{} {} no part in it", fmt::join(idle, ", "), idle.size() == 1 ? "takes" : "take"),
+                     remedy);
 }
 
 bool has_dashpots(const Matrices& m) {

@@ -17,4 +17,9 @@ void check_part_damping(const Matrices& matrices, const Place& place, const char
 /// Whether elements have dashpots.
 bool has_dashpots(const Matrices& matrices);
 
+/// A warning that names the *DAMPING_ cards that take no part in a response over frequency. `of_parts`: whether those
+/// of parts do (DMPFLG 1).
+void warn_of_idle_damping(const model::Model& model, bool of_parts, const Place& place, const char* keyword,
+                          const char* remedy, Findings& findings);
+
 }  // namespace nugget::nvh

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "nvh/response/frequencies.hpp"
@@ -45,14 +47,47 @@ Complex amplitude(const model::Model& model, const model::SteadyState& request, 
   return std::polar(1.0, second * std::numbers::pi / 180.0) * first;
 }
 
+namespace {
+
+/// Loads whose curve ends before the frequencies do: it is 0 outside.
+void warn_of_short_curves(const model::Model& model, const model::SteadyState& request, const char* keyword,
+                          Findings& findings) {
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  const auto cover = [&](const model::Frequencies& f) {
+    if (f.frequency.empty()) return;
+    low = std::min(low, f.frequency.front());
+    high = std::max(high, f.frequency.back());
+  };
+  cover(request);
+  if (request.states) cover(*request.states);
+  if (request.radiated_power) cover(request.frequencies_of_power());
+  for (const model::SteadyState::Case& c : request.cases)
+    for (const model::SteadyState::Load& load : c.loads) {
+      const Curve& curve = model.curves[load.first];
+      if (curve.x.front() <= low && curve.x.back() >= high) continue;
+      findings.warning(load.excitation.place, keyword,
+                       fmt::format("curve {} of a load goes from {:g} to {:g}, the frequencies from {:g} to {:g}: the "
+                                   "load is 0 where the curve is not",
+                                   curve.id, curve.x.front(), curve.x.back(), low, high),
+                       "let the curve cover all frequencies");
+    }
+}
+
+}  // namespace
+
 void check_steady_state(const Matrices& m, const model::SteadyState& request, Findings& findings) {
   constexpr const char* keyword = "*FREQUENCY_DOMAIN_SSD";
   for (const model::SteadyState::Case& c : request.cases)
     for (const model::SteadyState::Load& load : c.loads) check_excitation(m, load.excitation, keyword, findings);
+  warn_of_short_curves(m.system.model, request, keyword, findings);
   const Place& place = request.cases.front().loads.front().excitation.place;
   const bool near_modes = request.near_modes || (request.states && request.states->near_modes) ||
                           (request.radiated_power && request.radiated_power->near_modes);
   if (request.direct) check_direct(m.system.model, request.damping, near_modes, place, keyword, findings);
+  warn_of_idle_damping(m.system.model, request.damping.of_parts, place, keyword,
+                       request.damping.of_parts ? "write *DAMPING_PART_MASS or _STIFFNESS for the parts"
+                                                : "give DAMPF, LCDAM, DMPMAS or DMPSTF; DMPFLG 1 has that of parts",
+                       findings);
   if (request.damping.of_parts)
     check_part_damping(m, place, keyword, findings);
   else if (has_dashpots(m))

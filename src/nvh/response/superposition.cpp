@@ -9,6 +9,7 @@
 #include "nvh/matrices/factorization.hpp"
 #include "nvh/response/part_damping.hpp"
 #include "nvh/response/responses.hpp"
+#include "nvh/response/static_answer.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -55,17 +56,40 @@ std::vector<double> ritz(const Matrices& m, Columns& x) {
   return value;
 }
 
+/// The static answer to a load without the share of the modes before `last`. Where the load sets free motions going
+/// that are not among these modes it has none; a small shift gives it one, of which an oscillator with the vector's
+/// Rayleigh quotient has the best multiple. Returns the square of the whole answer's size, by mass.
+double static_rest(const Matrices& m, const Factorization& shifted, double shift, const Modes& modes, std::size_t last,
+                   const HarmonicLoad& load, std::span<double> x) {
+  std::vector<double> held(m.size(), 0.0), rest(m.size());
+  double of_modes = 0.0;
+  for (std::size_t i = 0; i < last; ++i) {
+    const double share = dot(modes.shape[i], load.force), answer = share / (std::abs(modes.eigenvalue[i]) + shift);
+    for (std::size_t k = 0; k < m.size(); ++k) held[k] += share * modes.shape[i][k];
+    of_modes += answer * answer;
+  }
+  m.mass.multiply(held, rest);
+  for (std::size_t k = 0; k < m.size(); ++k) rest[k] = load.force[k] - rest[k];
+  if (!solve_statically(m, shifted, rest, x)) {
+    Columns answer(m.size(), 1);
+    answer.value = load.force;
+    shifted.solve(answer);
+    std::ranges::copy(answer.value, x.begin());
+    return m.mass.quadratic(x);
+  }
+  return m.mass.quadratic(x) + of_modes;
+}
+
 /// Static answers to the loads without their share in the modes before `last`, each with a mass of 1; those of which
-/// nothing is left are missing. A small shift lets bodies without supports have one; an oscillator with the vector's
-/// Rayleigh quotient answers with the best multiple of it, so that the error is of second order in that shift.
+/// nothing is left are missing.
 Columns residual_vectors(const Matrices& m, const Modes& modes, std::size_t last, std::span<const HarmonicLoad> loads) {
   Columns x(m.size(), loads.size());
-  for (std::size_t l = 0; l < loads.size(); ++l) std::copy(loads[l].force.begin(), loads[l].force.end(), x[l].begin());
-  Factorization(m, small_shift(m)).solve(x);
+  const double shift = small_shift(m);
+  const Factorization shifted(m, shift);
   Columns rest(m.size(), 0);
   std::vector<double> momentum(m.size());
   for (std::size_t l = 0; l < loads.size(); ++l) {
-    const double before = m.mass.quadratic(x[l]);
+    const double before = static_rest(m, shifted, shift, modes, last, loads[l], x[l]);
     for (int pass = 0; pass < 2; ++pass) {  // once more against round-off
       m.mass.multiply(x[l], momentum);
       for (std::size_t i = 0; i < last; ++i) {

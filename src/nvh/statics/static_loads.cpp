@@ -39,7 +39,11 @@ Nodal static_loads(const Matrices& matrices, double time) {
   model::for_each_load(matrices.system.model, [&]<class Load>(const Load& load) {
     if constexpr (KnownInStatics<Load>) loads.add(load);
   });
-  return loads.nodal();
+  Nodal all = loads.nodal();
+  const Nodal internal = forces_at_start(matrices);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (std::size_t i = 0; i < 6; ++i) all[k][i] -= internal[k][i];
+  return all;
 }
 
 }  // namespace nugget::nvh

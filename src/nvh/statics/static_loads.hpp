@@ -42,7 +42,8 @@ void refuse_unknown(const Load& load, Findings& findings) {
                    "take it out, or solve the deck by explicit dynamics (*CONTROL_IMPLICIT_GENERAL IMFLAG 0)");
 }
 
-/// All loads of the model that linear statics knows, at a time.
+/// All loads of the model that linear statics knows, at a time, and what springs and discrete beams do to their nodes
+/// by the offsets and preloads that they have at time 0.
 Nodal static_loads(const Matrices& matrices, double time);
 
 }  // namespace nugget::nvh

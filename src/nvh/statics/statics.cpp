@@ -158,6 +158,12 @@ void check_statics(const model::Model& model, Findings& findings) {
     findings.warning(deck, keyword,
                      fmt::format("{} contacts and {} rigid walls take no part in linear statics; ties do", sliding,
                                  model.walls.size()));
+  const model::InitialState& initial = model.initial_state;
+  if (!initial.shells.empty() || !initial.solids.empty() || !initial.axial_forces.empty() ||
+      !initial.section_stresses.empty())
+    findings.warning(deck, keyword,
+                     "initial stresses load nothing in linear statics: results are what the loads add to them",
+                     "put loads in their place where the structure is not in balance with them");
   if (!model.initial_velocity.empty() || !model.initial_spin.empty())
     findings.warning(deck, keyword, "initial velocities take no part in linear statics");
   findings.note(deck, keyword, "linear statics: materials are elastic, welds do not fail, geometry is that of time 0");

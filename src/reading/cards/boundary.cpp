@@ -328,6 +328,7 @@ void resolve_body(Builder& builder, const RowOf<PrescribedMotionCard>& row, Pres
 /// node.
 void warn_of_start(Builder& b, const deck::Entry& lcid, const PrescribedMotion& motion) {
   if (motion.curve == none || motion.quantity != PrescribedMotion::Quantity::displacement) return;
+  if (b.model.implicit.active) return;  // linear statics take the value at the end time
   const Curve& curve = b.model.curves[motion.curve];
   const double first = curve.clamped(0.0);
   double most = 0.0;
