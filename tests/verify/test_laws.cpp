@@ -405,6 +405,26 @@ TEST(Laws, RubberAndFoam) {
                 Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10}, {0, 0.3, 0.5}}) + test, std::log(1.6),
                        20.0, Of::all, std::log(1.2)),
                 std::log(1.2), 1.2 * 0.5 * (0.3 + 0.7 * std::sqrt(0.05 / 0.31)), 0.01, "laws");
+  // The same tests of a foam with Poisson's ratio 0.3, whose section at the stretch l is l^-0.6 of the first; over the
+  // rate, half way between 1 and 3 times the forces; on its way back by a curve.
+  for (const auto& [strain, force] : {std::pair{0.4, 5.0 + 3.0 * (20.0 * std::expm1(0.4) - 4.0) / 8.0},
+                                      std::pair{-0.4, -12.0 - 68.0 * (-20.0 * std::expm1(-0.4) - 6.0) / 6.0}})
+    expect_stress("MAT_181 PR/BETA 0.3, by a test of straight pieces",
+                  Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10, 0, 0, 0, 0.3}}) + test, strain,
+                         std::copysign(20.0, strain)),
+                  strain, std::exp(0.6 * strain) * force / 10.0, 0.01, "laws");
+  const std::string fast =
+      curve(11, {{-12.0, -240.0}, {-6.0, -36.0}, {0.0, 0.0}, {4.0, 15.0}, {12.0, 24.0}, {30.0, 105.0}}) +
+      "*DEFINE_TABLE_2D\n" + fields({12}) + fmt::format("{:20g}{:20d}\n{:20g}{:20d}\n", 0.0, 10, 40.0, 11);
+  expect_stress("MAT_181 by a table, 20/s between 0 and 40",
+                Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 12}}) + test + fast, 0.4, 20.0), 0.4,
+                std::exp(0.4) * 2.0 * (5.0 + 3.0 * (20.0 * std::expm1(0.4) - 4.0) / 8.0) / 10.0, 0.01, "laws");
+  const std::string back =
+      curve(13, {{-12.0, -80.0}, {-6.0, -6.0}, {0.0, 0.0}, {4.0, 2.0}, {12.0, 8.0 / 3.0}, {30.0, 35.0}});
+  expect_stress("MAT_181 LCUNLD, on its way back from the end of the test",
+                Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10}, {13}}) + test + back, std::log(2.5), 20.0,
+                       Of::all, std::log(1.2)),
+                std::log(1.2), 1.2 * 0.2, 0.01, "laws");
   const std::string foam_curve = curve(7, {{0.0, 0.0}, {0.05, 0.1}, {0.5, 0.15}, {0.9, 0.95}});
   expect_stress("MAT_057",
                 Pulled(mat("057", {{1, 5e-11, 2.0, 7}, {1.0, 0, 1.0}}) + foam_curve, std::log(0.4), -20.0, Of::bricks),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/curve.hpp"
+#include "kernel/law/loading_rates.hpp"
 #include "kernel/law/single_points.hpp"
 
 // Foams, laws of solids without lateral contraction: each principal direction has a stress of its own. Damping is a
@@ -103,7 +104,7 @@ class RateFoamPoint {
 
  private:
   double look_up(double strain, double rate) const;
-  std::array<double, 3> loading_rates(const Principal& axes, const SolidTensor<double>& d, double J, double dt) const;
+  std::array<double, 3> rates_now(const Principal& axes, const SolidTensor<double>& d, double J, double dt) const;
 
   RateFoam law_;
   double growth_;  ///< slope by which what the rate adds to the stress grows at most [stress]

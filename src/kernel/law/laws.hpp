@@ -17,6 +17,7 @@
 #include "kernel/law/plastic_kinematic_kernel.hpp"
 #include "kernel/law/power_law.hpp"
 #include "kernel/law/rubber.hpp"
+#include "kernel/law/tabulated_rubber.hpp"
 #include "kernel/law/viscoelastic.hpp"
 #include "kernel/law/viscoplastic.hpp"
 #include "kernel/law/woven_fabric.hpp"
