@@ -5,6 +5,7 @@
 
 #include "kernel/law/anisotropic_sheet.hpp"
 #include "kernel/law/composite_layer.hpp"
+#include "kernel/law/compression_tension.hpp"
 #include "kernel/law/elastic_kernel.hpp"
 #include "kernel/law/fabric.hpp"
 #include "kernel/law/fluid.hpp"
@@ -34,7 +35,9 @@ using Flow = std::variant<  //
     JohnsonCook,            //
     PowerLaw,               //
     Viscoplastic,           //
+    CompressionTension,     //
     Viscoelastic,           //
+    GeneralViscoelastic,    //
     BlatzKo,                //
     MooneyRivlin,           //
     Ogden,                  //

@@ -4,7 +4,7 @@
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
 
-// *MAT_KELVIN-MAXWELL_VISCOELASTIC.
+// *MAT_KELVIN-MAXWELL_VISCOELASTIC, *MAT_GENERAL_VISCOELASTIC. MAT_006 has its cards in kernel/law/viscoelastic.hpp.
 namespace nugget::reading {
 
 namespace {
@@ -56,14 +56,86 @@ void read_kelvin_maxwell(Builder& b, const Block& block, const Options& options)
   add_material(b, row, std::move(title), "MAT_KELVIN-MAXWELL_VISCOELASTIC", kernel::composed_law({law}));
 }
 
+// ---- 076
+
+struct GeneralCard : MaterialCard {
+  double bulk = 0;
+};
+const CardOf<GeneralCard> general_card{
+    {&MaterialCard::mid, material_id},
+    {&MaterialCard::ro, density},
+    {&GeneralCard::bulk, real("bulk", dimension::stress, required, above_zero(), "bulk modulus")},
+    real("pcf", dimension::number, 0, only(0), "1: no tensile pressure: not built"),
+    real("ef", dimension::number, 0, only(0), "1: the layer is elastic: not built"),
+    real("tref", dimension::number, 0, only(0), "temperature of the constants: decay that shifts with it is not built"),
+    real("a", dimension::number, 0, any_value, "of that shift"),
+    real("b", dimension::number, 0, any_value, "of that shift"),
+};
+const CardOf<GeneralCard> fit_card{
+    id("lcid", IdSpace::function, 0, "relaxation curve that a series would be fitted to"),
+    integer("nt", 0, any_value, "of that fit"),
+    real("bstart", dimension::number, 0, any_value, "of that fit"),
+    real("tramp", dimension::number, 0, any_value, "of that fit"),
+    id("lcidk", IdSpace::function, 0, "the same of the volume"),
+    integer("ntk", 0, any_value, "of that fit"),
+    real("bstartk", dimension::number, 0, any_value, "of that fit"),
+    real("trampk", dimension::number, 0, any_value, "of that fit"),
+};
+using Branch = kernel::Overstress::MaxwellBranch;
+const CardOf<Branch> term_card{
+    {&Branch::shear, real("gi", dimension::stress, 0, at_least(0), "shear modulus of a term")},
+    {&Branch::decay, real("betai", dimension::rate, 0, at_least(0), "its decay; 0: the term stays")},
+    real("ki", dimension::stress, 0, only(0), "bulk modulus of a term: relaxation of the volume is not built"),
+    real("betaki", dimension::rate, 0, any_value, "its decay"),
+};
+
+void read_general(Builder& b, const Block& block, const Options& options) {
+  constexpr std::size_t most_terms = 18;
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  const auto row = cursor.read(general_card);
+  const auto fit = cursor.read(fit_card);
+  for (const char* curve : {"lcid", "lcidk"})
+    refuse_nonzero(b, fit.entry(curve), "a series is not fitted to a relaxation curve",
+                   "leave the card blank, and give GI and BETAI of each term");
+  kernel::GeneralViscoelastic law;
+  law.bulk = row->bulk;
+  double shear = 0.0;
+  while (cursor.more()) {
+    const auto term = cursor.read(term_card);
+    if (!(term->shear > 0.0)) continue;
+    if (law.overstress.maxwell_branches.size() == most_terms) {
+      refuse(b, term[&Branch::shear], "more than eighteen terms are not supported");
+      break;
+    }
+    law.overstress.maxwell_branches.push_back(*term);
+    shear += term->shear;
+  }
+  if (!(shear > 0.0)) {
+    refuse(b, row[&GeneralCard::bulk], "there is no shear modulus", "give GI and BETAI of at least one term");
+    shear = row->bulk;
+  }
+  law.E = 9.0 * law.bulk * shear / (3.0 * law.bulk + shear);
+  law.nu = (3.0 * law.bulk - 2.0 * shear) / (6.0 * law.bulk + 2.0 * shear);
+  if (law.nu < 0.0)
+    refuse(b, row[&GeneralCard::bulk], "BULK and the sum of GI make a negative Poisson's ratio",
+           "3 BULK must be above twice the sum of GI");
+  add_material(b, row, std::move(title), "MAT_GENERAL_VISCOELASTIC", kernel::composed_law({law}));
+}
+
 }  // namespace
 
-std::vector<Keyword> kelvin_maxwell_keywords() {
+std::vector<Keyword> viscoelastic_keywords() {
   return {{.name = "MAT_KELVIN-MAXWELL_VISCOELASTIC",
            .aliases = {"MAT_061"},
            .options = {"TITLE"},
            .layout = {{"", &kelvin_maxwell_card}},
-           .read = read_kelvin_maxwell}};
+           .read = read_kelvin_maxwell},
+          {.name = "MAT_GENERAL_VISCOELASTIC",
+           .aliases = {"MAT_076"},
+           .options = {"TITLE"},
+           .layout = {{"", &general_card}, {"blank", &fit_card}, {"one a term", &term_card}},
+           .read = read_general}};
 }
 
 }  // namespace nugget::reading
