@@ -124,7 +124,12 @@ RateFoamPoint::RateFoamPoint(const RateFoam& law) : law_(law), growth_(law.E) {
 double RateFoamPoint::look_up(double strain, double rate) const {
   const RatePlace place = rate_place(law_.rates, rate);
   const double low = law_.curves[place.low].extrapolated(strain);
-  return place.share > 0.0 ? low + place.share * (law_.curves[place.high].extrapolated(strain) - low) : low;
+  if (!(place.share > 0.0)) return low;
+  const double high = law_.curves[place.high].extrapolated(strain);
+  if (!law_.log_log) return low + place.share * (high - low);
+  const double share =
+      std::log(rate / law_.rates[place.low]) / std::log(law_.rates[place.high] / law_.rates[place.low]);
+  return low * high > 0.0 ? low * std::pow(high / low, share) : low + share * (high - low);
 }
 
 std::array<double, 3> RateFoamPoint::rates_now(const Principal& axes, const Tensor& d, double J, double dt) const {

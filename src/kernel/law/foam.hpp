@@ -63,6 +63,7 @@ struct RateFoam {
   std::vector<double> rates;               ///< of the curves, ascending [1/time]
   RateOf rate_of = RateOf::most_strained;  ///< RFLAG
   bool engineering_rate = false;           ///< SFLAG 1: change of length over the length at first, else over that now
+  bool log_log = false;                    ///< between rates by the logarithms of rate and stress, else linear
   bool tension_by_curves = false;          ///< TFLAG 1: negative strains of the curves are tension
   double cutoff = std::numeric_limits<double>::infinity();  ///< TC, greatest nominal tensile stress [stress]
   bool tension_failure = false;                             ///< FAIL 1: no tensile stress once the cutoff was reached

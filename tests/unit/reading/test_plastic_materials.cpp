@@ -494,12 +494,18 @@ TEST(SoftMaterials, FoamByATableOverTheRate) {
   EXPECT_DOUBLE_EQ(composition(plain).points_to_delete, 1.0);
   EXPECT_FALSE(composition(plain).bulk_viscosity);
   const std::string main = "*MAT_083\n4,5e-11,2.0,,,,,7\n";
+  for (const char* name : {"*MAT_FU_CHANG_FOAM_LOG_LOG_INTERPOLATION\n", "*MAT_083_2\n"}) {
+    const std::string logarithms = std::string(name) + "4,5e-11,2.0,,,,,7\n";
+    EXPECT_TRUE(flow<kernel::RateFoam>(built(logarithms + "\n\n\n\n" + table)).log_log);
+    EXPECT_TRUE(built(logarithms + "\n\n\n\n" + curves + "*DEFINE_TABLE_2D\n7\n0.0,5\n4.6,6\n")
+                    .error("a rate of 0 has no logarithm", "tbid"));
+  }
+  EXPECT_FALSE(foam.log_log);
   EXPECT_TRUE(built("*MAT_083\n4,5e-11,2.0\n").error("", "tbid"));
   EXPECT_TRUE(built(main).error("table 7 is not defined", "tbid"));
   EXPECT_TRUE(built(main + ",,,,3\n" + table).error("only 0 is supported", "pvid"));
   EXPECT_TRUE(built(main + ",,,,,1.0\n" + table).error("only 0 is supported", "sraf"));
   EXPECT_TRUE(built(main + "\n" + curves + "*DEFINE_TABLE_2D\n7\n-6.9,5\n4.6,6\n").error("not their log", "tbid"));
-  EXPECT_TRUE(built("*MAT_FU_CHANG_FOAM_LOG_LOG_INTERPOLATION\n4\n").error("between the logarithms"));
 }
 
 TEST(PlasticMaterials, Damage2) {
