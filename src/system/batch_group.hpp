@@ -233,6 +233,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     constexpr auto signs = signs_of_steps<Element>();
     for (int first = 0; first < size; first += width)
       for (const double sign : signs) {
+        const double share = sign / (static_cast<double>(signs.size()) * no_step);
         for (int i = 0; i < state_size(); ++i)
           for (int l = 0; l < width; ++l) scratch[i * width + l] = state(e)[i * width + lane(e)];
         for (int a = 0; a < corners; ++a) {
@@ -242,13 +243,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
         const auto out = inviscid_.template cycle<R>(motion, no_step, scratch.data());
         for (int l = 0; l < std::min(width, size - first); ++l)
           for (int a = 0; a < corners; ++a) {
-            const auto put = [&](const Vec3<R>& f, int row) {
-              for (const R* c : {&f.x, &f.y, &f.z})
-                k[row++ * size + first + l] +=
-                    sign / static_cast<double>(signs.size()) * (nugget::lane(*c, l) / no_step);
-            };
-            put(out.f[a], a * per_node);
-            if constexpr (Element::rotational) put(out.m[a], a * per_node + 3);
+            add_to_column(k, size, a * per_node, first + l, out.f[a], l, share);
+            if constexpr (Element::rotational) add_to_column(k, size, a * per_node + 3, first + l, out.m[a], l, share);
           }
       }
   }

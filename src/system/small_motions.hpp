@@ -2,7 +2,11 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <type_traits>
+
+#include "base/batch.hpp"
+#include "base/vec3.hpp"
 
 namespace nugget::system {
 
@@ -16,6 +20,12 @@ constexpr auto signs_of_steps() {
     return std::array{1.0, -1.0};
   else
     return std::array{1.0};
+}
+
+/// Adds a share of a lane of `f` to three rows of a column of the square matrix k.
+template <class R>
+void add_to_column(std::span<double> k, int size, int row, int column, const Vec3<R>& f, int lane, double share) {
+  for (const R* c : {&f.x, &f.y, &f.z}) k[row++ * size + column] += share * nugget::lane(*c, lane);
 }
 
 /// An element for motions so small that its forces are linear in them: its law without the pressure that an equation of

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "kernel/law/cohesive_bond.hpp"
@@ -136,6 +137,22 @@ void integrate_shells_fully(model::Model& m, Findings& findings) {
                               changed.size() == 1 ? "" : "s", fmt::join(changed, " ")));
 }
 
+/// Rubber by a test has at small strains the slope of tension; small motions go to both sides (docs/decisions/0145).
+void take_both_sides(kernel::Flow& flow) {
+  auto* rubber = std::get_if<kernel::TabulatedRubber>(&flow);
+  if (rubber == nullptr) return;
+  const Curve& test = rubber->tests.front();
+  const double pulled = test.slope(0.0), mean = 0.5 * (pulled + test.slope(std::nextafter(0.0, -1.0)));
+  if (mean == pulled || !(pulled > 0.0)) return;
+  if (rubber->is_foam()) {
+    rubber->E *= mean / pulled;
+    return;
+  }
+  const double shear = mean / 3.0;
+  rubber->nu = std::max(0.0, (3.0 * rubber->bulk - 2.0 * shear) / (2.0 * (3.0 * rubber->bulk + shear)));
+  rubber->E = 2.0 * shear * (1.0 + rubber->nu);
+}
+
 /// A viscous stress that goes by the step, of foams and honeycomb, would count as stiffness.
 void take_viscosity_out(model::Model& m) {
   const auto take_out = [](kernel::ComposedLaw& law) {
@@ -146,6 +163,7 @@ void take_viscosity_out(model::Model& m) {
           if constexpr (requires { flow.viscosity; }) flow.viscosity = 0.0;
         },
         made.flow);
+    take_both_sides(made.flow);
     law = kernel::composed_law(std::move(made));
   };
   for (model::Material& material : m.materials) {
