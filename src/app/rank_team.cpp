@@ -67,11 +67,16 @@ bool JoinedRun::agree(const Ready& own, std::string& why) {
   if (team_ == nullptr) return begun_ = own.willing;
   const std::vector<Ready> all = gather(*team_->ranks, own);
   begun_ = std::ranges::all_of(all, &Ready::willing);
-  for (std::size_t r = 1; begun_ && r < all.size(); ++r) {
-    const auto differ = [&](const char* what, const char* remedy) {
+  for (std::size_t r = 1; r < all.size(); ++r) {
+    const auto differ = [&](const std::string& what, const char* remedy) {
       why = fmt::format("rank {} has {} than the first one [{}]", r, what, remedy);
       begun_ = false;
     };
+    // Without one a rank is not willing.
+    if (all[0].willing && all[r].restart_file != all[0].restart_file)
+      differ(all[r].restart_file == 0 ? "no restart file that will do, other" : "another restart file",
+             "all ranks read it by the same name: it must stand in a folder that all machines see");
+    if (!begun_) continue;
     if (all[r].program != all[0].program)
       differ("another build of nugget", "install the same on all machines");
     else if (all[r].deck != all[0].deck)

@@ -190,7 +190,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       }
       if constexpr (requires { out.volume; }) zero_forces_of_inverted<R, Element::rotational>(out);
       if constexpr (single) balance(out.f);
-      if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < alive_before)) ++deletions;
+      if (const R alive_now = real_load<R>(state(b * width) + Element::Layout::alive * width);
+          any(alive_now < alive_before))
+        deletions += lanes_below<N, width>(alive_now, alive_before);
 
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
       R work(0.0);
@@ -336,11 +338,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       }
   }
   void archive(Archive& a) override {
-    expect_all_here();
+    const Archive::Holders to_all{holders.giver, {}}, &of_states = stays_here ? to_all : holders;
     ElementGroup::archive(a);
-    archive_by_element(a, state_, at(state_size()), width);
-    archive_by_element(a, reference_state_, reference_fields_.size(), width);
-    a(energy_, step_);
+    archive_known(a, *this, elsewhere_);
+    archive_by_element(a, state_, at(state_size()), width, of_states);
+    archive_by_element(a, reference_state_, reference_fields_.size(), width, {});
+    a.parts(energy_, of_states);
+    a.parts(step_, of_states);
     if (a.reading())
       for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
     a.built(kernel_, nodes_, reference_fields_, reference_kept_, small_, inviscid_, mass_, inertia_, imposed_,
