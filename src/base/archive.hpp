@@ -144,7 +144,7 @@ class Archive {
   };
   Part part(const Holders& holders, std::size_t place) const {
     if (reading_) return {everyone, !holders.taker || holders.taker(place)};
-    if (rank_ == everyone || !holders.giver) return {};
+    if (!holders.giver) return {};
     const int giver = holders.giver(place);
     return {giver, giver == everyone || giver == rank_};
   }
@@ -262,10 +262,10 @@ class Archive {
 };
 
 inline void Archive::pass(int, std::size_t) {
-  throw std::logic_error("this archive knows of no other ranks");
+  throw std::logic_error("values are asked for that other ranks have, of which this archive does not know");
 }
-inline void Archive::pass_piece(int) {
-  throw std::logic_error("this archive knows of no other ranks");
+inline void Archive::pass_piece(int rank) {
+  pass(rank, 0);
 }
 
 }  // namespace nugget

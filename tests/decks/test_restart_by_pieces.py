@@ -105,9 +105,9 @@ class RestartByPieces(RepeatedRuns):
         peaks["reads"] = [rank["peak_memory_mb"] for rank in self.json("writes/summary.json")["rank"]]
         print(f"a restart file of {size:.0f} MB; most memory of ranks [MB]: {peaks}")
         self.assertGreater(size, 60.0)
-        for folder in ("writes", "reads"):
+        for folder, share in (("writes", 0.2), ("reads", 0.4)):  # of the file; METIS has more to do where sheets rest on each other
             for plain, with_file in zip(peaks["plain"], peaks[folder]):
-                self.assertLess(with_file, plain + 0.2 * size, folder)
+                self.assertLess(with_file, plain + share * size, folder)
 
     def test_the_disk_is_full(self):
         """While the first rank writes the second restart file; the one before it is there, and goes on. Other ranks write nothing, so their disk may be full."""
@@ -122,6 +122,34 @@ class RestartByPieces(RepeatedRuns):
         self.assertTrue(self.restart("out") == before)
         self.over(3, "run", "--resume", "out", "--checkpoint", "30cycles", "--max-cycles", 40, full=(1, 1))
         self.assertEqual(self.json("out/summary.json")["cycles"], 40)
+
+    def elsewhere(self, *arguments, expect=1):
+        """A run by two ranks, of which the second one stands in the folder `elsewhere`."""
+        place = ["bash", "-c", f'[ $OMPI_COMM_WORLD_RANK = 1 ] && cd {self.folder}/elsewhere; exec "$@"', "_", NUGGET]
+        command = [word for each in mpirun(2, *arguments, "-j", 1, "--quiet") for word in (place if each == NUGGET else [each])]
+        run = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=self.folder, env=dict(ENVIRONMENT, NUGGET_LANES="4"))
+        self.assertEqual(run.returncode, expect, f"{run.stderr}\n{run.stdout}")
+        self.assertEqual(ranks_in(self.folder) + ranks_in(self.folder / "elsewhere"), [])
+        return run.stderr
+
+    def test_a_folder_that_one_rank_does_not_see(self):
+        """All end before anything is computed, also where what stands there is damaged, or of another cycle. Sabotage: a rank that leaves before the agreement."""
+        self.write(tube(end=1.0))
+        self.nugget("run", "model.k", "-o", "out", "-j", 1, "--quiet", "--checkpoint", "20cycles", "--max-cycles", 25, env=with_lanes(4))
+        other = self.folder / "elsewhere"
+        other.mkdir()
+        (other / "model.k").write_bytes((self.folder / "model.k").read_bytes())
+        before = self.bits("out")
+        lost = "rank 1 does not have the restart file of the first one [all ranks read it by the same name: it must stand in a folder that all machines see]"
+        self.assertIn(lost, self.elsewhere("run", "--resume", "out"))
+        subprocess.run(["cp", "-r", self.folder / "out", other], check=True)
+        damaged = bytearray((other / "out" / "restart").read_bytes())
+        damaged[len(damaged) // 2] ^= 1
+        (other / "out" / "restart").write_bytes(damaged)
+        self.assertIn(lost, self.elsewhere("run", "--resume", "out"))
+        self.nugget("run", "model.k", "-o", "elsewhere/out", "-j", 1, "--quiet", "--checkpoint", "10cycles", "--max-cycles", 15, env=with_lanes(4))
+        self.assertIn(lost, self.elsewhere("run", "--resume", "out"))
+        self.assertEqual(self.bits("out"), before)
 
 
 if __name__ == "__main__":
