@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 #include "deck/numbers.hpp"
@@ -35,7 +37,42 @@ double first(const Operands& a) {
   return a[0].value;
 }
 
+/// How far `x` is on its way from x0 to x1, within 0 and 1.
+double way(const Operands& a) {
+  const double x = a[0].value, x0 = a[1].value, x1 = a[3].value;
+  return x1 > x0 ? std::clamp((x - x0) / (x1 - x0), 0.0, 1.0) : x < x0 ? 0.0 : 1.0;
+}
+
+double polynomial(const Operands& a) {
+  double sum = 0.0;
+  for (std::size_t i = a.size() - 1; i >= 2; --i) sum = sum * (a[0].value - a[1].value) + a[i].value;
+  return sum;
+}
+
+double harmonic(const Operands& a) {
+  const auto at = [&](std::size_t i) { return i < a.size() ? a[i].value : 0.0; };
+  return at(2) * std::sin(at(3) * (at(0) - at(1)) - at(4)) + at(5);
+}
+
 constexpr std::size_t any_number = 1000;
+/// Of functions of time only.
+const std::array functions_of_time{
+    Function{"if", 4, 4, Result::real,
+             [](const Operands& a) {
+               return a[first(a) < 0.0 ? 1 : first(a) > 0.0 ? 3 : 2].value;
+             }},
+    Function{"step", 5, 5, Result::real,
+             [](const Operands& a) {
+               const double d = way(a);
+               return a[2].value + (a[4].value - a[2].value) * d * d * (3.0 - 2.0 * d);
+             }},
+    Function{"havsin", 5, 5, Result::real,
+             [](const Operands& a) {
+               return a[2].value + 0.5 * (a[4].value - a[2].value) * (1.0 - std::cos(std::numbers::pi * way(a)));
+             }},
+    Function{"poly", 3, any_number, Result::real, polynomial},
+    Function{"shf", 4, 6, Result::real, harmonic},
+};
 const std::array functions{
     Function{"abs", 1, 1, Result::as_arguments, [](const Operands& a) { return std::abs(first(a)); }},
     Function{"aint", 1, 1, Result::real, [](const Operands& a) { return std::trunc(first(a)); }},
@@ -78,7 +115,10 @@ const std::array functions{
 class Parser {
  public:
   Parser(std::string_view text, const Parameters& parameters, std::size_t moment)
-      : rest_(text), parameters_(parameters), moment_(moment) {}
+      : rest_(text), parameters_(&parameters), moment_(moment) {}
+
+  /// A function of time.
+  Parser(std::string_view text, double time) : rest_(text), time_(time) {}
 
   ExpressionResult run() {
     const Operand result = sum();
@@ -158,7 +198,7 @@ class Parser {
       while (n < rest_.size() && is_digit(rest_[n])) ++n;
     };
     digits();
-    bool whole = true;
+    bool whole = !time_;
     if (n < rest_.size() && rest_[n] == '.') {
       whole = false;
       ++n;
@@ -177,8 +217,19 @@ class Parser {
     return a;
   }
 
+  Operand variable(std::string_view name) {
+    const std::string known = lower(name);
+    if (known == "time") return {*time_, false};
+    if (known == "pi") return {std::numbers::pi, false};
+    if (known == "dtor") return {std::numbers::pi / 180.0, false};
+    if (known == "rtod") return {180.0 / std::numbers::pi, false};
+    fail(fmt::format("'{}' is not known: a function of TIME is built", name));
+    return {};
+  }
+
   Operand parameter(std::string_view name) {
-    const Parameter* p = parameters_.find(name, moment_);
+    if (time_) return variable(name);
+    const Parameter* p = parameters_->find(name, moment_);
     if (p == nullptr) {
       fail(fmt::format("the parameter '{}' is not defined before this line", name));
     } else if (p->type == 'C') {
@@ -189,17 +240,23 @@ class Parser {
     return {};
   }
 
+  template <class List>
+  static const Function* find(const List& list, std::string_view name) {
+    const auto f = std::find_if(list.begin(), list.end(), [&](const Function& g) { return g.name == lower(name); });
+    return f == list.end() ? nullptr : &*f;
+  }
+
   Operand call(std::string_view name) {
     const Nested nested(*this);
     Operands arguments;
     do {
       arguments.push_back(sum());
-    } while (fault_.empty() && take(","));
+    } while (fault_.empty() && (take(",") || (time_ && arguments.size() == 1 && take(":"))));
     closed({});
     if (!fault_.empty()) return {};
-    const auto f =
-        std::find_if(functions.begin(), functions.end(), [&](const Function& g) { return g.name == lower(name); });
-    if (f == functions.end()) {
+    const Function* f = find(functions, name);
+    if (f == nullptr && time_) f = find(functions_of_time, name);
+    if (f == nullptr) {
       fail(fmt::format("the function '{}' is not known", name));
       return {};
     }
@@ -276,8 +333,9 @@ class Parser {
   };
 
   std::string_view rest_;
-  const Parameters& parameters_;
-  std::size_t moment_;
+  const Parameters* parameters_ = nullptr;
+  std::size_t moment_ = 0;
+  std::optional<double> time_;
   std::string fault_, warning_;
   int depth_ = 0;
 };
@@ -286,6 +344,10 @@ class Parser {
 
 ExpressionResult evaluate_expression(std::string_view text, const Parameters& parameters, std::size_t moment) {
   return Parser(text, parameters, moment).run();
+}
+
+ExpressionResult evaluate_function_of_time(std::string_view text, double time) {
+  return Parser(text, time).run();
 }
 
 }  // namespace nugget::deck

@@ -135,7 +135,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
   bool single_precision() const override { return single; }
   std::size_t block_width() const override { return width; }
   std::size_t slot_rows() const override { return blocks() * width * corners * rows; }
-
   bool looks_at_neighbours() const override {
     if constexpr (requires { kernel_.nodal_pressure; }) return kernel_.nodal_pressure != nullptr;
     return false;
@@ -146,9 +145,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
                   })
       kernel_.before_cycle(
           now, [this](std::size_t e) { return alive(e); },
-          [this](std::size_t e, int i, double value) {
-            if (!elsewhere_.has(e)) put_field(e, i, value);
-          });
+          [this](std::size_t e, int i, double value) { set_number(e, i, value); });
   }
 
   void joint_trial([[maybe_unused]] std::size_t e, [[maybe_unused]] const State& now,
@@ -365,6 +362,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     else
       put_field(e, Element::Layout::alive, 0.0);
     ++deletions;
+  }
+  std::vector<int> crash_front_fields() const override {
+    if constexpr (requires { kernel_.crash_front_fields(); }) return kernel_.crash_front_fields();
+    return {};
+  }
+  void set_number(std::size_t e, int i, double value) override {
+    if (!elsewhere_.has(e)) put_field(e, i, value);
   }
   void release_step(std::size_t e) override {
     if (elsewhere_.has(e))

@@ -113,6 +113,11 @@ class ElementGroup {
   virtual bool alive(std::size_t e) const = 0;
   /// Deletes element e. Its last force still acts over the step to come, so its own step stays in the choice for that.
   virtual void remove(std::size_t e) = 0;
+  /// Numbers of an element's state that say, by 1, that it stands beside a deleted one, of laws that are weaker there
+  /// (SOFT of MAT_054); none of others.
+  virtual std::vector<int> crash_front_fields() const { return {}; }
+  /// Sets number i of the state of element e, unless that is elsewhere.
+  virtual void set_number(std::size_t, int, double) {}
   /// Takes the step of a deleted element out of the choice at once: the step is why it was deleted.
   virtual void release_step(std::size_t e) = 0;
   /// Puts the step of an element that another rank computes into the choice; `release_step` takes it out again.

@@ -113,6 +113,18 @@ struct ShellElement {
       });
     }
   }
+  /// Numbers of an element's state that say, by 1, that it stands beside a deleted element; none where that is nothing
+  /// to its laws.
+  std::vector<int> crash_front_fields() const {
+    std::vector<int> fields;
+    for (int k = 0; k < layers(); ++k) {
+      const auto& own = kernel::law_of(law, k);
+      if constexpr (requires { own.crash_front_field(); })
+        if (const int field = own.crash_front_field(); field > 0)
+          for (int column = 0; column < columns; ++column) fields.push_back(layout().history_of(k, column) + field);
+    }
+    return fields;
+  }
   static double area(const Places& x) {
     if constexpr (corners == 4)
       return kernel::shell_area(x);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sheets and blocks of MAT_105 and 107, and blocks of 061, torn: the same bits with any number of threads and lanes and across a restart, and
+"""Sheets and blocks of MAT_089, 105, 107 and 124, and blocks of 061, torn: the same bits with any number of threads and lanes and across a restart, and
 energies that close."""
 import unittest
 
@@ -7,8 +7,11 @@ from repeated_runs import RepeatedRuns
 
 LAWS = ("*MAT_105\n1,7.85e-9,2.1e5,0.3,300.0,500.0,0,0\n40.0,5.0\n0.01,0.05,0.4\n\n",
         "*MAT_107\n2,7.85e-9,2.1e5,0.3,,0.9,4.52e8\n5e-4,293.0,1800.0,,0,1\n400.0,200.0,0.4,0.012,1.0\n50.0,30.0\n1.0,60.0\n1700.0,1e4",
-        "*MAT_061\n3,7.85e-9,2.0e4,4.0e3,1.0e3,2e-5,1")
-SECTIONS = ((1, "SHELL", 2, (1, 2)), (2, "SHELL", 16, (1, 2)), (3, "SOLID", 1, (1, 2, 3)), (4, "SOLID", 2, (1, 2, 3)))
+        "*MAT_061\n3,7.85e-9,2.0e4,4.0e3,1.0e3,2e-5,1",
+        "*MAT_124\n4,7.85e-9,2.1e5,0.3,,,0.2\n21,22,23,24\n100.0,50.0\n*DEFINE_CURVE\n21\n0,500\n1,900\n*DEFINE_CURVE\n22\n0,300\n1,700\n"
+        "*DEFINE_CURVE\n23\n0,1\n20000,1.5\n*DEFINE_CURVE\n24\n0,1\n1000,1.2\n50000,1.4",
+        "*MAT_089\n5,7.85e-9,2.1e5,0.3\n,,25\n0,0,0,26\n*DEFINE_CURVE\n25\n0,0\n0.002,400\n0.1,500\n1,900\n*DEFINE_CURVE\n26\n0,0.3\n15,0.15")
+SECTIONS = ((1, "SHELL", 2, (1, 2, 4, 5)), (2, "SHELL", 16, (1, 2, 4, 5)), (3, "SOLID", 1, (1, 2, 3, 4, 5)), (4, "SOLID", 2, (1, 2, 3, 4, 5)))
 
 
 def torn(n=3, speed=150000.0):

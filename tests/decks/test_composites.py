@@ -3,11 +3,12 @@
 threads and lanes and across a restart, and energies that close."""
 import unittest
 
+import lsda
 from repeated_runs import RepeatedRuns
 
 ELASTIC = "{},1.52e-9,127e3,8.41e3,8.41e3,0.0205,0.0205,0.3\n4.21e3,4.21e3,4.21e3,,{}\n"
 LAWS = (("*MAT_022\n" + ELASTIC.format(1, 0) + "\n\n154.0,2200.0,48.9,199.0,1e-9\n"),
-        ("*MAT_054\n" + ELASTIC.format(2, 2) + ",,,1.0\n,,,0,1.0,,0.05,0.06\n1e-9,1e-9,,0.5,1.5,0.02,-0.015,0.2\n"
+        ("*MAT_054\n" + ELASTIC.format(2, 2) + ",,,1.0\n,,,0,1.0,,0.05,0.06\n1e-9,1e-9,0.8,0.5,1.5,0.02,-0.015,0.2\n"
          "1470.0,2200.0,199.0,48.9,154.0,54,0.3\n\n0.1,0.4,0.3,0.5,0.6,30\n"),
         ("*MAT_055\n" + ELASTIC.format(3, 3) + "\n0,1.0,0\n\n1470.0,2200.0,199.0,48.9,154.0,55\n"))
 FORMULATIONS = (2, 16, 17)
@@ -54,6 +55,26 @@ class Composites(RepeatedRuns):
         for state in states:
             self.assertAlmostEqual(state["total energy / initial energy"], 1.0, delta=0.01)
         self.assertGreater(states[-1]["eroded internal energy"], 0.05 * states[-1]["internal energy"])
+
+    def test_layers_beside_a_deleted_shell_are_weaker(self):
+        """Three squares pulled along their fibres: 2 shares an edge with 1, which is deleted at the start, 3 stands alone. Sabotage: SOFT of the whole part;
+        of no one."""
+        nodes = [(10 * x, y) for y in (0, 10, 20, 40, 50) for x in (0, 1)]
+        law = "*MAT_054\n1,1.52e-9,127e3,8.41e3,8.41e3,0,0,0\n4.21e3,4.21e3,4.21e3,,2\n,,,1.0\n,,,0,1.0\n1e-12,,0.6\n1470.0,2200.0,199.0,48.9,154.0,54"
+        cards = ["*KEYWORD", "*CONTROL_TERMINATION", "1e-3", law, "*SECTION_SHELL\n1,2,,2\n1,1,1,1", "*PART\np\n1,1,1", "*NODE"]
+        cards += [f"{k},{x},{y},0" for k, (x, y) in enumerate(nodes, 1)]
+        cards += ["*ELEMENT_SHELL", *(f"{e},1,{n},{n + 1},{n + 3},{n + 2}" for e, n in ((1, 1), (2, 3), (3, 7)))]
+        for k, (x, _) in enumerate(nodes, 1):
+            cards.append(f"*BOUNDARY_SPC_NODE\n{k},0,{int(x == 0)},1,1,1,1,1")
+            if x > 0:
+                cards.append(f"*BOUNDARY_PRESCRIBED_MOTION_NODE\n{k},1,0,9,250.0")
+        cards += ["*DEFINE_CURVE\n9\n0,1\n1,1", "*DEFINE_ELEMENT_DEATH_SHELL\n1,1e-5", "*DATABASE_HISTORY_SHELL\n2,3", "*DATABASE_ELOUT\n1e-6,2", "*END", ""]
+        self.write("\n".join(cards))
+        self.nugget("run", "model.k", "-o", "run", "--quiet")
+        stress = [state["sig_xx"] for state in lsda.states(lsda.read(self.folder / "run" / "binout0000"), "elout/shell")]
+        layers = len(stress[0]) // 2
+        for first, strength in ((0, 0.6 * 2200.0), (layers, 2200.0)):
+            self.assertAlmostEqual(max(max(row[first:first + layers]) for row in stress), strength, delta=0.005 * strength)
 
     def test_modes_are_those_of_the_elastic_plate(self):
         found = []

@@ -6,9 +6,15 @@ import unittest
 
 from repeated_runs import RepeatedRuns
 
-TEST = "\n".join(f"{l - 1.0:.6f},{2.0 * (l * l - 1.0 / l) * (0.4 + 0.1 / l) / l:.9f}" for l in (0.4 + 0.05 * k for k in range(60)))
+
+def nominal(factor):
+    return "\n".join(f"{l - 1.0:.6f},{factor * (l * l - 1.0 / l) * (0.4 + 0.1 / l) / l:.9f}" for l in (0.4 + 0.05 * k for k in range(60)))
+
+
 LAWS = ("*MAT_027\n{},1.2e-9,0.49,0.4,0.1\n\n", "*MAT_007\n{},1.2e-9,1.0\n", "*MAT_077_H\n{},1.2e-9,0.49\n0.4,0.1\n",
-        "*MAT_077_O\n{},1.2e-9,0.49\n0.3\n4.0\n", "*MAT_181\n{},1.2e-9,50.0\n1,1,1,7\n")
+        "*MAT_077_O\n{},1.2e-9,0.49\n0.3\n4.0\n", "*MAT_181\n{},1.2e-9,50.0\n1,1,1,7\n",
+        # over the rate, with less on the way back; as foam; a series that relaxes
+        "*MAT_181\n{},1.2e-9,50.0\n1,1,1,9\n0,0.5\n", "*MAT_181\n{},1.2e-9,50.0\n1,1,1,9,,,,0.3\n", "*MAT_076\n{},1.2e-9,50.0\n\n0.4,0\n0.6,5000\n")
 FORMULATIONS = (2, 4, 5, 9, 16, 17)
 
 
@@ -16,7 +22,8 @@ def sheets(n=3, speed=30000.0):
     """A small square of each law in each formulation, side by side."""
     chance = random.Random(3)
     cards = ["*KEYWORD", "*CONTROL_TERMINATION", "6e-4", "*CONTROL_SHELL", ",,,1", "*CONTROL_ENERGY", "2,2,2,2", "*DATABASE_GLSTAT", "2e-5",
-             "*DATABASE_BINARY_D3PLOT", "2e-4", f"*DEFINE_CURVE\n7\n{TEST}"]
+             "*DATABASE_BINARY_D3PLOT", "2e-4", f"*DEFINE_CURVE\n7\n{nominal(2.0)}", f"*DEFINE_CURVE\n8\n{nominal(3.0)}",
+             "*DEFINE_TABLE_2D\n9\n10.0,7\n10000.0,8"]
     nodes, elements, starts = [], [], []
     for i, law in enumerate(LAWS):
         cards.append(law.format(i + 1).rstrip("\n") + ("\n" if "027" not in law else "\n\n"))

@@ -405,6 +405,26 @@ TEST(Laws, RubberAndFoam) {
                 Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10}, {0, 0.3, 0.5}}) + test, std::log(1.6),
                        20.0, Of::all, std::log(1.2)),
                 std::log(1.2), 1.2 * 0.5 * (0.3 + 0.7 * std::sqrt(0.05 / 0.31)), 0.01, "laws");
+  // The same tests of a foam with Poisson's ratio 0.3, whose section at the stretch l is l^-0.6 of the first; over the
+  // rate, half way between 1 and 3 times the forces; on its way back by a curve.
+  for (const auto& [strain, force] : {std::pair{0.4, 5.0 + 3.0 * (20.0 * std::expm1(0.4) - 4.0) / 8.0},
+                                      std::pair{-0.4, -12.0 - 68.0 * (-20.0 * std::expm1(-0.4) - 6.0) / 6.0}})
+    expect_stress("MAT_181 PR/BETA 0.3, by a test of straight pieces",
+                  Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10, 0, 0, 0, 0.3}}) + test, strain,
+                         std::copysign(20.0, strain)),
+                  strain, std::exp(0.6 * strain) * force / 10.0, 0.01, "laws");
+  const std::string fast =
+      curve(11, {{-12.0, -240.0}, {-6.0, -36.0}, {0.0, 0.0}, {4.0, 15.0}, {12.0, 24.0}, {30.0, 105.0}}) +
+      "*DEFINE_TABLE_2D\n" + fields({12}) + fmt::format("{:20g}{:20d}\n{:20g}{:20d}\n", 0.0, 10, 40.0, 11);
+  expect_stress("MAT_181 by a table, 20/s between 0 and 40",
+                Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 12}}) + test + fast, 0.4, 20.0), 0.4,
+                std::exp(0.4) * 2.0 * (5.0 + 3.0 * (20.0 * std::expm1(0.4) - 4.0) / 8.0) / 10.0, 0.01, "laws");
+  const std::string back =
+      curve(13, {{-12.0, -80.0}, {-6.0, -6.0}, {0.0, 0.0}, {4.0, 2.0}, {12.0, 8.0 / 3.0}, {30.0, 35.0}});
+  expect_stress("MAT_181 LCUNLD, on its way back from the end of the test",
+                Pulled(mat("181", {{1, 1.2e-9, 200.0}, {20.0, 5.0, 2.0, 10}, {13}}) + test + back, std::log(2.5), 20.0,
+                       Of::all, std::log(1.2)),
+                std::log(1.2), 1.2 * 0.2, 0.01, "laws");
   const std::string foam_curve = curve(7, {{0.0, 0.0}, {0.05, 0.1}, {0.5, 0.15}, {0.9, 0.95}});
   expect_stress("MAT_057",
                 Pulled(mat("057", {{1, 5e-11, 2.0, 7}, {1.0, 0, 1.0}}) + foam_curve, std::log(0.4), -20.0, Of::bricks),
@@ -418,6 +438,51 @@ TEST(Laws, RubberAndFoam) {
   expect_stress("MAT_063",
                 Pulled(mat("063", {{1, 5e-11, 2.0, 0, 7, 0.05}}) + foam_curve, std::log(0.4), -20.0, Of::bricks),
                 std::log(0.4), -0.35, 0.01, "laws");
+}
+
+// Plastics: a curve over the total strain comes back as it is; one curve in tension, another in compression.
+// Sabotage: strains of MAT_089 taken as plastic ones; the curves of MAT_124 exchanged.
+TEST(Laws, Plastics) {
+  const std::string total = curve(7, {{0.0, 0.0}, {0.01, 20.0}, {0.065, 30.0}, {0.5, 60.0}});
+  for (const double strain : {0.3, -0.3})
+    expect_stress(
+        "MAT_089, curve of the total strain",
+        Pulled(mat("089", {{1, 1.1e-9, 2000.0, 0.4}, {0, 0, 7}, {}}) + total, strain, std::copysign(20.0, strain)),
+        strain, std::copysign(30.0 + 30.0 * (0.3 - 0.065) / 0.435, strain), 0.01, "laws");
+  const std::string pressed = curve(7, {{0.0, 60.0}, {0.5, 110.0}}), pulled = curve(8, {{0.0, 40.0}, {0.5, 50.0}});
+  for (const auto& [strain, expected] : {std::pair{0.3, (40.0 + 20.0 * 0.3) / (1.0 + 20.0 / 2000.0)},
+                                         std::pair{-0.3, -(60.0 + 100.0 * 0.3) / (1.0 + 100.0 / 2000.0)}})
+    expect_stress(
+        "MAT_124, tension weaker than compression",
+        Pulled(mat("124", {{1, 1.1e-9, 2000.0, 0.4}, {7, 8}}) + pressed + pulled, strain, std::copysign(20.0, strain)),
+        strain, expected, 0.01, "laws");
+  // At 20/s half way between 0 and 40: 1.25 times 40 in tension, 1.5 times 60 in compression.
+  const std::string flat = curve(7, {{0.0, 60.0}, {1.0, 60.0}}) + curve(8, {{0.0, 40.0}, {1.0, 40.0}}) +
+                           curve(9, {{0.0, 1.0}, {40.0, 2.0}}) + curve(10, {{0.0, 1.0}, {40.0, 1.5}});
+  for (const auto& [strain, expected] : {std::pair{0.3, 40.0 * 1.25}, std::pair{-0.3, -60.0 * 1.5}})
+    expect_stress(
+        "MAT_124 LCSRC, LCSRT, 20/s",
+        Pulled(mat("124", {{1, 1.1e-9, 2000.0, 0.4}, {7, 8, 9, 10}}) + flat, strain, std::copysign(20.0, strain)),
+        strain, expected, 0.01, "laws");
+}
+
+// A Prony series pulled at a constant rate d: with a stiff volume the bar has s = 3 d sum of G_i (1 - exp(-b_i t)) /
+// b_i. Sabotage: G for 3 G; decays left out.
+TEST(Laws, PronySeries) {
+  const double strain = 0.1, t = strain / 20.0;
+  const double series = 1.0 * t + 5.0 * -std::expm1(-300.0 * t) / 300.0 + 2.0 * -std::expm1(-50.0 * t) / 50.0;
+  // The velocity of the end is constant: the rate is 20 at the end and exp(0.1) times that at the start.
+  const double speed = 20.0 * std::exp(strain), end = (std::exp(strain) - 1.0) / speed;
+  double stress = 0.0;
+  constexpr int parts = 20000;
+  for (int i = 0; i < parts; ++i) {
+    const double u = (i + 0.5) * end / parts, rate = speed / (1.0 + speed * u), ago = end - u;
+    stress += 3.0 * rate * (1.0 + 5.0 * std::exp(-300.0 * ago) + 2.0 * std::exp(-50.0 * ago)) * end / parts;
+  }
+  EXPECT_NEAR(stress, 60.0 * series, 0.05 * stress);
+  expect_stress("MAT_076, three terms",
+                Pulled(mat("076", {{1, 1.1e-9, 2000.0}, {}, {1.0, 0.0}, {5.0, 300.0}, {2.0, 50.0}}), strain, 20.0),
+                strain, stress, 0.01, "laws");
 }
 
 // In a plain pull damage by direction is that of the plastic strain. Sabotage: the square of what is left.

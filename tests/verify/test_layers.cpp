@@ -251,6 +251,27 @@ TEST(Layers, FailureOfOneLayer) {
   expect_reference("layers", "FAILOPT 1: force of the interlayer after the glass [N/mm]", held[5], interlayer, 1e-3);
 }
 
+// The same windscreen by *MAT_LAMINATED_GLASS: glass that yields at 50 and fails at once, an interlayer that does not.
+// Sabotage: the layers in another order; the shell deleted with its glass.
+TEST(Layers, LaminatedGlass) {
+  const std::string glass = "*MAT_LAMINATED_GLASS\n" + fields({1, 2.5e-9, 70e3, 0.0, 50.0, 0.0, 1e-9, 500.0}) +
+                            fields({0.0, 100.0}) + fields({0, 1, 0});
+  const std::string rule = "*SECTION_SHELL\n" + fields({1, 2, 1, 3, 0, -7}) + fields({5, 5, 5, 5}) + "*PART\nshell\n" +
+                           fields({1, 1, 1}) + "*INTEGRATION_SHELL\n" + fields({7, 3}) + fields({-0.6, 0.4}) +
+                           fields({0, 0.2}) + fields({0.6, 0.4});
+  const double x = 10.0 * 2e-3;
+  bool alive = false;
+  std::vector<std::array<double, 8>> all;
+  const auto held = driven(glass + rule, x, 0.0, {}, &all, &alive);
+  EXPECT_TRUE(alive);
+  expect_reference("layers", "*MAT_LAMINATED_GLASS: force of the interlayer after the glass [N/mm]", held[5],
+                   500.0 * std::log(1.002) * 1.0, 1e-3);
+  double most = 0.0;
+  for (const auto& r : all) most = std::max(most, r[5]);
+  expect_reference("layers", "the same: largest force, at the yield stress of the glass [N/mm]", most,
+                   4.0 * 50.0 + 50.0 / 70e3 * 500.0, 5e-3);
+}
+
 // A layer of *MAT_002 at an angle B: stiffness in the plane of Jones 2.80, Q11 cos^4 + 2 (Q12 + 2 Q66) cos^2 sin^2 +
 // Q22 sin^4, on top of the material's BETA and the element's own axes. Sabotage: B left out; its sign turned (the
 // coupling of stretch and shear, Q16, tells).

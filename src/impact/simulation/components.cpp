@@ -19,6 +19,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       belts(system, findings),
       element_alive(system.model),
       erosion(system),
+      crash_fronts(system),
       strains(system, system.model.requests.strains),
       nodal_forces(system),
       accelerometers(system),

@@ -24,6 +24,7 @@
 #include "impact/contact/element_alive.hpp"
 #include "impact/contact/interiors.hpp"
 #include "impact/contact/walls.hpp"
+#include "impact/simulation/crash_fronts.hpp"
 #include "impact/simulation/erosion.hpp"
 #include "impact/simulation/sensors.hpp"
 #include "impact/simulation/strains.hpp"
@@ -50,6 +51,7 @@ struct Components {
   Belts belts;
   ElementAlive element_alive;
   Erosion erosion;
+  CrashFronts crash_fronts;
   Strains strains;
   NodalForceGroups nodal_forces;
   Accelerometers accelerometers;
@@ -95,8 +97,8 @@ struct Components {
   static void visit_all(Self& c, Visit& visit) {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.linear_constraints,
-        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.belts, c.element_alive, c.erosion, c.strains,
-        c.nodal_forces, c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
+        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.belts, c.element_alive, c.erosion, c.crash_fronts,
+        c.strains, c.nodal_forces, c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
   }
 };
 

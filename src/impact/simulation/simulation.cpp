@@ -599,6 +599,7 @@ void Simulation::applied_forces() {
 void Simulation::remove_deleted_elements() {
   const ElementAlive::Deletions deletions = components_.element_alive.update(system_);
   if (deletions.any) components_.contacts.surface_changed();
+  if (deletions.shells) components_.crash_fronts.update(system_);
   if (!components_.tie_releases.update(state_, components_.element_alive.all(), deletions.shells, deletions.any))
     return;
   update_mass_bounds();

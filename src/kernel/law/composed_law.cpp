@@ -306,6 +306,17 @@ int LawKernel<ComposedLaw>::size_field() const {
   return field > 0 ? lost_ + field : 0;
 }
 
+int LawKernel<ComposedLaw>::crash_front_field() const {
+  return std::visit(
+      [](const auto& flow) {
+        if constexpr (requires { flow.crash_front_field(); })
+          return flow.crash_front_field();
+        else
+          return 0;
+      },
+      parts_->flow);
+}
+
 DamageNumbers LawKernel<ComposedLaw>::damage(const std::function<double(int)>& history) const {
   if (!can_fail_) return {};
   return parts_->failure.damage([&](int i) { return history(lost_ + i); });

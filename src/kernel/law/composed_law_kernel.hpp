@@ -36,6 +36,8 @@ class LawKernel<ComposedLaw> {
   /// Where the history of a point holds the size of its element, which is set before the first step: the root of a
   /// shell's area, the cube root of a solid's volume [length]; 0: nowhere.
   int size_field() const;
+  /// Where the history of a point says, by 1, that its element stands beside a deleted one; 0: nowhere.
+  int crash_front_field() const;
   /// Where a membrane writes into the history of a point by how fast its material turns beside its axes; 0: nowhere.
   int spin_field() const { return spin_field_; }
   /// `history(i)`: the i-th number of a point's history.

@@ -42,10 +42,12 @@ struct CompositeLayer : Orthotropic {
   /// SLIMT1, SLIMC1, SLIMT2, SLIMC2, SLIMS: what is left of the stress that a mode stopped [1], NCYRED cycles later.
   std::array<double, 5> left{1.0, 1.0, 1.0, 1.0, 1.0};
   double cycles_of_loss = 100.0;
+  double soft = 1.0;  ///< SOFT: factor on all strengths of MAT_054 and MAT_055 beside a deleted element [1]
 };
 
 /// History of a point: the material axes as of Orthotropic; strains a, b, ab, c, ac, bc; for each mode the cycles since
-/// it was met; the stresses that they stopped; whether the layer has failed.
+/// it was met; the stresses that they stopped; whether the layer has failed; where SOFT is not 1, whether it stands
+/// beside a deleted element.
 template <>
 class LawKernel<CompositeLayer> {
  public:
@@ -53,7 +55,9 @@ class LawKernel<CompositeLayer> {
 
   explicit LawKernel(const CompositeLayer& law);
 
-  int layer_history() const { return failed_field + 1; }
+  int layer_history() const { return failed_field + (crash_front_field() > 0 ? 2 : 1); }
+  /// Where the history says, by 1, that the layer stands beside a deleted element; 0: nowhere.
+  int crash_front_field() const { return law_.soft != 1.0 ? failed_field + 1 : 0; }
   const MaterialAxes& axes() const { return law_.axes; }
   static bool can_fail() { return true; }
   template <class R>
@@ -143,6 +147,14 @@ class LawKernel<CompositeLayer> {
     store_field(history, failed_field, select(here, R(1.0), load_field<R>(history, failed_field)));
   }
 
+  /// Stresses to be compared with the strengths: where these are SOFT times theirs, stresses over SOFT.
+  template <class R>
+  Plane<R> against_strengths(const Plane<R>& s, const double* history) const {
+    if (crash_front_field() == 0) return s;
+    const R over = select(load_field<R>(history, crash_front_field()) > 0.5, R(1.0 / law_.soft), R(1.0));
+    return {over * s.a, over * s.b, over * s.ab};
+  }
+
   /// MAT_022.
   template <class R>
   void lose_stresses(const Plane<R>& before, const Plane<R>& strain, Plane<R>& now, double* history) const {
@@ -189,22 +201,24 @@ class LawKernel<CompositeLayer> {
     const R most = limit(shear, max(cycles[matrix_tension], cycles[matrix_compression]));
     now.ab = select(torn || cracked || crushed, max(min(now.ab, most), -most), now.ab);
 
-    const R of_shear = shear_ratio(now.ab, law_.shear_strength);
+    const Plane<R> judged = against_strengths(now, history);
+    const R of_shear = shear_ratio(judged.ab, law_.shear_strength);
     R strength_t = R(law_.tension_a), strength_c = R(law_.compression_a);
     if (law_.crushed_tension > 0.0) strength_t = select(crushed, law_.crushed_tension * strength_t, strength_t);
     strength_c = select(crushed, min(strength_c, R(law_.crushed_compression * law_.compression_b)), strength_c);
     const auto along = now.a > none, across = now.b >= none;
-    const R pull = now.a / strength_t, push = now.a / strength_c, open = now.b * (1.0 / law_.tension_b);
+    const R pull = judged.a / strength_t, push = judged.a / strength_c, open = judged.b * (1.0 / law_.tension_b);
     const auto tears = along && !torn && pull * pull + law_.shear_weight * of_shear >= one;
     const auto kinks = !along && !kinked && push * push >= one;
     R tension_index, pressed_index;
     if (law_.rule == CompositeLayer::Rule::tsai_wu) {
       const double product = 1.0 / (law_.compression_b * law_.tension_b);
-      tension_index = product * (now.b * now.b) + of_shear + ((law_.compression_b - law_.tension_b) * product) * now.b;
+      tension_index =
+          product * (judged.b * judged.b) + of_shear + ((law_.compression_b - law_.tension_b) * product) * judged.b;
       pressed_index = tension_index;
     } else {
       tension_index = open * open + of_shear;
-      pressed_index = compression_index(now.b, of_shear);
+      pressed_index = compression_index(judged.b, of_shear);
     }
     const auto cracks = across && !cracked && tension_index >= one;
     const auto crushes = !across && !crushed && pressed_index >= one;

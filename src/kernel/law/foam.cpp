@@ -122,31 +122,25 @@ RateFoamPoint::RateFoamPoint(const RateFoam& law) : law_(law), growth_(law.E) {
 }
 
 double RateFoamPoint::look_up(double strain, double rate) const {
-  const std::vector<double>& rates = law_.rates;
-  if (!(rate > rates.front())) return law_.curves.front().extrapolated(strain);
-  if (rate >= rates.back()) return law_.curves.back().extrapolated(strain);
-  const auto high = static_cast<std::size_t>(std::upper_bound(rates.begin(), rates.end(), rate) - rates.begin());
-  const double low = law_.curves[high - 1].extrapolated(strain),
-               w = (rate - rates[high - 1]) / (rates[high] - rates[high - 1]);
-  return low + w * (law_.curves[high].extrapolated(strain) - low);
+  const RatePlace place = rate_place(law_.rates, rate);
+  const double low = law_.curves[place.low].extrapolated(strain);
+  if (!(place.share > 0.0)) return low;
+  const double high = law_.curves[place.high].extrapolated(strain);
+  if (!law_.log_log) return low + place.share * (high - low);
+  const double share =
+      std::log(rate / law_.rates[place.low]) / std::log(law_.rates[place.high] / law_.rates[place.low]);
+  return low * high > 0.0 ? low * std::pow(high / low, share) : low + share * (high - low);
 }
 
-std::array<double, 3> RateFoamPoint::loading_rates(const Principal& axes, const Tensor& d, double J, double dt) const {
+std::array<double, 3> RateFoamPoint::rates_now(const Principal& axes, const Tensor& d, double J, double dt) const {
   if (law_.rate_of == RateFoam::RateOf::volume) {
     const double rate = (J < 1.0 ? -1.0 : 1.0) * (law_.engineering_rate ? J : 1.0) * trace(d);
     return {rate, rate, rate};
   }
-  const Tensor rate = tensorial(d);
-  std::array<double, 3> of_each;
-  std::size_t most = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double true_rate = along(axes.direction[i], rate);
-    const double stretch_then = std::sqrt(1.0 + axes.value[i]) / (1.0 + 0.5 * dt * true_rate);  // in mid-step
-    of_each[i] = (axes.value[i] < 0.0 ? -1.0 : 1.0) * (law_.engineering_rate ? stretch_then : 1.0) * true_rate;
-    if (std::abs(std::log1p(axes.value[i])) > std::abs(std::log1p(axes.value[most]))) most = i;
-  }
-  if (law_.rate_of == RateFoam::RateOf::each_direction) return of_each;
-  return {of_each[most], of_each[most], of_each[most]};
+  const LoadingRates now = loading_rates(axes, d, dt, law_.engineering_rate);
+  if (law_.rate_of == RateFoam::RateOf::each_direction) return now.of_each;
+  const double most = now.of_each[now.most];
+  return {most, most, most};
 }
 
 PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std::span<double> h) const {
@@ -160,7 +154,7 @@ PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std
   // Rates count as their mean over some steps, or the stress would follow each vibration: one step by 2/13, which
   // reaches as far back as a mean over twelve.
   constexpr double weight = 2.0 / 13.0;
-  const std::array<double, 3> now = loading_rates(axes, d, J, dt);
+  const std::array<double, 3> now = rates_now(axes, d, J, dt);
   const Curve& lowest = law_.curves.front();
   std::array<double, 3> stress{};
   double energy = 0.0, slope = law_.E;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/curve.hpp"
+#include "kernel/law/loading_rates.hpp"
 #include "kernel/law/single_points.hpp"
 
 // Foams, laws of solids without lateral contraction: each principal direction has a stress of its own. Damping is a
@@ -62,6 +63,7 @@ struct RateFoam {
   std::vector<double> rates;               ///< of the curves, ascending [1/time]
   RateOf rate_of = RateOf::most_strained;  ///< RFLAG
   bool engineering_rate = false;           ///< SFLAG 1: change of length over the length at first, else over that now
+  bool log_log = false;                    ///< between rates by the logarithms of rate and stress, else linear
   bool tension_by_curves = false;          ///< TFLAG 1: negative strains of the curves are tension
   double cutoff = std::numeric_limits<double>::infinity();  ///< TC, greatest nominal tensile stress [stress]
   bool tension_failure = false;                             ///< FAIL 1: no tensile stress once the cutoff was reached
@@ -103,7 +105,7 @@ class RateFoamPoint {
 
  private:
   double look_up(double strain, double rate) const;
-  std::array<double, 3> loading_rates(const Principal& axes, const SolidTensor<double>& d, double J, double dt) const;
+  std::array<double, 3> rates_now(const Principal& axes, const SolidTensor<double>& d, double J, double dt) const;
 
   RateFoam law_;
   double growth_;  ///< slope by which what the rate adds to the stress grows at most [stress]

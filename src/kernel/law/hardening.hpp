@@ -70,6 +70,8 @@ class CurveHardening {
 
   double lowest() const { return lowest_; }
   double kinematic() const { return 0.0; }
+  /// The curves over the rate; not active(): there is one.
+  const RateTable& table() const { return table_; }
 
   template <class R>
   class At {

@@ -18,6 +18,7 @@ namespace nugget::kernel {
 ///   can_fail(), failed()                    whether, and which, points have failed (their stress is 0)
 ///   axes()                                  material axes at the start; the history holds those of now
 ///   (axes_field.hpp) temperature_field()                     where the history holds a temperature rise; 0: nowhere
+///   crash_front_field()                     where the history says that its element stands beside a deleted one
 ///   spin_field()                            where a membrane writes by how fast its material turns beside its axes
 ///   step_share()                            what the viscous stress of layers leaves of the stable step, of membranes
 ///   stiffness_share()                       stiffness of a point now over that of its elastic constants

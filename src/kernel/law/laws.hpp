@@ -5,6 +5,7 @@
 
 #include "kernel/law/anisotropic_sheet.hpp"
 #include "kernel/law/composite_layer.hpp"
+#include "kernel/law/compression_tension.hpp"
 #include "kernel/law/elastic_kernel.hpp"
 #include "kernel/law/fabric.hpp"
 #include "kernel/law/fluid.hpp"
@@ -17,6 +18,7 @@
 #include "kernel/law/plastic_kinematic_kernel.hpp"
 #include "kernel/law/power_law.hpp"
 #include "kernel/law/rubber.hpp"
+#include "kernel/law/tabulated_rubber.hpp"
 #include "kernel/law/viscoelastic.hpp"
 #include "kernel/law/viscoplastic.hpp"
 #include "kernel/law/woven_fabric.hpp"
@@ -33,7 +35,9 @@ using Flow = std::variant<  //
     JohnsonCook,            //
     PowerLaw,               //
     Viscoplastic,           //
+    CompressionTension,     //
     Viscoelastic,           //
+    GeneralViscoelastic,    //
     BlatzKo,                //
     MooneyRivlin,           //
     Ogden,                  //

@@ -51,6 +51,7 @@ struct EnergyDamage {
 struct Erosion {
   std::optional<double> most_pressure, least_pressure;  ///< MXPRES, MNPRES [stress]
   std::optional<double> least_strain, most_strain;      ///< MNEPS, MXEPS: principal strains [1]
+  Curve most_strain_over_log_rate;                      ///< MXEPS over ln of the strain rate; empty: none
   std::optional<double> effective_strain;               ///< EFFEPS: sqrt(2/3 e:e) of the deviator [1]
   std::optional<double> most_volume_strain;             ///< VOLEPS above 0, ln of TEROD: reached [1]
   std::optional<double> least_volume_strain;            ///< VOLEPS below 0, ln of CEROD: fallen to [1]

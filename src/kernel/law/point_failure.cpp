@@ -148,7 +148,9 @@ PointFailure::PointFailure(const LawComponents& law, bool flow_can_fail)
       by_plastic_strain_only_(!flow_can_fail_ && failure_strain_ > 0.0 && failure_strain_over_rate_.empty() &&
                               !damage_ && size_ == 1),
       bounded_(failure_strain_over_rate_.empty() && !damage_ && !cracks_ && rules_.empty() && !gissmo_ &&
-               !energy_damage_ && !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty()))),
+               !energy_damage_ &&
+               !(erosion_ && (erosion_->impulse || !erosion_->effective_stress_over_rate.empty() ||
+                              !erosion_->most_strain_over_log_rate.empty()))),
       gissmo_only_(gissmo_ && !energy_damage_ && !(failure_strain_ > 0.0) && failure_strain_over_rate_.empty() &&
                    !damage_ && !cracks_ && rules_.empty() && !erosion_ && !(limits_.plastic_thinning > 0.0) &&
                    !(limits_.major > 0.0)),
@@ -172,6 +174,8 @@ bool PointFailure::eroded(const PointNow& now) const {
   falls_to(e.least_pressure, pressure);
   if (e.least_strain && strain.low <= *e.least_strain) falls_to(e.least_strain, principal_values(now.strain)[0]);
   if (e.most_strain && strain.high >= *e.most_strain) reaches(e.most_strain, principal_values(now.strain)[2]);
+  if (!e.most_strain_over_log_rate.empty())
+    reaches(e.most_strain_over_log_rate.clamped(std::log(std::max(now.rate, 1e-300))), principal_values(now.strain)[2]);
   reaches(e.effective_strain, std::sqrt(2.0 / 3.0 * deviator2(now.strain)));
   reaches(e.most_volume_strain, volume);
   falls_to(e.least_volume_strain, volume);

@@ -10,18 +10,6 @@ using namespace tensor;
 
 namespace {
 
-/// Strains so small that a rubber is linear; its formulas would lose their digits.
-bool small(const Tensor& e) {
-  return std::max({std::abs(e.xx), std::abs(e.yy), std::abs(e.zz), std::abs(e.xy), std::abs(e.yz), std::abs(e.zx)}) <
-         1e-8;
-}
-
-/// Linear elastic stress of b - 1.
-PointUpdate linear(double E, double nu, const Tensor& e) {
-  const ElasticConstants c(E, nu);
-  return {plus(c.shear * e, 0.5 * c.lambda * trace(e)), c.bulk_wave(), c.plane};
-}
-
 /// A bound of the greatest principal value that is the same in all axes: mean + sqrt(2) standard deviations.
 double greatest_value(const Tensor& b) {
   return trace(b) / 3.0 + std::sqrt(2.0 / 3.0 * square(deviator(b)));
@@ -49,7 +37,7 @@ PointUpdate MooneyRivlinPoint::update(const Tensor&, const Tensor& d, double dt,
   Tensor e = load(h);
   stretch(e, d, dt);
   store(h, e);
-  if (small(e)) return linear(E_, nu_, e);
+  if (is_linear(e)) return linear_point(E_, nu_, e);
   const Tensor b = plus(e, 1.0);
   const double first = trace(b), third = determinant(b), J = std::sqrt(third);
   // sigma = 2/J [(W1 + I W2) b - W2 b b + III W3]
@@ -69,7 +57,7 @@ PointUpdate BlatzKoPoint::update(const Tensor&, const Tensor& d, double dt, std:
   Tensor e = load(h);
   stretch(e, d, dt);
   store(h, e);
-  if (small(e)) return linear(E_, nu_, e);
+  if (is_linear(e)) return linear_point(E_, nu_, e);
   const Tensor b = plus(e, 1.0);
   const double J = std::sqrt(determinant(b)), volume = std::pow(J, -power_);
   const double greatest = greatest_value(b);
@@ -83,22 +71,9 @@ PointUpdate RubberPoint<Energy>::update(const Tensor&, const Tensor& d, double d
   stretch(e, d, dt);
   store(h, e);
   PointUpdate now = energy_.at(e);
-  if constexpr (requires { energy_.unloads(); })
-    if (energy_.unloads()) {
-      const Tensor part = deviator(now.stress);
-      const double kept = energy_.share_kept(e, h[most_energy()]);
-      now.stress = now.stress + (kept - 1.0) * part;
-    }
   now.stress = now.stress + overstress_.advance(d, dt, h.subspan(Tensor::size));
   now.wave_modulus += overstress_.wave_modulus();
   now.plane_modulus += overstress_.wave_modulus();
-  if (damping_ > 0.0) {
-    now.stress = now.stress + (damped_modulus_ * dt) * deviator(tensorial(d));
-    // The step that is stable with the damping too, as of foams.
-    const double longer = std::sqrt(1.0 + damping_ * damping_) + damping_;
-    now.wave_modulus *= longer * longer;
-    now.plane_modulus *= longer * longer;
-  }
   return now;
 }
 
@@ -109,7 +84,7 @@ OgdenEnergy::OgdenEnergy(const Ogden& law)
     : E_(law.E), nu_(law.nu), terms_(law.terms), bulk_(bulk_modulus(law.E, law.nu)) {}
 
 PointUpdate OgdenEnergy::at(const Tensor& e) const {
-  if (small(e)) return linear(E_, nu_, e);
+  if (is_linear(e)) return linear_point(E_, nu_, e);
   const Tensor b = plus(e, 1.0);
   const Principal axes = principal_axes(b);
   const double J = std::sqrt(determinant(b)), shrink = 1.0 / std::cbrt(J);
@@ -130,7 +105,7 @@ PointUpdate OgdenEnergy::at(const Tensor& e) const {
 PolynomialEnergy::PolynomialEnergy(const PolynomialRubber& law) : law_(law), bulk_(bulk_modulus(law.E, law.nu)) {}
 
 PointUpdate PolynomialEnergy::at(const Tensor& e) const {
-  if (small(e)) return linear(law_.E, law_.nu, e);
+  if (is_linear(e)) return linear_point(law_.E, law_.nu, e);
   const Tensor whole = plus(e, 1.0);
   const double J = std::sqrt(determinant(whole)), shrink = 1.0 / std::cbrt(J * J);
   const Tensor b = shrink * whole, bb = times(b, b);
@@ -150,97 +125,5 @@ PointUpdate PolynomialEnergy::at(const Tensor& e) const {
   return {stress, bulk_ / J + 2.0 / J * (std::abs(w1) + 2.0 * std::abs(w2) * first) * first + 4.0 / J * bending,
           8.0 / J * (std::abs(w1) + std::abs(w2) * greatest) * greatest + 4.0 / J * bending};
 }
-
-namespace {
-
-/// The curve at `at`, its end slopes going on beyond its ends.
-double continued(const Curve& curve, double at) {
-  if (at < curve.x.front()) return curve.y.front() + (at - curve.x.front()) * curve.slope(at);
-  return curve.extrapolated(at);
-}
-
-/// f of a test at ln l, by its series: up to a term whose strain is so small that all that follow are linear in it.
-double f_of_test(const Curve& test, double log_stretch) {
-  double sum = 0.0;
-  while (std::abs(log_stretch) > 1e-7) {
-    const double strain = std::expm1(log_stretch);
-    sum += (1.0 + strain) * continued(test, strain);
-    log_stretch *= -0.5;
-  }
-  return sum + test.slope(0.0) * log_stretch / 1.5;
-}
-
-}  // namespace
-
-TabulatedEnergy::TabulatedEnergy(const TabulatedRubber& law)
-    : E_(law.E), nu_(law.nu), bulk_(law.bulk), kept_(law.kept), shape_(law.shape) {
-  // As far as the test, and as its lateral stretches, in steps of a thousandth.
-  constexpr double step = 1e-3, least = -2.5, most = 2.5;
-  const double low = std::max(std::log1p(std::max(law.test.x.front(), -0.95)), least),
-               high = std::min(std::log1p(law.test.x.back()), most);
-  const double from = std::min(low, -0.5 * high), to = std::max(high, -0.5 * low);
-  const auto below = std::max(1.0, std::ceil(-from / step)), above = std::max(1.0, std::ceil(to / step));
-  first_ = -below * step;
-  spacing_ = step;
-  const auto count = static_cast<int>(below + above) + 1;
-  for (int i = 0; i < count; ++i) f_.push_back(f_of_test(law.test, (i - below) * step));
-  energy_.assign(f_.size(), 0.0);
-  const auto zero = static_cast<std::size_t>(below);
-  for (std::size_t i = zero; i + 1 < f_.size(); ++i) energy_[i + 1] = energy_[i] + 0.5 * step * (f_[i] + f_[i + 1]);
-  for (std::size_t i = zero; i > 0; --i) energy_[i - 1] = energy_[i] - 0.5 * step * (f_[i - 1] + f_[i]);
-}
-
-double TabulatedEnergy::integral(double log_stretch) const {
-  const double place = (log_stretch - first_) / spacing_;
-  const auto last = static_cast<int>(f_.size()) - 2;
-  const int i = place <= 0.0 ? 0 : std::min(static_cast<int>(std::min(place, 1e6)), last);
-  const double part = place - i;
-  return energy_[i] + spacing_ * part * (f_[i] + 0.5 * part * (f_[i + 1] - f_[i]));
-}
-
-double TabulatedEnergy::share_kept(const Tensor& e, double& most) const {
-  double energy = 0.0;
-  if (small(e)) {
-    const Tensor d = deviator(e);  // a strain is half of b - 1
-    energy = 0.25 * E_ / (1.0 + nu_) *
-             (0.5 * (d.xx * d.xx + d.yy * d.yy + d.zz * d.zz) + d.xy * d.xy + d.yz * d.yz + d.zx * d.zx);
-  } else {
-    const Tensor b = plus(e, 1.0);
-    const Principal axes = principal_axes(b);
-    const double log_volume = std::log(determinant(b)) / 6.0;
-    for (const double square : axes.value) energy += integral(0.5 * std::log(square) - log_volume);
-  }
-  most = std::max(most, energy);
-  return energy < most ? kept_ + (1.0 - kept_) * std::pow(std::max(energy, 0.0) / most, shape_) : 1.0;
-}
-
-TabulatedEnergy::Value TabulatedEnergy::value(double log_stretch) const {
-  const double place = (log_stretch - first_) / spacing_;
-  const auto last = static_cast<int>(f_.size()) - 2;
-  const int i = place <= 0.0 ? 0 : std::min(static_cast<int>(std::min(place, 1e6)), last);
-  const double rise = f_[i + 1] - f_[i];
-  return {f_[i] + (place - i) * rise, rise / spacing_};
-}
-
-PointUpdate TabulatedEnergy::at(const Tensor& e) const {
-  if (small(e)) return linear(E_, nu_, e);
-  const Tensor b = plus(e, 1.0);
-  const Principal axes = principal_axes(b);
-  const double J = std::sqrt(determinant(b)), log_volume = std::log(J) / 3.0;
-  std::array<double, 3> stress;
-  double mean = 0.0, steepest = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Value now = value(0.5 * std::log(axes.value[i]) - log_volume);
-    stress[i] = now.f / J;
-    mean += stress[i] / 3.0;
-    steepest = std::max(steepest, std::abs(now.slope));
-  }
-  for (double& s : stress) s += bulk_ * (J - 1.0) / J - mean;
-  // Of the shear between two directions: (f_i - f_k) / (l_i^2 - l_k^2) (l_i^2 + l_k^2) is no more than twice the
-  // greatest slope between them, which for a curve that rises ever faster is at its ends.
-  return {with_values(axes, stress), bulk_ / J + 2.0 * steepest / J, 2.0 * steepest / J};
-}
-
-template class RubberPoint<TabulatedEnergy>;
 
 }  // namespace nugget::kernel

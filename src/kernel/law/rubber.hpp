@@ -18,7 +18,6 @@ template <class Energy>
 class RubberPoint;
 class OgdenEnergy;
 class PolynomialEnergy;
-class TabulatedEnergy;
 
 /// Compressible rubber of Mooney and Rivlin (MAT_027):
 ///   W = A (I - 3) + B (II - 3) + C (III^-2 - 1) + D (III - 1)^2,
@@ -93,23 +92,6 @@ struct PolynomialRubber {
   Overstress overstress;
 };
 
-/// Rubber of a test curve (MAT_181): Ogden's energy with a function f in place of the powers,
-///   sigma_i = [f(l_i) - mean f] / J + K (J - 1) / J,  l_i principal stretches less the change of volume,
-/// so that a bar pulled at constant volume has the true stress f(l) - f(l^(-1/2)). That is l s(l - 1), s the nominal
-/// stress of the test over the nominal strain, with f(l) = sum over x >= 0 of l_x s(l_x - 1), l_x = l^((-1/2)^x)
-/// (S. Kolling, P.A. Du Bois, D.J. Benson, W.W. Feng, Comput. Mech. 40, 2007). Below the greatest energy so far the
-/// deviatoric stress keeps the share HU + (1 - HU) (W / Wmax)^SHAPE, W the energy of the deviatoric stress.
-struct TabulatedRubber {
-  using Point = RubberPoint<TabulatedEnergy>;
-
-  double E = 0.0, nu = 0.0;  ///< of small strains, from K and the slope of the test at 0, 3 G [stress], [1]
-  double bulk = 0.0;         ///< K [stress]
-  Curve test;                ///< nominal stress over nominal strain, with tension and compression
-  double damping = 0.0;      ///< MU: viscous deviatoric stress, as a share of critical damping in each element [1]
-  Overstress overstress;
-  double kept = 1.0, shape = 1.0;  ///< HU, SHAPE [1]
-};
-
 // Point by point. The history of each begins with b - 1.
 
 class MooneyRivlinPoint {
@@ -143,27 +125,14 @@ class RubberPoint {
  public:
   static constexpr bool in_layers = true;
   template <class Law>
-  explicit RubberPoint(const Law& law) : energy_(law), overstress_(law.overstress) {
-    if constexpr (requires { law.damping; }) {
-      damping_ = law.damping;
-      damped_modulus_ = law.damping * law.E / (1.0 + law.nu);
-    }
-  }
-  int history() const {
-    if constexpr (requires { energy_.unloads(); })
-      if (energy_.unloads()) return most_energy() + 1;
-    return most_energy();
-  }
+  explicit RubberPoint(const Law& law) : energy_(law), overstress_(law.overstress) {}
+  int history() const { return SolidTensor<double>::size + overstress_.history(); }
   int tensors() const { return 1 + overstress_.tensors(); }
   PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
 
  private:
-  /// Where the history has the greatest energy so far, where that counts.
-  int most_energy() const { return SolidTensor<double>::size + overstress_.history(); }
-
   Energy energy_;
   OverstressBranches overstress_;
-  double damping_ = 0.0, damped_modulus_ = 0.0;  ///< share, and that of 2 G
 };
 
 class OgdenEnergy {
@@ -185,30 +154,6 @@ class PolynomialEnergy {
  private:
   PolynomialRubber law_;
   double bulk_;
-};
-
-/// f of MAT_181 as a table over ln l, linear between its values.
-class TabulatedEnergy {
- public:
-  explicit TabulatedEnergy(const TabulatedRubber& law);
-  PointUpdate at(const SolidTensor<double>& b_less_one) const;
-  /// Whether unloading goes another way than loading, and the share of the deviatoric stress that it keeps; `most`: the
-  /// greatest energy so far, which is renewed [stress].
-  bool unloads() const { return kept_ < 1.0; }
-  double share_kept(const SolidTensor<double>& b_less_one, double& most) const;
-  /// f [stress] and df/d ln l [stress]; beyond the table its end slopes go on.
-  struct Value {
-    double f, slope;
-  };
-  Value value(double log_stretch) const;
-
- private:
-  double E_, nu_, bulk_;
-  double integral(double log_stretch) const;  ///< of f over ln l, from 0 [stress]
-
-  double first_ = 0.0, spacing_ = 1.0;  ///< of ln l
-  std::vector<double> f_, energy_;      ///< f, and its integral from ln l = 0 on
-  double kept_, shape_;                 ///< HU, SHAPE
 };
 
 }  // namespace nugget::kernel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernel/law/single_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/law/tensor_algebra.hpp"
@@ -17,6 +18,16 @@ Tensor congruent(const Tensor& c, const Tensor& b) {
 }
 
 }  // namespace
+
+bool is_linear(const Tensor& e) {
+  return std::max({std::abs(e.xx), std::abs(e.yy), std::abs(e.zz), std::abs(e.xy), std::abs(e.yz), std::abs(e.zx)}) <
+         1e-8;
+}
+
+PointUpdate linear_point(double E, double nu, const Tensor& e) {
+  const ElasticConstants c(E, nu);
+  return {plus(c.shear * e, 0.5 * c.lambda * trace(e)), c.bulk_wave(), c.plane};
+}
 
 Principal principal_axes(const Tensor& tensor) {
   double a[3][3] = {

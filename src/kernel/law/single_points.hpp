@@ -36,6 +36,11 @@ struct PointUpdate {
   double plane_modulus = 0.0;  ///< at least that of waves in the plane of a layer [stress]; of laws of layers only
 };
 
+/// Whether strains are so small that a rubber is linear; its formulas would lose their digits.
+bool is_linear(const SolidTensor<double>& b_less_one);
+/// The point then.
+PointUpdate linear_point(double E, double nu, const SolidTensor<double>& b_less_one);
+
 /// A law of single points as the element kernels want it. `Point` has
 ///   history()   numbers it needs beside plastic strain and wave modulus, at most `most_history`
 ///   tensors()   how many tensors these begin with: they turn with the material
@@ -45,7 +50,7 @@ struct PointUpdate {
 template <class Point>
 class SolidPointLaw {
  public:
-  static constexpr std::size_t most_history = 96;
+  static constexpr std::size_t most_history = 112;
   static constexpr bool has_plastic_strain = false;
   static constexpr bool in_layers = requires { Point::in_layers; };
 

@@ -4,11 +4,13 @@
 #include <span>
 
 #include "kernel/law/law_cards.hpp"
+#include "kernel/law/relaxation.hpp"
 #include "kernel/law/single_points.hpp"
 
 namespace nugget::kernel {
 
 class ViscoelasticPoint;
+class GeneralViscoelasticPoint;
 
 /// Linear viscoelastic shear, elastic volume (MAT_006, MAT_061), a law of solids: shear modulus GI + (G0 - GI)
 /// exp(-BETA t).
@@ -44,6 +46,17 @@ struct Viscoelastic {
   }
 };
 
+/// Shear by a Prony series, elastic volume (MAT_076), a law of solids and layers: shear modulus sum of G_i
+/// exp(-beta_i t), volume by the logarithm of the ratio of volumes.
+struct GeneralViscoelastic {
+  using Point = GeneralViscoelasticPoint;
+
+  double E = 0.0;           ///< instantaneous Young's modulus, from BULK and the sum of G_i [stress]
+  double nu = 0.0;          ///< instantaneous Poisson's ratio [1]
+  double bulk = 0.0;        ///< [stress]
+  Overstress overstress{};  ///< its branches
+};
+
 class ViscoelasticPoint {
  public:
   explicit ViscoelasticPoint(const Viscoelastic& law) : law_(law) {}
@@ -53,6 +66,20 @@ class ViscoelasticPoint {
 
  private:
   Viscoelastic law_;
+};
+
+/// History: a tensor for each branch, and the logarithm of the volume.
+class GeneralViscoelasticPoint {
+ public:
+  static constexpr bool in_layers = true;
+  explicit GeneralViscoelasticPoint(const GeneralViscoelastic& law);
+  int history() const { return branches_.history() + 1; }
+  int tensors() const { return branches_.tensors(); }
+  PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
+
+ private:
+  double bulk_, plane_modulus_;
+  OverstressBranches branches_;
 };
 
 }  // namespace nugget::kernel

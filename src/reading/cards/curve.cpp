@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
+#include "deck/expression.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
 
@@ -35,6 +38,17 @@ const CardOf<CurveCard> curve_card{
     {&CurveCard::offo, real("offo", dimension::number, 0, any_value, "offset of the ordinates, before the factor")},
     integer("dattyp", 0, any_value, "kind of data, no effect"),
     integer("lcint", 0, any_value, "points of LS-DYNA's resampling; curves are evaluated as they are"),
+};
+
+const CardOf<CurveCard> function_curve_card{
+    {&CurveCard::lcid, id("lcid", IdSpace::function, required, "curve id; a function of TIME follows, on any lines")},
+    {&CurveCard::sidr,
+     integer("sidr", 0, between(0, 2), "loads follow the curve 0 in the run, 1 in dynamic relaxation, 2 in both")},
+    real("sfa", dimension::number, 1, only(1), "factor on the time: not built, write it into the function"),
+    {&CurveCard::sfo, real("sfo", dimension::number, 1, any_value, "factor on the function")},
+    real("offa", dimension::number, 0, only(0), "offset of the time: the same"),
+    {&CurveCard::offo, real("offo", dimension::number, 0, any_value, "offset of the function, before the factor")},
+    integer("dattyp", 0, any_value, "kind of data, no effect"),
 };
 
 struct PointCard {
@@ -245,6 +259,77 @@ void read_smooth(Builder& b, const Block& block, const Options& options) {
   add_curve(b, row, std::move(curve));
 }
 
+/// The points of a function of time by which straight lines are within 1e-5 of its greatest value, where it is smooth;
+/// a jump gets a ramp of a millionth of the time. `fault`: why there are none.
+Curve points_of_function(const std::string& text, double end, std::string& fault) {
+  constexpr int at_first = 256, halvings = 12;
+  Curve curve;
+  const auto value = [&](double time) {
+    const deck::ExpressionResult result = deck::evaluate_function_of_time(text, time);
+    if (!result.fault.empty() && fault.empty()) fault = fmt::format("at the time {:g}: {}", time, result.fault);
+    return result.value;
+  };
+  const auto add = [&](double x, double y) {
+    curve.x.push_back(x);
+    curve.y.push_back(y);
+  };
+  add(0.0, value(0.0));
+  double greatest = std::abs(curve.y.front());
+  std::vector<std::array<double, 2>> rough;
+  for (int i = 1; i <= at_first && fault.empty(); ++i) {
+    const double x = end * i / at_first;
+    rough.push_back({x, value(x)});
+    greatest = std::max(greatest, std::abs(rough.back()[1]));
+  }
+  const std::function<void(double, double, int)> go_to = [&](double x, double y, int halvings_left) {
+    const double from = curve.x.back(), middle = 0.5 * (from + x), of_middle = value(middle);
+    const bool bent = std::abs(of_middle - 0.5 * (curve.y.back() + y)) > 1e-5 * greatest;
+    if (!fault.empty()) return;
+    if (bent && halvings_left > 0) {
+      go_to(middle, of_middle, halvings_left - 1);
+      go_to(x, y, halvings_left - 1);
+    } else {
+      if (bent) add(middle, of_middle);
+      add(x, y);
+    }
+  };
+  for (const auto& [x, y] : rough) go_to(x, y, halvings);
+  return curve;
+}
+
+/// A function of TIME by its points, up to the end of the run, which the deck may give later.
+void read_curve_function(Builder& b, const Block& block, const Options& options) {
+  Cursor cursor(b.deck, block, b.findings);
+  read_title(cursor, options);
+  const auto row = cursor.read(function_curve_card);
+  refuse_unit_factors(b, block);
+  const Place place = cursor.place();
+  std::string text;
+  while (cursor.more()) text += cursor.read_text();
+  const auto index = b.model.curves.size();
+  Curve curve{row->lcid, {0.0}, {0.0}};
+  curve.in_run = row->sidr != 1;
+  curve.in_relaxation = row->sidr != 0;
+  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
+  add_curve(b, row, std::move(curve));
+  b.model.curves[index].x.clear();  // known when the end of the run is
+  b.model.curves[index].y.clear();
+  b.defer(Phase::curves, [=, keyword = row.keyword(), factors = Rescaling(*row)](Builder& later) {
+    const double end = later.model.control.end_time;
+    std::string fault;
+    Curve points = points_of_function(text, end > 0.0 ? 1.001 * end : 1.0, fault);
+    if (!fault.empty()) {
+      later.findings.error(place, keyword, fmt::format("curve {}, '{}', {}", row->lcid, text, fault),
+                           "write a function of TIME, as in Fortran, or its points as *DEFINE_CURVE");
+      points = {0, {0.0}, {0.0}};
+    }
+    Curve& made = later.model.curves[index];
+    made.x = std::move(points.x);
+    made.y = std::move(points.y);
+    rescale(made, factors);
+  });
+}
+
 void read_copy(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   read_title(cursor, options);
@@ -254,6 +339,9 @@ void read_copy(Builder& b, const Block& block, const Options& options) {
     const Index original = later.curve(row[&CopyCard::rlcid]);
     if (original == none) return;
     Curve curve = later.model.curves[original];
+    if (curve.empty())
+      return refuse(later, row[&CopyCard::rlcid], "the curve is a *DEFINE_CURVE_FUNCTION that stands behind its copy",
+                    "let the copy stand behind it");
     curve.id = row->lcid;
     rescale(curve, *row);
     add_curve(later, row, std::move(curve));
@@ -330,8 +418,8 @@ std::vector<Keyword> curve_keywords() {
       {.name = "DEFINE_CURVE_DUPLICATE", .options = {"TITLE"}, .layout = {{"", &copy_card}}, .read = read_copy},
       {.name = "DEFINE_CURVE_FUNCTION",
        .options = {"TITLE"},
-       .status = KeywordStatus::refused,
-       .why = "curves by formula are not supported; write its points as *DEFINE_CURVE"},
+       .layout = {{"", &function_curve_card}},
+       .read = read_curve_function},
       {.name = "DEFINE_CURVE_SMOOTH", .options = {"TITLE"}, .layout = {{"", &smooth_card}}, .read = read_smooth},
       {.name = "DEFINE_FUNCTION", .options = {"TITLE"}, .layout = {{"", &function_card}}, .read = read_function},
       {.name = "DEFINE_FUNCTION_TABULATED",

@@ -29,7 +29,9 @@ std::vector<Keyword> simplified_rubber_keywords();       ///< *MAT_SIMPLIFIED_RU
 std::vector<Keyword> sheet_material_keywords();          ///< *MAT_... of rolled sheets: 036, 037, 122
 std::vector<Keyword> plain_law_keywords();               ///< *MAT_... whose cards stand with their laws
 std::vector<Keyword> rubber_material_keywords();         ///< *MAT_... of rubber
-std::vector<Keyword> kelvin_maxwell_keywords();          ///< *MAT_KELVIN-MAXWELL_VISCOELASTIC
+std::vector<Keyword> viscoelastic_keywords();            ///< *MAT_KELVIN-MAXWELL_, *MAT_GENERAL_VISCOELASTIC
+std::vector<Keyword> polymer_material_keywords();        ///< *MAT_PLASTICITY_POLYMER, _COMPRESSION_TENSION
+std::vector<Keyword> laminated_glass_keywords();         ///< *MAT_LAMINATED_GLASS
 std::vector<Keyword> honeycomb_material_keywords();      ///< *MAT_..._HONEYCOMB
 std::vector<Keyword> foam_material_keywords();           ///< *MAT_... of foam
 std::vector<Keyword> cohesive_material_keywords();       ///< *MAT_COHESIVE_...

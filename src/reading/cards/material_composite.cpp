@@ -21,7 +21,7 @@ using Rule = CompositeLayer::Rule;
 /// All cards of both keywords.
 struct CompositeCards : MaterialCard, CompositeLayer, AxesCards {
   double beta = 0;  // of 022: MANGLE of 054
-  double tfail = 0, soft = 1, dfailc = 0, crit = 54, pel = 0;
+  double tfail = 0, dfailc = 0, crit = 54, pel = 0;
   double slimt1 = 0, slimc1 = 0, slimt2 = 0, slimc2 = 0, slims = 0;
 };
 
@@ -124,8 +124,8 @@ const CardOf<CompositeCards> failure_of_054_card{
     {&CompositeCards::tfail, real("tfail", dimension::time, 0, any_value,
                                   "smallest time step of an element before it is deleted, up to 0.1; 0: none")},
     {&CompositeLayer::shear_cube, cube_of_shear},
-    {&CompositeCards::soft, real("soft", dimension::number, 1, at_least(0),
-                                 "factor on the strengths beside deleted elements, with TFAIL; only 1 is built")},
+    {&CompositeLayer::soft,
+     real("soft", dimension::number, 1, above_zero(), "factor on the strengths beside deleted elements, with TFAIL")},
     {&CompositeLayer::crushed_tension, real("fbrt", dimension::number, 0, between(0, 1),
                                             "factor on XT after compressive failure of the matrix; 0: none")},
     {&CompositeLayer::crushed_compression,
@@ -222,9 +222,9 @@ void check_failure_of_fibres(Builder& b, const RowOf<CompositeCards>& strains, c
     refuse(b, failure[&CompositeCards::tfail],
            "above 0.1 it is a share of the element's first time step, which is not built",
            "give the time step itself, or 0");
-  if (cards.tfail > 0.0 && cards.soft != 1.0)
-    refuse(b, failure[&CompositeCards::soft], "weaker layers beside deleted elements are not built",
-           "write SOFT 1, or TFAIL 0, without which SOFT has no effect");
+  if (cards.tfail == 0.0 && cards.soft != 1.0)
+    failure[&CompositeLayer::soft].report(b.findings, Severity::warning, "has no effect without TFAIL",
+                                          "give TFAIL, a small time step, or write SOFT 1");
   const bool by_strains = cards.failure_strain_t > 0.0;
   if (by_strains && cards.dfailc == 0.0)
     refuse(b, failure[&CompositeCards::dfailc], "with DFAILT the compressive strain at failure is needed too",
@@ -260,6 +260,7 @@ void read_enhanced_composite(Builder& b, const Block& block, const Options& opti
   cards.rule = cards.crit == 55.0 ? Rule::tsai_wu : Rule::stresses_stay;
   if (cards.rule == Rule::tsai_wu) cards.failure_strain_t = 0.0;
   cards.failure_strain_c = -cards.dfailc;
+  if (!(cards.tfail > 0.0)) cards.soft = 1.0;
   const double slim[] = {cards.slimt1, cards.slimc1, cards.slimt2, cards.slimc2, cards.slims};
   for (std::size_t k = 0; k < cards.left.size(); ++k)
     if (slim[k] > 0.0) cards.left[k] = slim[k];

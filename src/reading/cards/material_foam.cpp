@@ -254,6 +254,10 @@ bool set_table(Builder& b, const deck::Entry& tbid, RateFoam& flow) {
     }
     check_compression(b, tbid, curve, true);
   }
+  if (flow.log_log && flow.rates.size() > 1 && flow.rates.front() == 0.0) {
+    refuse(b, tbid, "a rate of 0 has no logarithm", "start the table at the lowest rate of the tests");
+    return false;
+  }
   if (flow.rates.front() < 0.0) {
     refuse(b, tbid, "a rate of the table is below 0", "give the rates themselves, not their logarithms");
     return false;
@@ -281,10 +285,12 @@ void set_rate_foam(Builder& b, Index material, const RateFoamCards& cards, const
   set_foam(b, material, std::move(law));
 }
 
+template <bool log_log>
 void read_rate_foam(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   RateFoamCards cards;
+  cards.log_log = log_log;
   const auto row = cursor.read(rate_foam_card, cards);
   cursor.read(rate_foam_flags_card, cards);
   cursor.read(rate_foam_constants_card);
@@ -299,6 +305,11 @@ void read_rate_foam(Builder& b, const Block& block, const Options& options) {
 }  // namespace
 
 std::vector<Keyword> foam_material_keywords() {
+  const std::vector<LayoutCard> rate_foam_layout{{"", &rate_foam_card},
+                                                 {"", &rate_foam_flags_card},
+                                                 {"", &rate_foam_constants_card},
+                                                 {"", &rate_foam_shape_card},
+                                                 {"", &rate_foam_exponent_card}};
   return {
       {.name = "MAT_LOW_DENSITY_FOAM",
        .aliases = {"MAT_057"},
@@ -313,12 +324,8 @@ std::vector<Keyword> foam_material_keywords() {
       {.name = "MAT_FU_CHANG_FOAM",
        .aliases = {"MAT_083"},
        .options = {"TITLE"},
-       .layout = {{"", &rate_foam_card},
-                  {"", &rate_foam_flags_card},
-                  {"", &rate_foam_constants_card},
-                  {"", &rate_foam_shape_card},
-                  {"", &rate_foam_exponent_card}},
-       .read = read_rate_foam},
+       .layout = rate_foam_layout,
+       .read = read_rate_foam<false>},
       {.name = "MAT_FU_CHANG_FOAM_DAMAGE_DECAY",
        .aliases = {"MAT_083_1"},
        .options = {"TITLE"},
@@ -327,8 +334,8 @@ std::vector<Keyword> foam_material_keywords() {
       {.name = "MAT_FU_CHANG_FOAM_LOG_LOG_INTERPOLATION",
        .aliases = {"MAT_083_2"},
        .options = {"TITLE"},
-       .status = KeywordStatus::refused,
-       .why = "interpolation between the logarithms is not built; *MAT_FU_CHANG_FOAM without the option is"},
+       .layout = rate_foam_layout,
+       .read = read_rate_foam<true>},
       {.name = "MAT_FU_CHANG_FOAM_PATH_DEPENDENT",
        .aliases = {"MAT_083_3"},
        .options = {"TITLE"},

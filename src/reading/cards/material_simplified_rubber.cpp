@@ -9,7 +9,7 @@
 #include "reading/cards/families.hpp"
 #include "reading/cards/material.hpp"
 
-// *MAT_SIMPLIFIED_RUBBER/FOAM (181): rubber by one test curve.
+// *MAT_SIMPLIFIED_RUBBER/FOAM (181): rubber and foam by test curves.
 namespace nugget::reading {
 
 namespace {
@@ -18,11 +18,19 @@ using deck::Block;
 using deck::Cursor;
 using deck::RowOf;
 
+using kernel::TabulatedRubber;
+
 struct TestCards : MaterialCard {
-  int lcunld = 0;
+  int lcunld = 0, lcid = 0;
   double km = 0, mu = 0, g = 0, sigf = 0, sgl = 0, sw = 0, st = 0, hu = 1, shape = 1;
-  int lcid = 0;
+  double tension = -1, rtype = 0, avgopt = 0, pr = 0;
 };
+/// The same field, of which a written 0 is a value of its own.
+constexpr RealField with_zero(RealField f) {
+  f.zero_is_default = false;
+  return f;
+}
+
 const CardOf<TestCards> rubber_card{
     {&MaterialCard::mid, material_id},
     {&MaterialCard::ro, density},
@@ -40,17 +48,24 @@ const CardOf<TestCards> test_card{
     {&TestCards::sw, real("sw", dimension::length, required, above_zero(), "width of the specimen")},
     {&TestCards::st, real("st", dimension::length, required, above_zero(), "thickness of the specimen")},
     {&TestCards::lcid,
-     or_negative(id("lc/tbid", IdSpace::function, required,
-                    "curve: force over the change of length, pulled positive; with SGL, SW and ST of 1 nominal stress "
-                    "over nominal strain"),
-                 IdSpace::function)},
-    real("tension", dimension::number, -1, any_value, "of strain rates: no effect with one curve"),
-    real("rtype", dimension::number, 0, any_value, "of strain rates: no effect with one curve"),
-    real("avgopt", dimension::number, 0, any_value, "of strain rates: no effect with one curve"),
-    real("pr/beta", dimension::number, 0, only(0), "0: rubber; above 0 foam with this Poisson's ratio: not built"),
+     or_negative(
+         id("lc/tbid", IdSpace::function, required,
+            "curve, or a table of them over the strain rate: force over the change of length, pulled positive; with "
+            "SGL, SW and ST of 1 nominal stress over nominal strain"),
+         IdSpace::function)},
+    {&TestCards::tension,
+     with_zero(real("tension", dimension::number, -1, between(-1, 1),
+                    "the rate counts -1: while the material is loaded; 0: while it is compressed further; 1: always"))},
+    {&TestCards::rtype, real("rtype", dimension::number, 0, between(0, 1),
+                             "rates of the table 0: over the length now, 1: over the length at first")},
+    {&TestCards::avgopt,
+     real("avgopt", dimension::time, 0, any_value, "rates are means, below 0 over this time, else over twelve steps")},
+    {&TestCards::pr,
+     real("pr/beta", dimension::number, 0, between(0, 0.49), "0: rubber; above 0: foam with this Poisson's ratio")},
 };
 const CardOf<TestCards> unloading_card{
-    {&TestCards::lcunld, id("lcunld", IdSpace::function, 0, "curve of unloading: not built")},
+    {&TestCards::lcunld,
+     id("lcunld", IdSpace::function, 0, "curve of unloading, over the range of the (first) curve of loading")},
     {&TestCards::hu, real("hu", dimension::number, 1, between(0, 1),
                           "share of the deviatoric stress that unloading keeps in the end: 1, all")},
     {&TestCards::shape, real("shape", dimension::number, 1, above_zero(),
@@ -60,55 +75,129 @@ const CardOf<TestCards> unloading_card{
     real("hisout", dimension::number, 0, any_value, "of extra history variables: no effect"),
 };
 
-/// False (and a finding) where the curve is no test of a rubber.
-bool check_test(Builder& b, const deck::Entry& lcid, const Curve& test) {
+/// A test as nominal stress over nominal strain.
+Curve nominal(const TestCards& cards, Curve test) {
+  for (double& x : test.x) x /= cards.sgl;
+  for (double& y : test.y) y /= cards.sw * cards.st;
+  return test;
+}
+
+/// False (and a finding) where the curve is no test.
+bool check_test(Builder& b, const deck::Entry& field, const Curve& test, bool foam) {
   const auto refuse_curve = [&](std::string_view text, std::string_view remedy) {
-    refuse(b, lcid, fmt::format("curve {}: {}", test.id, text), remedy);
+    refuse(b, field, fmt::format("curve {}: {}", test.id, text), remedy);
     return false;
   };
   if (test.x.size() < 2) return refuse_curve("one point is no test", "give at least two");
   if (test.x.front() <= -1.0)
     return refuse_curve("a nominal strain of -1 leaves no length", "end the curve before the specimen is gone");
   if (test.x.back() <= 0.0) return refuse_curve("it has no tension", "give forces of tension at positive strains");
-  for (std::size_t i = 0; i + 1 < test.x.size(); ++i)
-    if (!((1.0 + test.x[i + 1]) * test.y[i + 1] > (1.0 + test.x[i]) * test.y[i]))
+  for (std::size_t i = 0; i + 1 < test.x.size(); ++i) {
+    if (foam && !(test.y[i + 1] > test.y[i]))
+      return refuse_curve(fmt::format("the force does not rise after the strain {:g}", test.x[i]),
+                          "give a curve that rises everywhere");
+    if (!foam && !((1.0 + test.x[i + 1]) * test.y[i + 1] > (1.0 + test.x[i]) * test.y[i]))
       return refuse_curve(fmt::format("the true stress falls after the strain {:g}", test.x[i]),
                           "give a curve of which force times length rises everywhere");
+  }
   const double at_rest = test.x.front() > 0.0 ? test.y.front() : test.extrapolated(0.0);
   if (std::abs(at_rest) > 1e-6 * std::max(std::abs(test.y.front()), std::abs(test.y.back())))
     return refuse_curve("it does not go through 0, 0", "let the stress be 0 without strain");
   if (test.x.front() >= 0.0)
-    lcid.report(b.findings, Severity::warning,
-                fmt::format("curve {} has no compression, which the energy needs for every lateral stretch: its first "
-                            "slope, {:.4g}, goes on below 0",
-                            test.id, test.slope(test.x.front())),
-                "give the test below 0 too, as far as the square root of 1 over the greatest stretch");
+    field.report(b.findings, Severity::warning,
+                 fmt::format("curve {} has no compression, which the energy needs for every lateral stretch: its first "
+                             "slope, {:.4g}, goes on below 0",
+                             test.id, test.slope(test.x.front())),
+                 "give the test below 0 too, as far as the square root of 1 over the greatest stretch");
   return true;
 }
 
+/// The tests of LC/TBID by their rates; false where it is refused.
+bool set_tests(Builder& b, const TestCards& cards, const deck::Entry& field, TabulatedRubber& flow) {
+  const Index found = b.tables.find(cards.lcid);
+  if (found == none) {
+    const Index curve = b.curve(field);
+    if (curve == none) return false;
+    flow.tests = {nominal(cards, b.model.curves[curve])};
+    flow.rates = {0.0};
+  } else {
+    const Table& table = b.model.tables[found];
+    if (table.curve.size() != table.value.size() || table.value.empty()) return false;  // reported where it is defined
+    for (const Index one : table.curve) flow.tests.push_back(nominal(cards, b.model.curves[one]));
+    flow.rates = table.value;
+    if (flow.rates.front() < 0.0) {
+      refuse(b, field, "a rate of the table is below 0", "give the rates themselves, not their logarithms");
+      return false;
+    }
+  }
+  return std::all_of(flow.tests.begin(), flow.tests.end(),
+                     [&](const Curve& test) { return check_test(b, field, test, flow.is_foam()); });
+}
+
+/// LCUNLD, a test back from the ends of the first one; nothing where it is refused.
+Curve unloading_curve(Builder& b, const TestCards& cards, const deck::Entry& lcunld, const Curve& loading) {
+  const Index found = b.curve(lcunld);
+  if (found == none) return {};
+  const Curve back = nominal(cards, b.model.curves[found]);
+  const auto refuse_curve = [&](std::string_view text, std::string_view remedy) {
+    refuse(b, lcunld, fmt::format("curve {}: {}", back.id, text), remedy);
+    return Curve{};
+  };
+  const double length = loading.x.back() - loading.x.front(), height = loading.y.back() - loading.y.front();
+  const auto apart = [&](double x, double x0, double y, double y0) {
+    return std::abs(x - x0) > 1e-3 * length || std::abs(y - y0) > 1e-3 * height;
+  };
+  if (back.x.size() < 2 || apart(back.x.front(), loading.x.front(), back.y.front(), loading.y.front()) ||
+      apart(back.x.back(), loading.x.back(), back.y.back(), loading.y.back()))
+    return refuse_curve(fmt::format("its ends are not those of curve {}", loading.id),
+                        "let loading and unloading begin and end at the same points: together they are a cycle");
+  const auto over = [&](double x) {
+    const double up = loading.extrapolated(x), down = back.extrapolated(x);
+    return x * down < -1e-9 * length * height || std::abs(down) > std::abs(up) + 1e-3 * height;
+  };
+  for (const Curve* one : {&loading, &back})
+    for (const double x : one->x)
+      if (over(x))
+        return refuse_curve(fmt::format("at the strain {:g} it is not between 0 and curve {}", x, loading.id),
+                            "let unloading lie below loading, on the same side of 0");
+  return back;
+}
+
+void set_friction(const TestCards& cards, TabulatedRubber& flow) {
+  if (!(cards.g > 0.0 && cards.sigf > 0.0)) return;
+  flow.overstress.friction_shear = cards.g;
+  flow.overstress.friction_limit = cards.sigf;
+}
+
 void set_simplified_rubber(Builder& b, Index material, const TestCards& cards, const deck::Entry& km,
-                           const deck::Entry& lcid) {
-  const Index found = b.curve(lcid);
-  if (found == none) return;
-  kernel::TabulatedRubber flow;
-  flow.test = b.model.curves[found];
-  for (double& x : flow.test.x) x /= cards.sgl;
-  for (double& y : flow.test.y) y /= cards.sw * cards.st;
-  if (!check_test(b, lcid, flow.test)) return;
-  const double shear = flow.test.slope(0.0) / 3.0;
+                           const deck::Entry& lcid, const deck::Entry& lcunld) {
+  TabulatedRubber flow;
+  if (cards.pr > 0.0) flow.contraction = cards.pr;
+  if (!set_tests(b, cards, lcid, flow)) return;
+  const double slope = flow.tests.front().slope(0.0);
   flow.bulk = cards.km;
-  flow.nu = (3.0 * cards.km - 2.0 * shear) / (2.0 * (3.0 * cards.km + shear));
-  flow.E = 2.0 * shear * (1.0 + flow.nu);
-  if (!(flow.nu > 0.0))
-    return refuse(b, km,
-                  fmt::format("the bulk modulus is below two thirds of the shear modulus of the test, {:.4g}", shear),
-                  "give some hundred times the shear modulus");
+  if (flow.is_foam()) {
+    flow.E = slope;
+    flow.nu = cards.pr;
+  } else {
+    const double shear = slope / 3.0;
+    flow.nu = (3.0 * cards.km - 2.0 * shear) / (2.0 * (3.0 * cards.km + shear));
+    flow.E = 2.0 * shear * (1.0 + flow.nu);
+    if (!(flow.nu > 0.0))
+      return refuse(b, km,
+                    fmt::format("the bulk modulus is below two thirds of the shear modulus of the test, {:.4g}", shear),
+                    "give some hundred times the shear modulus");
+  }
   flow.damping = cards.mu;
   flow.kept = cards.hu;
   flow.shape = cards.shape;
-  if (cards.g > 0.0 && cards.sigf > 0.0) {
-    flow.overstress.friction_shear = cards.g;
-    flow.overstress.friction_limit = cards.sigf;
+  flow.rate_counts = static_cast<TabulatedRubber::RateCounts>(static_cast<int>(cards.tension));
+  flow.engineering_rate = cards.rtype == 1.0;
+  flow.window = std::max(-cards.avgopt, 0.0);
+  set_friction(cards, flow);
+  if (cards.lcunld != 0) {
+    flow.unloading = unloading_curve(b, cards, lcunld, flow.tests.front());
+    if (flow.unloading.empty()) return;
   }
   b.model.materials[material].law = kernel::composed_law({flow});
 }
@@ -119,11 +208,8 @@ void read_simplified_rubber(Builder& b, const Block& block, const Options& optio
   TestCards cards;
   const auto row = cursor.read(rubber_card, cards);
   const auto test = cursor.read(test_card, cards);
-  if (!at_end(cursor)) {
-    const auto unloading = cursor.read(unloading_card, cards);
-    refuse_nonzero(b, unloading[&TestCards::lcunld], "unloading by a curve of its own is not built",
-                   "leave it 0: the rubber unloads as it loads");
-  }
+  deck::Entry lcunld;
+  if (!at_end(cursor)) lcunld = cursor.read(unloading_card, cards)[&TestCards::lcunld];
   expect_end(b, cursor);
   if (cards.lcid < 0) return refuse(b, test[&TestCards::lcid], "a table of damage is not built", "give one curve");
   if ((cards.g > 0.0) != (cards.sigf > 0.0))
@@ -133,9 +219,7 @@ void read_simplified_rubber(Builder& b, const Block& block, const Options& optio
   const Index material =
       add_material(b, row, std::move(title), "MAT_SIMPLIFIED_RUBBER/FOAM", kernel::Elastic{1.0, 0.49});
   b.defer(Phase::parts, [=, km = row[&TestCards::km], lcid = test[&TestCards::lcid]](Builder& later) {
-    if (later.tables.find(cards.lcid) != none)
-      return refuse(later, lcid, "a table of curves over the strain rate is not built", "give the curve of one rate");
-    set_simplified_rubber(later, material, cards, km, lcid);
+    set_simplified_rubber(later, material, cards, km, lcid, lcunld);
   });
 }
 

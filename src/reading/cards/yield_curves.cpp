@@ -81,6 +81,36 @@ void set_rates(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law) 
   if (cards.vp == 1.0 && law.rate_c > 0.0) law.rate_yield = cards.sigy;
 }
 
+/// Takes the elastic strains off a curve of total ones: what is left before it leaves the elastic line is its yield
+/// stress without plastic strain, at least a thousandth of the greatest stress. Refused where the curve is steeper than
+/// the elastic line after it left it.
+void take_off_elastic_strains(Builder& b, const deck::Entry& field, double elastic_modulus, Curve& curve) {
+  if (curve.x.size() < 2) return;
+  const double greatest = *std::max_element(curve.y.begin(), curve.y.end());
+  Curve plastic = curve;
+  plastic.x.assign(1, 0.0);
+  plastic.y.assign(1, std::max(curve.y.front(), 1e-3 * greatest));
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    const double strain = curve.x[i] - curve.y[i] / elastic_modulus;
+    if (strain > plastic.x.back() && curve.y[i] > 0.0) {
+      plastic.x.push_back(strain);
+      plastic.y.push_back(curve.y[i]);
+    } else if (plastic.x.size() == 1 && strain > -0.01 * curve.x[i]) {
+      plastic.y.front() = std::max(plastic.y.front(), curve.y[i]);
+    } else if (curve.y[i] > 0.0) {
+      return refuse(b, field,
+                    fmt::format("curve {} is steeper than Young's modulus {:g} before the strain {:g}", curve.id,
+                                elastic_modulus, curve.x[i]),
+                    "give true stress over true total strain, its elastic part included, or a higher E");
+    }
+  }
+  if (plastic.x.size() == 1) {
+    plastic.x.push_back(1.0);
+    plastic.y.push_back(plastic.y.front());
+  }
+  curve = std::move(plastic);
+}
+
 }  // namespace
 
 const CardOf<YieldCards> yield_strain_card{
@@ -163,7 +193,7 @@ void warn_of_softening_by_rate(Builder& b, const deck::Entry& field, const std::
       "let it rise with the rate, or stay");
 }
 
-YieldTable yield_table(Builder& b, const deck::Entry& field, int id, bool log_rates) {
+YieldTable yield_table(Builder& b, const deck::Entry& field, int id, bool log_rates, double elastic_modulus) {
   YieldTable y;
   y.log_rates = log_rates;
   std::vector<Index> curves;
@@ -184,8 +214,8 @@ YieldTable yield_table(Builder& b, const deck::Entry& field, int id, bool log_ra
     refuse(b, field, fmt::format("curve or table {} is not defined", id), "define it");
   }
   for (const Index c : curves) {
-    y.curves.push_back(b.model.curves[c]);
-    const Curve& curve = y.curves.back();
+    Curve& curve = y.curves.emplace_back(b.model.curves[c]);
+    if (elastic_modulus > 0.0) take_off_elastic_strains(b, field, elastic_modulus, curve);
     if (!curve.empty() && *std::min_element(curve.y.begin(), curve.y.end()) <= 0.0)
       refuse(b, field, fmt::format("curve {} has a yield stress that is not above 0", curve.id),
              "give the true yield stress over plastic strain, from strain 0 on");

@@ -15,8 +15,10 @@ struct YieldTable {
 };
 
 /// Curve or table `id`, which `field` asks for. A table whose first value is negative holds the natural
-/// logarithms of its rates. Yield stresses must be above 0.
-YieldTable yield_table(Builder& builder, const deck::Entry& field, int id, bool log_rates);
+/// logarithms of its rates. Yield stresses must be above 0. `elastic_modulus`: strains of the curves are elastic and
+/// plastic ones, and the elastic ones, stress over `elastic_modulus`, are taken off; 0: plastic strains.
+YieldTable yield_table(Builder& builder, const deck::Entry& field, int id, bool log_rates,
+                       double elastic_modulus = 0.0);
 
 /// The four cards of MAT_024 and its relatives.
 struct YieldCards : MaterialCard {

@@ -399,7 +399,9 @@ Index own_material(const Builder& b, const Part& part) {
 void check_layers(Builder& b, const Part& part) {
   if (part.kind != ElementKind::shell || part.material == none || !is<kernel::Laminate>(b.model, part)) return;
   const auto& law = std::get<kernel::Laminate>(b.model.materials[part.material].law);
-  const auto& cards = b.layer_stacks.at(part.section).layers;
+  const auto stack = b.layer_stacks.find(part.section);
+  if (stack == b.layer_stacks.end()) return;  // laminated glass without a rule, which is refused
+  const auto& cards = stack->second.layers;
   for (std::size_t k = 0; k < cards.size(); ++k)
     if (const auto* axes = axes_of((*law.layers)[k].law.components->flow)) {
       check_material_axes(b, part, cards[k].id, *axes);
@@ -465,6 +467,10 @@ void check_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& row) {
   const Material& material = m.materials[part.material];
   const bool is_weld = is<kernel::Spotweld>(m, part);
   check_compound(b, part, row);
+  if (part.kind == ElementKind::solid && is<kernel::Laminate>(m, part) &&
+      !(part.section != none && m.solid_sections[part.section].thickness))  // thick shells say what they take
+    refuse(b, row[&PartCard::mid], fmt::format("*{} is a law of shells, but the part has solids", material.keyword),
+           "use a law of solids");
   const bool is_fluid = part.kind == ElementKind::solid && is<kernel::Null>(m, part);
   if (row->eosid != 0 && !is_fluid && !(takes_equation_of_state(material) && part.kind == ElementKind::solid))
     row[&PartCard::eosid].report(
@@ -526,16 +532,21 @@ void check_hourglass(Builder& b) {
     Hourglass h = card == none ? m.control.hourglass : m.hourglass[card];
     const int highest = kind == ElementKind::shell ? 5 : kind == ElementKind::solid ? 6 : 10;
     if (h.type <= highest) continue;
-    const bool is_shell = kind == ElementKind::shell, stands_in = card == none && (is_shell || h.type == 8);
-    b.findings.add({stands_in ? Severity::warning : Severity::error, h.place,
-                    card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS", "ihq", std::to_string(h.type),
-                    fmt::format("part{} {} {} {}, for which types 1 to {} are built{}", ids.size() == 1 ? "" : "s",
-                                fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids",
-                                highest, stands_in ? ": they get type 1, viscosity, as with IHQ 0" : ""),
-                    is_shell ? "write 4, or give the shells ELFORM 16"
-                             : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
+    const bool is_shell = kind == ElementKind::shell, viscous = card == none && (is_shell || h.type == 8);
+    // Total strains, enhanced assumed strains: as 6 meant to be exact in elastic bending with QM = 1.
+    const bool as_six = !is_shell && (h.type == 7 || h.type == 9), stands_in = viscous || as_six;
+    b.findings.add(
+        {stands_in ? Severity::warning : Severity::error, h.place, card == none ? "*CONTROL_HOURGLASS" : "*HOURGLASS",
+         "ihq", std::to_string(h.type),
+         fmt::format("part{} {} {} {}, for which types 1 to {} are built{}", ids.size() == 1 ? "" : "s",
+                     fmt::join(ids, " "), ids.size() == 1 ? "has" : "have", is_shell ? "shells" : "solids", highest,
+                     as_six    ? ": they get type 6, of the same stiffness, which adds up its strains"
+                     : viscous ? ": they get type 1, viscosity, as with IHQ 0"
+                               : ""),
+         is_shell ? "write 4, or give the shells ELFORM 16"
+                  : "write 2, 5 or 6, or give the solids an *HOURGLASS of their own"});
     if (!stands_in) continue;
-    h.type = 1;
+    h.type = as_six ? 6 : 1;
     const auto index = static_cast<Index>(m.hourglass.size());
     m.hourglass.push_back(h);
     for (const int id : ids) m.parts[m.part_index(id)].hourglass = index;

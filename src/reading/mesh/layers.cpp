@@ -164,6 +164,25 @@ void make_layers_of(Builder& b, Laws& laws, Part& part, const LayerStack& stack)
   b.model.materials.push_back(std::move(of_layers));
 }
 
+/// Laminated glass: the material says what each layer is, the rule of the section where it lies.
+void make_layers_of_glass(Builder& b, Part& part, const LayerStack* stack) {
+  if (stack == nullptr)
+    return b.findings.error(part.place, "*PART",
+                            fmt::format("part {}: material {}, *MAT_LAMINATED_GLASS, needs the thickness of each layer",
+                                        part.id, material_at(b, part.material).id),
+                            "give them by *INTEGRATION_SHELL, and its id below 0 as QR/IRID of the section");
+  Material made = material_at(b, part.material);
+  std::vector<kernel::Laminate::Layer> layers = *std::get<kernel::Laminate>(made.law).layers;
+  layers.resize(stack->layers.size());
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    layers[k].place = stack->layers[k].place;
+    layers[k].share = stack->layers[k].share;
+  }
+  made.law = kernel::laminate(std::move(layers), true);
+  part.material = static_cast<Index>(b.model.materials.size());
+  b.model.materials.push_back(std::move(made));
+}
+
 /// Whether the layers need a law each.
 bool differ(const Builder& b, const LayerStack& stack) {
   return b.model.control.laminated_shear || std::any_of(stack.layers.begin(), stack.layers.end(), [](const auto& l) {
@@ -178,6 +197,10 @@ void make_layers(Builder& b) {
   for (Part& part : b.model.parts) {
     if (part.kind != ElementKind::shell || part.section == none) continue;
     const auto stack = b.layer_stacks.find(part.section);
+    if (part.material != none && std::holds_alternative<kernel::Laminate>(material_at(b, part.material).law)) {
+      make_layers_of_glass(b, part, stack == b.layer_stacks.end() ? nullptr : &stack->second);
+      continue;
+    }
     if (stack == b.layer_stacks.end() || !differ(b, stack->second)) continue;
     if (part.material != none && !components_of(material_at(b, part.material).law)) continue;  // rigid, null
     make_layers_of(b, laws, part, stack->second);

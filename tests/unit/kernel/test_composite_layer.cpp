@@ -54,8 +54,10 @@ LayerTensor<double> strain_of(const CompositeLayer& l, double a, double b, doubl
 }
 
 /// Stresses grow in proportion, in `steps` to `most`; the largest share of it at which all still followed.
-double share_at_failure(const CompositeLayer& l, double a, double b, double ab, double most, int steps = 20000) {
+double share_at_failure(const CompositeLayer& l, double a, double b, double ab, double most, int steps = 20000,
+                        bool beside_a_deleted_element = false) {
   auto p = point_of(l);
+  if (beside_a_deleted_element) p.history[at(p.law.crash_front_field())] = 1.0;
   LayerTensor<double> before{};
   for (int k = 1; k <= steps; ++k) {
     const double share = most * k / steps;
@@ -91,6 +93,24 @@ double index(const CompositeLayer& l, double a, double b, double ab) {
     matrix =
         std::pow(b / (2.0 * s), 2) + (std::pow(l.compression_b / (2.0 * s), 2) - 1.0) * b / l.compression_b + shear;
   return std::max(most, matrix);
+}
+
+// Beside a deleted element every strength is SOFT times what it is elsewhere, so that stresses in proportion go as far.
+// Sabotage: one of the strengths as it was; SOFT everywhere.
+TEST(CompositeLayer, IsWeakerBesideADeletedElement) {
+  for (const Rule rule : {Rule::stresses_stay, Rule::tsai_wu}) {
+    CompositeLayer law = layer(rule);
+    law.shear_weight = 0.5;
+    law.soft = 0.6;
+    for (const auto& [a, b, ab] :
+         {std::array{1.0, 0.0, 0.0}, std::array{-1.0, 0.0, 0.0}, std::array{0.0, 1.0, 0.0}, std::array{0.0, -1.0, 0.0},
+          std::array{0.0, 0.0, 1.0}, std::array{0.3, 0.02, 0.02}, std::array{-0.3, -0.1, 0.03}}) {
+      const double elsewhere = share_at_failure(law, a, b, ab, 4000.0),
+                   beside = share_at_failure(law, a, b, ab, 4000.0, 20000, true);
+      EXPECT_NEAR(beside, 0.6 * elsewhere, 0.4) << a << ' ' << b << ' ' << ab;
+    }
+  }
+  EXPECT_EQ(LawKernel<CompositeLayer>(layer(Rule::stresses_stay)).crash_front_field(), 0);
 }
 
 TEST(CompositeLayer, IsOrthotropicUntilItFails) {

@@ -51,6 +51,19 @@ double between(double rate, double strain) {
   return slow.extrapolated(strain) + w * (fast.extrapolated(strain) - slow.extrapolated(strain));
 }
 
+// Sabotage: the logarithm of one of the two.
+TEST(FoamRates, StressIsInterpolatedBetweenTheLogarithms) {
+  RateFoam law = rate_foam();
+  law.log_log = true;
+  for (const double rate : {10.0, 30.0, 60.0, 110.0, 500.0}) {
+    Bar bar({law}, 1e-3 / rate);
+    const double stress = bar.strain(-rate, 500), strain = 1.0 - bar.length;
+    const double share = std::clamp(std::log(rate / 10.0) / std::log(11.0), 0.0, 1.0);
+    const double low = slow.extrapolated(strain), high = fast.extrapolated(strain);
+    EXPECT_NEAR(stress, -low * std::pow(high / low, share), 1e-7) << rate;
+  }
+}
+
 // Sabotage: rate over the first length where SFLAG is 0.
 TEST(FoamRates, StressIsInterpolatedBetweenTheRates) {
   for (const double rate : {1.0, 10.0, 60.0, 110.0, 500.0}) {

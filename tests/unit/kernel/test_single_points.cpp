@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "kernel/law/law_components.hpp"
 #include "kernel/law/single_points.hpp"
@@ -441,7 +442,7 @@ Curve test_of(const std::function<double(double)>& true_stress, double from, dou
 
 TabulatedRubber tabulated(const Curve& test) {
   const double G = test.slope(0.0) / 3.0, K = 4000.0 * G, nu = (3 * K - 2 * G) / (2 * (3 * K + G));
-  return {2.0 * G * (1.0 + nu), nu, K, test, 0.0, {}};
+  return {.E = 2.0 * G * (1.0 + nu), .nu = nu, .bulk = K, .tests = {test}, .rates = {0.0}};
 }
 
 // Ogden's law of one term, which the series finds from its uniaxial test alone: sigma_i = mu (l_i^alpha - l_3^alpha).
@@ -512,6 +513,164 @@ TEST(SinglePoints, ATestCurveKeepsAShareOnItsWayBack) {
     // And on again: by the same way to where it turned, then by the curve.
     pull(solid, stretch, {most, thinnest, thinnest}, 400);
     EXPECT_NEAR(solid.s.xx - solid.s.yy, most * test.extrapolated(far), 3e-3 * std::abs(solid.s.xx)) << far;
+  }
+}
+
+// ---- foam by test curves, rates, and unloading by a curve (MAT_181)
+
+/// Foam of Poisson's ratio nu.
+TabulatedRubber foam_of(const Curve& test, double nu) {
+  return {.E = test.slope(0.0), .nu = nu, .tests = {test}, .rates = {0.0}, .contraction = nu};
+}
+
+// Hill's foam of one term, W = C/b [sum l^b - 3 + (J^-nb - 1)/n], which the series finds from its uniaxial test alone.
+// Sabotage: the stress of the volume left out; the series of rubber, -1/2 for -nu; n = nu.
+TEST(SinglePoints, ATestCurveOfHillsFoamGivesHillsFoam) {
+  for (const auto& [C, power, nu] :
+       {std::tuple{1.0, 2.0, 0.3}, std::tuple{0.4, 4.0, 0.1}, std::tuple{-1.5, -1.5, 0.45}}) {
+    const double n = nu / (1.0 - 2.0 * nu);
+    const auto W = [&, C = C, b = power](double x, double y, double z) {
+      return C / b * (std::pow(x, b) + std::pow(y, b) + std::pow(z, b) - 3.0 + (std::pow(x * y * z, -n * b) - 1.0) / n);
+    };
+    const auto f = [&, C = C, b = power](double l) { return C * std::pow(l, b); };
+    const Curve test = test_of([&, nu = nu](double l) { return f(l) - f(std::pow(l, -nu)); }, -0.7, 1.5);
+    TabulatedRubber law = foam_of(test, nu);
+    // As far as the test tells f: J^-n from 0.8 to 1.5.
+    const double compressed = std::exp(-0.12 / n), pulled = std::min(std::exp(0.2 / n) / 1.56, 2.2);
+    for (const std::array<double, 3>& to :
+         {std::array{1.8, std::pow(1.8, -nu), std::pow(1.8, -nu)}, std::array{compressed, compressed, compressed},
+          std::array{1.2, 1.3, pulled}, std::array{0.7, 1.2, std::max(std::exp(-0.3 / n) / 0.84, 0.4)}}) {
+      Point p(composed_law({law}));
+      std::array<double, 3> l{1, 1, 1};
+      pull(p, l, to, 100);
+      const std::array<double, 3> s = by_energy(W, to);
+      const double gate = 2e-3 * (std::abs(s[0]) + std::abs(s[1]) + std::abs(s[2]));
+      EXPECT_NEAR(p.s.xx, s[0], gate) << power;
+      EXPECT_NEAR(p.s.yy, s[1], gate) << power;
+      EXPECT_NEAR(p.s.zz, s[2], gate) << power;
+    }
+  }
+}
+
+// No wave is faster than the modulus of the stable step says, of a foam with a stiff start and a plateau.
+TEST(SinglePoints, FoamByATestKnowsItsStiffness) {
+  Curve test;
+  test.x = {-0.9, -0.6, -0.05, 0.0, 0.05, 1.5};
+  test.y = {-8.0, -0.3, -0.2, 0.0, 0.3, 1.0};
+  for (const double nu : {0.05, 0.3, 0.45})
+    for (const std::array<double, 3>& to :
+         {std::array{0.3, 0.9, 1.1}, std::array{0.5, 0.5, 0.5}, std::array{2.0, 0.7, 0.9}, std::array{1.0, 1.0, 1.0}}) {
+      Point p(composed_law({foam_of(test, nu)}));
+      std::array<double, 3> l{1, 1, 1};
+      pull(p, l, to, 50);
+      const double wave = p.law.wave_modulus<double>(p.history.data());
+      const auto gains = [&](const SolidTensor<double>& d, auto of) {
+        Point q = p;
+        q.strain(1e-6 * d);
+        return (of(q.s) - of(p.s)) / 1e-6;
+      };
+      EXPECT_GE(wave, gains({1, 0, 0, 0, 0, 0}, [](const auto& s) { return s.xx; }) * 0.999) << nu << ' ' << to[0];
+      EXPECT_GE(wave, gains({0, 1, 0, 0, 0, 0}, [](const auto& s) { return s.yy; }) * 0.999) << nu << ' ' << to[0];
+      EXPECT_GE(wave, gains({0, 0, 0, 1, 0, 0}, [](const auto& s) { return s.xy; }) * 0.999) << nu << ' ' << to[0];
+    }
+}
+
+Curve scaled(Curve test, double factor) {
+  for (double& y : test.y) y *= factor;
+  return test;
+}
+
+/// Stretches a bar at constant volume (or of foam with its lateral strain) at a constant rate, over the length at first
+/// or over that now, in equal steps of some 1e-3.
+void pull_at(Point& p, double& length, double to, double rate, double contraction, bool engineering) {
+  const double whole = engineering ? std::abs(to - length) : std::abs(std::log(to / length));
+  const double steps = std::ceil(whole / rate / 1e-3), from = length;
+  p.dt = whole / rate / steps;
+  for (double n = 1.0; n <= steps; n += 1.0) {
+    const double next = engineering ? from + (to - from) * n / steps : from * std::pow(to / from, n / steps);
+    const double side = std::pow(length, -contraction), side_next = std::pow(next, -contraction);
+    const double lateral = mid(side, side_next - side);
+    p.strain({mid(length, next - length), lateral, lateral, 0, 0, 0});
+    length = next;
+  }
+}
+
+// A bar pulled at a rate has the stress of the table at that rate, half way between two curves; what TENSION, RTYPE and
+// AVGOPT say. Sabotage: each direction at its own rate; the lowest curve for every rate; RTYPE the other way round.
+TEST(SinglePoints, TestCurvesOverTheRate) {
+  Curve test;
+  test.x = {-0.6, -0.3, 0.0, 0.2, 0.6, 1.5};
+  test.y = {-8.0, -1.2, 0.0, 0.5, 0.8, 3.5};
+  const TabulatedRubber rubber = tabulated(test);
+  for (const double contraction : {0.5, 0.3})
+    for (const bool engineering : {false, true}) {
+      TabulatedRubber law = contraction < 0.5 ? foam_of(test, contraction) : rubber;
+      law.tests = {test, scaled(test, 1.5), scaled(test, 3.0)};
+      law.rates = {0.0, 1.0, 3.0};
+      law.engineering_rate = engineering;
+      const auto axial = [](const Point& p) { return p.s.xx - p.s.yy; };
+      const auto at = [&](double strain, double factor) {
+        return factor * std::pow(1.0 + strain, 2.0 * contraction) * test.extrapolated(strain);
+      };
+      for (const double strain : {0.4, 1.2, -0.4})
+        for (const auto& [rate, factor] : {std::pair{2.0, 2.25}, std::pair{0.5, 1.25}, std::pair{5.0, 3.0}}) {
+          Point p(composed_law({law}));
+          double length = 1.0;
+          pull_at(p, length, 1.0 + strain, rate, contraction, engineering);
+          EXPECT_NEAR(axial(p), at(strain, factor), 4e-3 * std::abs(at(strain, factor))) << strain << ' ' << rate;
+          // Held, or let back, it has the stress of the lowest rate.
+          Point back = p;
+          double returned = length;
+          pull_at(back, returned, 1.0 + 0.5 * strain, 2.0, contraction, engineering);
+          EXPECT_NEAR(axial(back), at(0.5 * strain, 1.0), 4e-3 * std::abs(at(strain, 1.0))) << strain << ' ' << rate;
+          for (int i = 0; i < 200; ++i) p.strain({});
+          EXPECT_NEAR(axial(p), at(strain, 1.0), 4e-3 * std::abs(at(strain, 1.0))) << strain << ' ' << rate;
+        }
+      law.rate_counts = TabulatedRubber::RateCounts::compressive_loading;
+      for (const double strain : {0.4, -0.4}) {
+        Point p(composed_law({law}));
+        double length = 1.0;
+        pull_at(p, length, 1.0 + strain, 2.0, contraction, engineering);
+        const double expected = at(strain, strain < 0.0 ? 2.25 : 1.0);
+        EXPECT_NEAR(axial(p), expected, 4e-3 * std::abs(expected)) << strain;
+      }
+      law.rate_counts = TabulatedRubber::RateCounts::always;
+      Point p(composed_law({law}));
+      double length = 1.0;
+      pull_at(p, length, 1.6, 2.0, contraction, engineering);
+      pull_at(p, length, 1.2, 2.0, contraction, engineering);
+      EXPECT_NEAR(axial(p), at(0.2, 2.25), 4e-3 * at(0.2, 2.25));
+      // Over a tenth of a second: after a tenth most of the rate is there, and the first steps hardly feel it.
+      law.window = 0.1;
+      Point slow(composed_law({law}));
+      length = 1.0;
+      pull_at(slow, length, 1.0 + 0.01, 2.0, contraction, engineering);
+      EXPECT_LT(axial(slow), at(0.01, 1.2));
+      pull_at(slow, length, 1.6, 2.0, contraction, engineering);
+      EXPECT_NEAR(axial(slow), at(0.6, 2.25), 1e-2 * at(0.6, 2.25));
+    }
+}
+
+// A bar comes back along LCUNLD from the ends of the test, in tension and compression; from half way by the share of
+// the energy. Sabotage: the curve of the other side; the share over the strain.
+TEST(SinglePoints, ATestCurveComesBackByItsCurveOfUnloading) {
+  Curve test, back;
+  test.x = {-0.6, -0.3, 0.0, 0.2, 0.6, 1.5};
+  test.y = {-8.0, -1.2, 0.0, 0.5, 0.8, 3.5};
+  back.x = {-0.6, -0.4, 0.0, 0.6, 1.5};
+  back.y = {-8.0, -0.4, 0.0, 0.2, 3.5};
+  for (const double contraction : {0.5, 0.3}) {
+    TabulatedRubber law = contraction < 0.5 ? foam_of(test, contraction) : tabulated(test);
+    law.unloading = back;
+    for (const auto& [far, strain] :
+         {std::pair{1.5, 1.2}, std::pair{1.5, 0.5}, std::pair{-0.6, -0.5}, std::pair{-0.6, -0.2}}) {
+      Point p(composed_law({law}));
+      double length = 1.0;
+      pull_at(p, length, 1.0 + far, 2.0, contraction, false);
+      pull_at(p, length, 1.0 + strain, 2.0, contraction, false);
+      const double expected = std::pow(1.0 + strain, 2.0 * contraction) * back.extrapolated(strain);
+      EXPECT_NEAR(p.s.xx - p.s.yy, expected, 1e-2 * std::abs(expected)) << far << ' ' << strain;
+    }
   }
 }
 

@@ -310,9 +310,20 @@ TEST(Checks, HourglassTypesByElement) {
   EXPECT_EQ(b.findings.errors(), 0);  // the bricks of part 2 have type 6
   EXPECT_EQ(type_of_part(b, 1), 1);
   EXPECT_EQ(type_of_part(b, 2), 6);
-  EXPECT_NE(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n7\n"))
+  EXPECT_NE(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n10\n"))
                 .find(Severity::error, "part 2 has solids, for which types 1 to 6 are built", "ihq"),
             nullptr);
+  // Types of the same stiffness as 6, with a warning.
+  for (const char* type : {"7", "9"})
+    for (const std::string& as_six : {brick + "*CONTROL_HOURGLASS\n" + type + "\n",
+                                      std::string("*HOURGLASS\n5,") + type +
+                                          "\n*PART\nblock\n2,2,1,,5\n*SECTION_SOLID\n2,1\n*ELEMENT_SOLID\n"
+                                          "1,2,1,2,3,4,5,6,7,8\n"}) {
+      const Built stiff(sheet_deck(as_six));
+      EXPECT_EQ(stiff.findings.errors(), 0) << stiff.all_findings();
+      EXPECT_TRUE(stiff.warning("part 2 has solids, for which types 1 to 6 are built: they get type 6", "ihq"));
+      EXPECT_EQ(type_of_part(stiff, 2), 6);
+    }
   EXPECT_EQ(Built(sheet_deck(brick + "*CONTROL_HOURGLASS\n2\n")).findings.errors(), 0);
   // A brick of eight points has no modes, so types of shells mean nothing to it.
   const std::string full = "*PART\nblock\n2,2,1\n*SECTION_SOLID\n2,2\n*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";

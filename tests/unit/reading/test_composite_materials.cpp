@@ -48,7 +48,11 @@ TEST(CompositeMaterials, Mat22) {
 
 TEST(CompositeMaterials, Mat54) {
   const auto b = enhanced("0.05,1e-9,0.7,0.5,1.5,0.017,-0.012,0.3", "", "80.0,,,0.9,1.0\n0.1,0.2,0.3,0.4,0.5,20\n");
-  EXPECT_TRUE(b.error("beside deleted elements", "soft")) << b.all_findings();
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_DOUBLE_EQ(law(b).soft, 0.7);
+  const auto alone = enhanced("0.0,1e-9,0.7,0.5,1.5,0.017,-0.012,0.3");
+  EXPECT_TRUE(alone.warning("has no effect without TFAIL", "soft"));
+  EXPECT_DOUBLE_EQ(law(alone).soft, 1.0);
   const auto good = enhanced("0.05,1e-9,1.0,0.5,1.5,0.017,-0.012,0.3", "", "80.0,,,0.9,1.0\n0.1,0.2,0.3,0.4,0.5,20\n");
   EXPECT_EQ(good.findings.errors(), 0) << good.all_findings();
   const kernel::CompositeLayer& l = law(good);
