@@ -62,18 +62,17 @@ class Archive {
   template <class... T>
   void built(const T&...) {}
 
-  /// Values that stand by place, `each` to a place, from place `first` on.
+  /// Values that stand by place, `each` to a place.
   template <class T>
-  void parts(std::span<T> values, std::size_t each, const Holders& holders, std::size_t first = 0) {
+  void parts(std::span<T> values, std::size_t each, const Holders& holders) {
     static_assert(plain<T>);
     if (each == 0) return;
-    each_run(values.size() / each, values.size() / each, holders, first,
-             [&](std::size_t begin, std::size_t end, Part p) {
-               const std::size_t size = (end - begin) * each * sizeof(T);
-               if (!p.here) return pass(p.giver, size);
-               const Giving giving(*this, p);
-               put_plain(values.data() + begin * each, (end - begin) * each);
-             });
+    each_run(values.size() / each, values.size() / each, holders, [&](std::size_t begin, std::size_t end, Part p) {
+      const std::size_t size = (end - begin) * each * sizeof(T);
+      if (!p.here) return pass(p.giver, size);
+      const Giving giving(*this, p);
+      put_plain(values.data() + begin * each, (end - begin) * each);
+    });
   }
   /// The same of a list by place, one value to each; it takes the length that is read.
   template <class T, class Allocator>
@@ -85,7 +84,7 @@ class Archive {
   /// it is not, which happens in reading only, `body` reads it and drops it. Up to `together` places go in one piece.
   template <class Body>
   void each_part(std::size_t places, std::size_t together, const Holders& holders, const Body& body) {
-    each_run(places, together, holders, 0, [&](std::size_t begin, std::size_t end, Part p) {
+    each_run(places, together, holders, [&](std::size_t begin, std::size_t end, Part p) {
       if (!reading_ && !p.here) return pass_piece(p.giver);
       const Giving giving(*this, p);
       if (giving_) begin_piece();
@@ -150,11 +149,11 @@ class Archive {
   }
   /// Calls `visit(begin, end, part)` for places in a row of one part, `most` at a time.
   template <class Visit>
-  void each_run(std::size_t places, std::size_t most, const Holders& holders, std::size_t first, const Visit& visit) {
+  void each_run(std::size_t places, std::size_t most, const Holders& holders, const Visit& visit) {
     for (std::size_t begin = 0, end; begin < places; begin = end) {
-      const Part here = part(holders, first + begin);
+      const Part here = part(holders, begin);
       const std::size_t last = std::min(places, begin + most);
-      for (end = begin + 1; end < last && part(holders, first + end) == here;) ++end;
+      for (end = begin + 1; end < last && part(holders, end) == here;) ++end;
       visit(begin, end, here);
     }
   }
