@@ -315,7 +315,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   void store_reference_state() override {
     if (reference_kept_) return;
-    expect_all_here();
+    if (elsewhere_.count() > 0) throw std::logic_error("states of elements are asked for that other ranks have");
     reference_kept_ = true;
     for (int i = 0; i < state_size(); ++i) {
       const auto holds = [this, i](std::size_t b) {
@@ -340,10 +340,8 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
     archive_known(a, *this, elsewhere_);
     archive_by_element(a, state_, at(state_size()), width, of_states);
     archive_by_element(a, reference_state_, reference_fields_.size(), width, {});
-    a.parts(energy_, of_states);
-    a.parts(step_, of_states);
-    if (a.reading())
-      for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
+    for (ZeroedVector<double>* numbers : {&energy_, &step_}) a.parts(*numbers, of_states);
+    for (std::size_t b = 0; a.reading() && b < blocks(); ++b) find_block_step(b);
     a.built(kernel_, nodes_, reference_fields_, reference_kept_, small_, inviscid_, mass_, inertia_, imposed_,
             elsewhere_);
   }
@@ -595,9 +593,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       if (e >= size()) put_field(e, Element::Layout::alive, 0.0);
       step_[e] = unlimited;
     }
-  }
-  void expect_all_here() const {
-    if (elsewhere_.count() > 0) throw std::logic_error("states of elements are asked for that other ranks have");
   }
   void find_block_step(std::size_t b) {
     if (elsewhere_.has(b * width)) {
