@@ -139,6 +139,7 @@ void RestartWriter::bytes(void* data, std::size_t size) {
 }
 
 void RestartWriter::pass(int rank, std::size_t size) {
+  if (from_.empty()) return Archive::pass(rank, size);
   std::array<char, at_once> piece;
   for (std::size_t done = 0; done < size; done += piece.size()) {
     const std::size_t now = std::min(piece.size(), size - done);
@@ -148,6 +149,7 @@ void RestartWriter::pass(int rank, std::size_t size) {
 }
 
 void RestartWriter::pass_piece(int rank) {
+  if (from_.empty()) return Archive::pass_piece(rank);
   std::uint64_t size = 0;
   (*from_[at(rank)])(&size, 1);
   pass(rank, size);

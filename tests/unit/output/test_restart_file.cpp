@@ -191,7 +191,8 @@ struct Places {
 
 void write(const fs::path& folder, Ranks* ranks) {
   Places places(ranks != nullptr ? ranks->rank() : Archive::everyone);
-  const Archive::Holders holders{Places::giver, {}};
+  Archive::Holders holders;
+  if (ranks != nullptr) holders.giver = Places::giver;
   if (ranks != nullptr && ranks->rank() != 0) {
     RestartSender file(*ranks);
     places.archive(file, holders);
@@ -209,6 +210,13 @@ TEST(RestartFile, RanksWriteTheFileOfOneProcess) {
   write(one.path(), nullptr);
   on_thread_ranks(3, [&](Ranks& ranks) { write(three.path(), &ranks); });
   EXPECT_TRUE(content(one / "restart") == content(three / "restart"));
+}
+
+TEST(RestartFile, AFileOfOneProcessIsNotWrittenOfWhatOthersHave) {
+  const Scratch scratch;
+  RestartWriter file(scratch.path(), head(1));
+  Places places(0);
+  EXPECT_THROW(places.archive(file, {Places::giver, {}}), std::logic_error);
 }
 
 // Sabotage to be caught: a reader that puts what others want into the lists, or does not pass it by.
