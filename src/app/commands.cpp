@@ -125,41 +125,24 @@ output::Summary summarise(const RunArguments& arguments, const impact::Simulatio
 
 /// Options of the run, and how its state goes into restart files and, if `from` is not null, comes out of one.
 impact::Options options_of(const RunArguments& arguments, const output::RestartHead& head, const fs::path& directory,
-                           impact::Simulation& simulation, impact::Recorder& recorder, output::RestartReader* from) {
+                           impact::Simulation& simulation, impact::Recorder& recorder, output::RestartReader* from,
+                           Ranks* ranks) {
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles};
   if (!arguments.checkpoint.empty()) options.checkpoints = *read_checkpoints(arguments.checkpoint);
-  const auto archive = [&simulation, &recorder](Archive& a) { a(simulation, recorder); };
-  options.write_checkpoint = [=, &simulation] {
+  options.ranks = ranks;
+  options.write_checkpoint = [=, &simulation, &recorder] {
     output::RestartHead now = head;
     now.time = simulation.state().time;
     now.cycle = simulation.state().cycle;
-    output::RestartWriter file(directory, now);
-    archive(file);
+    output::RestartWriter file(directory, now, ranks);
+    simulation.archive_costs(file);
+    file(simulation, recorder);
     file.finish();
   };
-  if (from != nullptr) options.restore = [=] { archive(*from); };
+  if (from == nullptr) return options;
+  options.restore_costs = [=, &simulation] { simulation.archive_costs(*from); };
+  options.restore = [=, &simulation, &recorder] { (*from)(simulation, recorder); };
   return options;
-}
-
-/// What restart files say of this run.
-output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_checksum) {
-  return {.version = NUGGET_VERSION,
-          .program = output::checksum_of_program(),
-          .deck = arguments.deck,
-          .folder = fs::current_path().string(),
-          .deck_checksum = deck_checksum,
-          .date = today(),
-          .skip_unsupported = arguments.skip_unsupported,
-          .until = arguments.until,
-          .max_cycles = arguments.max_cycles,
-          .checkpoint = arguments.checkpoint,
-          .weld_law = arguments.weld_law,
-          .weld_tie = arguments.weld_tie,
-          .units = arguments.units,
-          .drop_weld = arguments.drop_weld,
-          .load_case = arguments.load_case,
-          .precision = arguments.precision.empty() ? "double" : arguments.precision,
-          .subcycle = arguments.subcycle};
 }
 
 /// A batch system says by one of these that a job's time is up; all leave a restart file, as Ctrl-C does.
@@ -199,8 +182,7 @@ impact::Outcome simulate(impact::Simulation& simulation, const fs::path& directo
     impact::ResultFiles files(system, directory,
                               {system.model.title, fmt::format("nugget {}", NUGGET_VERSION), head.date,
                                from == nullptr ? output::OpenMode::create : output::OpenMode::append});
-    impact::Options options = options_of(arguments, head, directory, simulation, files, from);
-    options.ranks = ranks;
+    impact::Options options = options_of(arguments, head, directory, simulation, files, from, ranks);
     options.made = made;
     options.sense_switches = [&] {
       const impact::SenseSwitches asked = take_sense_switch(directory);
@@ -468,22 +450,23 @@ void report_end(const RunArguments& arguments, const fs::path& directory, const 
 }
 
 /// What the ranks of a run compare before it begins.
-JoinedRun::Ready ready(const PreparedDeck& p, const Findings& findings) {
-  return {findings.errors() == 0, p.deck_checksum, output::checksum_of_program(), system::elements_at_a_time()};
+JoinedRun::Ready ready(const PreparedDeck& p, const Findings& findings, const output::RestartReader* from) {
+  return {findings.errors() == 0, p.deck_checksum, output::checksum_of_program(), system::elements_at_a_time(),
+          from != nullptr ? from->checksum() : 0};
 }
 
 /// Ranks of an explicit run work together from the moment on when they have read their decks.
-WorkTogether together(JoinedRun& joined, const Findings& findings) {
-  return [&joined, &findings](const PreparedDeck& read, const std::function<void(Ranks*)>& work) {
+WorkTogether together(JoinedRun& joined, const Findings& findings, const output::RestartReader* from) {
+  return [&joined, &findings, from](const PreparedDeck& read, const std::function<void(Ranks*)>& work) {
     if (joined.ranks() == nullptr || analysis_of(read.model) != Analysis::explicit_dynamics) return work(nullptr);
-    joined.work_together(ready(read, findings), work);
+    joined.work_together(ready(read, findings, from), work);
   };
 }
 
-/// Several ranks give elements their states when they have been shared out; those of a restart file are read whole.
-system::System::ElementsStart elements_start(const JoinedRun& joined, const output::RestartReader* from) {
+/// Several ranks give elements their states when they have been shared out.
+system::System::ElementsStart elements_start(const JoinedRun& joined) {
   using Start = system::System::ElementsStart;
-  return joined.ranks() != nullptr && from == nullptr ? Start::with_share : Start::at_once;
+  return joined.ranks() != nullptr ? Start::with_share : Start::at_once;
 }
 
 /// `from`: the restart file of a run that is resumed; null: a new one.
@@ -494,7 +477,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   std::optional<system::System> system;
   std::optional<impact::Simulation> simulation;
   // Faults of ties, of the system and of what acts in it are reported together.
-  make_system(p, system, findings, elements_start(joined, from));
+  make_system(p, system, findings, elements_start(joined));
   if (system) simulation.emplace(*system, findings, p.model.implicit.after_run ? nullptr : &p.model);
   if (system) check_subcycling(*simulation, findings);
   if (system && p.model.control.single_precision) say_what_stays_double(*system, findings);
@@ -525,7 +508,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(audit_table(p.model, p.ties, p.audit));
   }
   std::string why;
-  if (!joined.agree(ready(p, findings), why)) {
+  if (!joined.agree(ready(p, findings, from), why)) {
     log.add(fmt::format(" {}\n\n E r r o r   t e r m i n a t i o n\n", why));
     fmt::print(stderr, "nugget: {}; nothing was run\n", why);
     return ExitCode::refused;
@@ -578,7 +561,7 @@ ExitCode run_in(const fs::path& directory, const RunArguments& arguments, output
   give_large_arrays_back();
   JoinedRun joined(arguments.over_ranks ? rank_team() : nullptr, arguments.load_case);
   Findings findings;
-  PreparedDeck p = prepare(arguments, findings, EndTime::needed, together(joined, findings));
+  PreparedDeck p = prepare(arguments, findings, EndTime::needed, together(joined, findings, from));
   if (!p.has_text) return refuse_missing(findings);
   warn_of_response_in_explicit_run(p.model, findings);
   const Analysis analysis = analysis_of(p.model);
@@ -611,21 +594,30 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   give_large_arrays_back();
   JoinedRun joined(rank_team(), arguments.load_case);
   Findings findings;
-  PreparedDeck p = prepare(arguments, findings, EndTime::needed, together(joined, findings));
+  PreparedDeck p = prepare(arguments, findings, EndTime::needed, together(joined, findings, from));
   free_room(p.audit);  // for those who write
   free_room(p.welds);
   if (!p.has_text || analysis_of(p.model) != Analysis::explicit_dynamics || !p.is_tied) return ExitCode::normal;
-  system::System system(p.model, p.ties, findings, {}, elements_start(joined, from));
+  system::System system(p.model, p.ties, findings, {}, elements_start(joined));
   impact::Simulation simulation(system, findings, &p.model);
   std::string why;
-  if (!joined.agree(ready(p, findings), why)) return ExitCode::normal;
+  if (!joined.agree(ready(p, findings, from), why)) return ExitCode::normal;
   joined.use_threads(arguments.threads);
   system.forget_start(p.model);
   free_room(p.model.nodes.x);  // for those who write
   interrupt_on_signals(0.0);
   impact::Options options{.until = arguments.until, .max_cycles = arguments.max_cycles, .ranks = joined.ranks()};
   options.made = [&p] { free_room(p.ties.x); };
-  if (from != nullptr) options.restore = [&] { (*from)(simulation); };
+  options.write_checkpoint = [&] {
+    output::RestartSender file(*joined.ranks());
+    simulation.archive_costs(file);
+    file(simulation);
+    file.finish();
+  };
+  if (from != nullptr) {
+    options.restore_costs = [&] { simulation.archive_costs(*from); };
+    options.restore = [&] { (*from)(simulation); };
+  }
   class : public impact::Recorder {
     bool due(const system::State&) override { return false; }
     void write(const impact::Snapshot&, bool) override {}
@@ -675,10 +667,17 @@ ExitCode run(const RunArguments& arguments) {
                    [&](const fs::path& directory) { return run_and_convert(directory, arguments, nullptr); });
   return guarded(".", [&](const fs::path&) {
     std::string warning;
-    const auto from = output::open_restart(fs::absolute(arguments.resume), warning);
+    std::unique_ptr<output::RestartReader> from;
+    RunArguments run;
+    try {
+      from = output::open_restart(fs::absolute(arguments.resume), warning);
+      run = resumed_arguments(arguments, from->head());
+    } catch (const ArchiveError&) {
+      if (called) const JoinedRun unwilling(rank_team(), arguments.load_case);  // the first one waits for an answer
+      throw;
+    }
     if (!warning.empty())
       fmt::print(stderr, "warning: {}; the one before it is taken, {}\n", warning, from->path().string());
-    const RunArguments run = resumed_arguments(arguments, from->head());
     if (run.until > 0.0 && run.until < from->head().time)
       throw ArchiveError(
           fmt::format("--until {:g} lies before the restart file, whose time is {:g}: give a later end, "

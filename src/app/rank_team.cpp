@@ -67,15 +67,21 @@ bool JoinedRun::agree(const Ready& own, std::string& why) {
   if (team_ == nullptr) return begun_ = own.willing;
   const std::vector<Ready> all = gather(*team_->ranks, own);
   begun_ = std::ranges::all_of(all, &Ready::willing);
-  for (std::size_t r = 1; begun_ && r < all.size(); ++r) {
+  for (std::size_t r = 1; r < all.size(); ++r) {
+    constexpr const char* where = "all ranks read it by the same name: it must stand in a folder that all machines see";
     const auto differ = [&](const char* what, const char* remedy) {
       why = fmt::format("rank {} has {} than the first one [{}]", r, what, remedy);
       begun_ = false;
     };
+    // Without one that will do a rank is not willing.
+    if (all[0].willing && all[r].restart_file != all[0].restart_file)
+      why = fmt::format("rank {} does not have the restart file of the first one [{}]", r, where);
+    if (!why.empty()) begun_ = false;
+    if (!begun_) continue;
     if (all[r].program != all[0].program)
       differ("another build of nugget", "install the same on all machines");
     else if (all[r].deck != all[0].deck)
-      differ("another deck", "all ranks read it by the same name: it must stand in a folder that all machines see");
+      differ("another deck", where);
     else if (all[r].lanes != all[0].lanes)
       differ("other lanes", "set NUGGET_LANES=4 for all");
   }

@@ -39,6 +39,7 @@ class JoinedRun {
     bool willing = false;  ///< the deck is read and has no errors
     std::uint64_t deck = 0, program = 0;
     int lanes = 0;
+    std::uint64_t restart_file = 0;  ///< its checksum; 0: there is none
   };
   /// Whether the run begins; all get the same answer. `why`: what differs between ranks, if that is the reason.
   bool agree(const Ready& own, std::string& why);

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/outcome.hpp"
+
 namespace nugget::app {
 
 namespace fs = std::filesystem;
@@ -41,6 +43,26 @@ std::optional<double> clock_seconds(const std::string& text) {
 
 bool says_checkpoints(const std::string& text) {
   return read_checkpoints(text).has_value();
+}
+
+output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_checksum) {
+  return {.version = NUGGET_VERSION,
+          .program = output::checksum_of_program(),
+          .deck = arguments.deck,
+          .folder = fs::current_path().string(),
+          .deck_checksum = deck_checksum,
+          .date = today(),
+          .skip_unsupported = arguments.skip_unsupported,
+          .until = arguments.until,
+          .max_cycles = arguments.max_cycles,
+          .checkpoint = arguments.checkpoint,
+          .weld_law = arguments.weld_law,
+          .weld_tie = arguments.weld_tie,
+          .units = arguments.units,
+          .drop_weld = arguments.drop_weld,
+          .load_case = arguments.load_case,
+          .precision = arguments.precision.empty() ? "double" : arguments.precision,
+          .subcycle = arguments.subcycle};
 }
 
 RunArguments resumed_arguments(const RunArguments& asked, const output::RestartHead& head) {

@@ -14,6 +14,9 @@ namespace nugget::app {
 /// none of these.
 std::optional<impact::Checkpoints> read_checkpoints(const std::string& text);
 
+/// What restart files say of this run.
+output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_checksum);
+
 /// What is to be run to resume a run, as it was begun but for what the command line says anew. Changes to the
 /// folder from which the run was begun, so that its files are found under their names.
 RunArguments resumed_arguments(const RunArguments& asked, const output::RestartHead& head);

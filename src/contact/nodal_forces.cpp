@@ -115,19 +115,10 @@ double NodalForces::friction_energy() const {
   return energy;
 }
 
-void NodalForces::carry(int place, bool forces, system::Parcel& parcel) {
+void NodalForces::carry(int place, system::Parcel& parcel) {
   parcel(&work_[place], 1);
   if (!friction_work_.empty()) parcel(&friction_work_[place], 1);
   if (parcel.reading()) of_others_.erase(at(place) / part_size);
-  if (!forces) return;
-  Touched& now = parts_[place / part_size].now;
-  const Sum* found = now.find(place);
-  char touched = found != nullptr;
-  parcel(&touched, 1);
-  if (touched == 0) return;
-  Sum sum = found != nullptr ? *found : Sum{};
-  parcel(&sum, 1);
-  if (parcel.reading()) now.at(place) = sum;
 }
 
 void NodalForces::carry_sum(std::size_t part, system::Parcel& parcel) {
@@ -137,24 +128,25 @@ void NodalForces::carry_sum(std::size_t part, system::Parcel& parcel) {
   if (parcel.reading()) of_others_[part] = sum;
 }
 
-void NodalForces::Touched::archive(Archive& a) {
-  std::vector<int> order = place;
-  std::sort(order.begin(), order.end());
-  std::vector<Sum> sums;
-  sums.reserve(order.size());
-  if (!a.reading())
-    for (const int one : order) sums.push_back(*find(one));
-  a(order, sums);
-  if (!a.reading()) return;
-  place.clear();
-  sum.clear();
-  for (std::size_t i = 0; i < order.size(); ++i) at(order[i]) = sums[i];
-  a.built(slot);
-}
-
-void NodalForces::archive(Archive& a) {
-  a(parts_, work_, friction_work_);
-  a.built(nodes_, index_, side_, left_out_, of_others_);
+/// In the order of places: ranks have come to them in orders of their own.
+void NodalForces::archive(Archive& a, const std::function<int(std::size_t)>& giver) {
+  const Archive::Holders holders{giver, [this](std::size_t place) { return !left_out(static_cast<int>(place)); }};
+  a.parts(work_, holders);
+  a.parts(friction_work_, holders);
+  for (Part& part : parts_)
+    if (a.reading()) part.now.forget();
+  a.each_part(nodes_.size(), part_size, holders, [&](std::size_t i, bool here) {
+    const int place = static_cast<int>(i);
+    Touched& now = parts_[i / part_size].now;
+    const Sum* found = here && !a.reading() ? now.find(place) : nullptr;
+    Sum sum = found != nullptr ? *found : Sum{};
+    char touched = found != nullptr;
+    a(touched);
+    if (touched == 0) return;
+    a(sum);
+    if (here && a.reading()) now.at(place) = sum;
+  });
+  a.built(nodes_, index_, side_, parts_, left_out_, of_others_);
 }
 
 }  // namespace nugget::contact

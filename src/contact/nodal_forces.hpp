@@ -96,13 +96,14 @@ class NodalForces {
   /// A rank of several books the work on nodes that it follows only; `left_out`: the others, by place in nodes().
   void leave_out(std::vector<char> left_out) { left_out_ = std::move(left_out); }
   bool left_out(int place) const { return !left_out_.empty() && left_out_[place]; }
-  /// What is kept of a node, on its way to another rank. `forces`: those of this cycle as well.
-  void carry(int place, bool forces, system::Parcel& parcel);
+  /// The work at a node, on its way to another rank.
+  void carry(int place, system::Parcel& parcel);
   /// What all nodes of a part have given, from a rank that has booked the work on each of them: until work on one of
   /// them arrives, that counts.
   void carry_sum(std::size_t part, system::Parcel& parcel);
 
-  void archive(Archive& a);
+  /// `giver`: by place, as in Archive::Holders; empty: all ranks have the same. One takes what it does not leave out.
+  void archive(Archive& a, const std::function<int(std::size_t)>& giver = {});
 
  private:
   static constexpr std::size_t nodes_ahead = 12;  ///< for which rows the memory is asked
@@ -130,15 +131,13 @@ class NodalForces {
       place.push_back(at);
       return sum.emplace_back();
     }
-    /// In the order of places: ranks have come to them in orders of their own.
-    void archive(Archive& a);
+    void forget() {
+      place.clear();
+      sum.clear();
+    }
   };
   struct Part {
     Touched now, before;
-    void archive(Archive& a) {
-      a(now);
-      a.built(before);
-    }
   };
   /// Minus the work on the nodes of a part, by side, and minus that of friction.
   struct Given {

@@ -26,12 +26,14 @@ class PenaltyContact {
   void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks, const SurfaceSource& source) {
     surface_.add_costs(x, costs, ranks, source);
   }
+  /// See SurfaceContact::add_costs_now.
+  void add_costs_now(std::size_t nodes, system::ContactCosts& costs, Ranks* ranks) const {
+    surface_.add_costs_now(nodes, costs, ranks);
+  }
   /// See SurfaceContact::take_share.
   void take_share(const SharedNodes& shared, const SurfaceSource& source) { surface_.take_share(shared, source); }
   /// See SurfaceContact::carry.
   void carry(int rank, system::Carried what, system::Parcel& parcel) { surface_.carry(rank, what, parcel); }
-  /// See SurfaceContact::leave_to_others.
-  void leave_to_others() { surface_.leave_to_others(); }
   /// See SurfaceContact::keep_hits_for_results.
   void keep_hits_for_results() { surface_.keep_hits_for_results(); }
   /// Calls `visit` with each node that it can press.

@@ -143,53 +143,29 @@ void SurfaceContact::fill_share(const SurfaceSource& source, std::span<const Row
   outline_.reset();
 }
 
-/// After a restart, when all is here.
-void SurfaceContact::hold_share() {
-  // Something else looks at the surface, or at its hits.
-  if (looks_everywhere_ || results_need_hits_) return;
-  std::vector<int> boxed;
-  for (std::size_t s = 0; s < faces_.size(); ++s) {
-    const int rank = share_->follower_of_all(faces_[s].node, share_->answering(faces_[s].node[0]));
-    if (rank < 0) return;  // nobody knows where all its corners are
-    if (rank == rank_) boxed.push_back(static_cast<int>(s));
+/// The pairs of a restart file: their segments, from the ranks that follow the corners, and what goes by them.
+void SurfaceContact::hold_what_was_read() {
+  list_followed_nodes();
+  if (by_share_) {
+    std::vector<int> missing;
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      for (const Pair& pair : blocks_[b].pairs)
+        if (computes(b)) missing.push_back(static_cast<int>(pair.segment));
+    sort_once(missing);
+    std::erase_if(missing, [this](int s) { return std::ranges::binary_search(held_, s); });
+    const std::size_t count = at(share_->ranks().count());
+    std::vector<std::vector<int>> wanted(count, missing), given;
+    free_room(wanted[at(rank_)]);
+    system::exchange(share_->ranks(), wanted, given);
+    std::vector<std::vector<std::byte>> leaving(count), arrived;
+    for (std::size_t r = 0; r < count; ++r)
+      for (const int s : given[r])
+        if (std::ranges::binary_search(boxed_, s)) append(leaving[r], s, faces_[s]);
+    system::exchange(share_->ranks(), leaving, arrived);
+    take(arrived, faces_);
+    hold_segments_of_pairs();
   }
-  by_share_ = true;
-  boxed_ = std::move(boxed);
-  std::vector<char> marked(forces_.nodes().size());
-  for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = share_->adds_up(forces_.nodes()[i]);
-  std::vector<int> of_blocks, unused;  // tracked nodes
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (int t = blocks_[b].begin; t < blocks_[b].end; ++t) {
-      char& mark = marked[forces_.place(nodes_[t].node)];
-      if (computes(b)) {
-        of_blocks.push_back(nodes_[t].node);
-        mark = 1;
-      } else if (mark == 0) {
-        unused.push_back(t);
-      }
-    }
-  tracked_ghosts_.ask_for(*share_, std::move(of_blocks));
-  at_own_ = segments_at(marked);
-  std::vector<char> corner(marked.size());
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    for (const Pair& pair : blocks_[b].pairs)
-      if (computes(b))
-        for (const int n : faces_[pair.segment].node) corner[forces_.place(n)] = 1;
-  hold(joined(at_own_, segments_at(corner)));
-  for (std::size_t i = 0, end; i < unused.size(); i = end) {
-    for (end = i + 1; end < unused.size() && unused[end] == unused[end - 1] + 1;) ++end;
-    clear_range(nodes_, at(unused[i]), at(unused[end - 1]) + 1);
-  }
-}
-
-/// Those that are here at nodes that are marked, by place, rising.
-std::vector<int> SurfaceContact::segments_at(std::span<const char> marked) const {
-  std::vector<int> found;
-  for (std::size_t i = 0; i < marked.size(); ++i)
-    if (marked[i] != 0)
-      for (const int s : around_.at(forces_.nodes()[i])) found.push_back(s);
-  sort_once(found);
-  return found;
+  if (searched_) ask_for_ghosts();
 }
 
 /// Others take no room any more.

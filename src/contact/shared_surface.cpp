@@ -22,12 +22,6 @@ struct BlockHead {
   int block = 0, hits = 0;
 };
 
-/// What a node costs in contact.
-struct Cost {
-  int node = 0;
-  double value = 0.0;
-};
-
 void append(std::vector<std::byte>& data, const void* from, std::size_t size) {
   const std::size_t place = data.size();
   data.resize(place + size);
@@ -83,25 +77,12 @@ void SurfaceContact::take_share(const SharedNodes& shared, const SurfaceSource& 
     rank_of_part_.push_back(looks_everywhere_ ? 0 : share_->adder_of_all(nodes.subspan(begin, size), 0));
   }
   list_followed_nodes();
-  if (outline_ != nullptr)
-    fill_share(source, shared.x);
-  else
-    hold_share();
+  if (outline_ != nullptr) fill_share(source, shared.x);
   if (searched_) ask_for_ghosts();
 }
 
-/// What another rank looks at: it comes back with `carry`.
 void SurfaceContact::leave(Block& block) {
   block.clear_hits();
-  free_lists(block);
-}
-
-void SurfaceContact::leave_to_others() {
-  for (std::size_t b = 0; share_ != nullptr && b < blocks_.size(); ++b)
-    if (!computes(b)) free_lists(blocks_[b]);
-}
-
-void SurfaceContact::free_lists(Block& block) {
   free_room(block.first);
   free_room(block.next_check_travel);
   free_room(block.deep);
@@ -147,62 +128,80 @@ void SurfaceContact::ask_for_ghosts() {
 /// Over several ranks each looks at as many blocks in a row; they follow each other along a curve through space.
 void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks,
                                const SurfaceSource& source) {
-  constexpr double awake = 8.0, node = 1.0;
-  if ((faces_.empty() && outline_ == nullptr) || birth_ > 0.0) return;
-  const bool made_for_this = !searched_, together = made_for_this && ranks != nullptr;
-  if (ranks != nullptr && !together && ranks->rank() != 0) return;  // the first one has all
-  costs.of_node.resize(x.size());
-  if (together) {
+  if (!costs_something()) return;
+  if (ranks != nullptr) {
     rank_ = ranks->rank();
     for (std::size_t b = 0; b < blocks_.size(); ++b)
       rank_of_block_.push_back(static_cast<int>(b * at(ranks->count()) / blocks_.size()));
   }
   if (outline_ != nullptr) fill_near_own_blocks(source, x);
-  if (made_for_this) list_all(x, {});
-  const auto is_awake_at = [&](int t, const Pair& pair) {
-    if (!made_for_this) return pair.next_check_travel <= travelled_;
+  list_all(x, {});
+  const auto touches = [&](int t, const Pair& pair) {
     const kernel::Corners corners = corners_of(faces_[pair.segment], x);
     return kernel::least_distance(corners, vec(x[at(nodes_[t].node)])) <= contact_distance(t, pair.segment);
   };
-  std::vector<std::vector<Cost>> of_nodes(together ? at(ranks->count()) : 1);
-  std::vector<std::vector<std::array<int, 2>>> pairs(of_nodes.size());
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const Block& block = blocks_[b];
-    for (int t = block.begin; computes(b) && t < block.end; ++t) {
-      Cost& cost = of_nodes[0].emplace_back(Cost{nodes_[t].node, node});
-      for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
-        const Pair& pair = block.pairs[i];
-        const bool is_awake = is_awake_at(t, pair);
-        cost.value += is_awake ? awake : 1.0;
-        if (is_awake) pairs[0].push_back({nodes_[t].node, faces_[pair.segment].node[0]});
-      }
-    }
-  }
-  const auto add = [&](int from) {
-    for (const Cost& cost : of_nodes[from]) costs.of_node[at(cost.node)] += cost.value;
-    costs.together.insert(costs.together.end(), pairs[from].begin(), pairs[from].end());
-  };
-  if (made_for_this) forget_lists();
+  OwnCosts own = costs_of_own_blocks(touches, [](int, const Pair&) { return true; });
+  forget_lists();
   if (outline_ != nullptr) {
     free_room(faces_);
     free_room(nodes_);
     around_ = {};
     free_room(held_);
   }
-  if (!together || rank_ == 0) add(0);
-  if (!together) return;
-  if (rank_ == 0) {  // a message to itself there is none
-    free_room(of_nodes[0]);
-    free_room(pairs[0]);
-  }
-  std::vector<std::vector<Cost>> costs_of_others;
-  std::vector<std::vector<std::array<int, 2>>> pairs_of_others;
-  system::exchange(*ranks, of_nodes, costs_of_others);
-  system::exchange(*ranks, pairs, pairs_of_others);
-  of_nodes = std::move(costs_of_others);
-  pairs = std::move(pairs_of_others);
-  for (int r = 1; rank_ == 0 && r < ranks->count(); ++r) add(r);
   rank_of_block_.clear();
+  costs.of_node.resize(x.size());
+  add_to_first(std::move(own), costs, ranks);
+}
+
+void SurfaceContact::add_costs_now(std::size_t nodes, system::ContactCosts& costs, Ranks* ranks) const {
+  if (!costs_something()) return;
+  costs.of_node.resize(nodes);
+  const auto is_awake = [this](int, const Pair& pair) { return pair.next_check_travel <= travelled_; };
+  const auto touches = [](int, const Pair& pair) { return pair.touch != none; };
+  add_to_first(costs_of_own_blocks(is_awake, touches), costs, ranks);
+}
+
+bool SurfaceContact::costs_something() const {
+  return (!faces_.empty() || outline_ != nullptr) && !(birth_ > 0.0);
+}
+
+template <class IsAwake, class Touches>
+SurfaceContact::OwnCosts SurfaceContact::costs_of_own_blocks(const IsAwake& is_awake, const Touches& touches) const {
+  constexpr double awake = 8.0, node = 1.0;
+  OwnCosts own;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& block = blocks_[b];
+    for (int t = block.begin; computes(b) && t < block.end; ++t) {
+      OwnCosts::OfNode& cost = own.of_nodes.emplace_back(OwnCosts::OfNode{nodes_[t].node, node});
+      if (block.first.empty()) continue;
+      for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
+        const Pair& pair = block.pairs[i];
+        const bool looks = is_awake(t, pair);
+        cost.value += looks ? awake : 1.0;
+        if (looks && touches(t, pair)) own.pairs.push_back({nodes_[t].node, faces_[pair.segment].node[0]});
+      }
+    }
+  }
+  return own;
+}
+
+void SurfaceContact::add_to_first(OwnCosts own, system::ContactCosts& costs, Ranks* ranks) {
+  const auto add = [&](const auto& of_nodes, const auto& pairs) {
+    for (const OwnCosts::OfNode& cost : of_nodes) costs.of_node[at(cost.node)] += cost.value;
+    costs.together.insert(costs.together.end(), pairs.begin(), pairs.end());
+  };
+  if (ranks == nullptr || ranks->rank() == 0) {  // a message to itself there is none
+    add(own.of_nodes, own.pairs);
+    own = {};
+  }
+  if (ranks == nullptr) return;
+  std::vector<std::vector<OwnCosts::OfNode>> costs_to(at(ranks->count())), costs_from;
+  std::vector<std::vector<std::array<int, 2>>> pairs_to(costs_to.size()), pairs_from;
+  costs_to[0] = std::move(own.of_nodes);
+  pairs_to[0] = std::move(own.pairs);
+  system::exchange(*ranks, costs_to, costs_from);
+  system::exchange(*ranks, pairs_to, pairs_from);
+  for (std::size_t r = 1; ranks->rank() == 0 && r < costs_from.size(); ++r) add(costs_from[r], pairs_from[r]);
 }
 
 /// As before the first search.
@@ -281,40 +280,47 @@ void SurfaceContact::put_hits(int b) {
 
 void SurfaceContact::carry(int rank, system::Carried what, system::Parcel& parcel) {
   if (share_ == nullptr) return;  // before the first forces of several ranks everyone has everything
-  const bool whole = what == system::Carried::whole;
+  if (what == system::Carried::restart) return;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (rank_of_block_[b] != rank) continue;
     Block& block = blocks_[b];
     parcel(&block.energies, 1);
     parcel(&block.resultant, 1);
     parcel(&block.deepest, 1);
-    if (whole || results_need_hits_) {
-      carry_list(parcel, block.hits);
-      if (parcel.reading()) arrived_.push_back(static_cast<int>(b));
-    }
-    if (!whole) continue;
-    parcel(&block.asleep_until, 1);
-    carry_list(parcel, block.first);
-    carry_list(parcel, block.next_check_travel);
-    carry_list(parcel, block.deep);
-    carry_list(parcel, block.pairs);
-    carry_list(parcel, block.touches);
-    carry_list(parcel, block.free);
+    if (!results_need_hits_) continue;
+    carry_list(parcel, block.hits);
+    if (parcel.reading()) arrived_.push_back(static_cast<int>(b));
   }
   // Histories show what pressed, and nothing of the work.
   if (what == system::Carried::histories) return;
   // The first rank has what all add up.
-  for (std::size_t p = 0; !whole && rank != 0 && p < rank_of_part_.size(); ++p)
+  for (std::size_t p = 0; rank != 0 && p < rank_of_part_.size(); ++p)
     if (rank_of_part_[p] == rank) forces_.carry_sum(p, parcel);
   for (const int place : answered_[rank])
-    if (whole || rank_of_part_[at(place) / NodalForces::part_size] == system::Share::nobody)
-      forces_.carry(place, whole, parcel);
-  for (std::size_t i = 0; whole && i < active_nodes_.size(); ++i) {
-    const std::span<const int> adding = share_->adding(active_nodes_[i]);
-    if (adding.empty() || adding.front() != rank) continue;
-    parcel(&searched_at_[i], 1);
-    parcel(&seen_at_[i], 1);
-  }
+    if (rank_of_part_[at(place) / NodalForces::part_size] == system::Share::nobody) forces_.carry(place, parcel);
+}
+
+/// Of a node, by its place among all that this contact can press, the rank that answers for the forces on it.
+std::function<int(std::size_t)> SurfaceContact::giver_of_places() const {
+  if (share_ == nullptr) return {};
+  return [this](std::size_t place) {
+    const std::span<const int> adding = share_->adding(forces_.nodes()[place]);
+    return adding.empty() ? Archive::everyone : adding.front();
+  };
+}
+
+Archive::Holders SurfaceContact::holders_of_active_nodes() const {
+  if (share_ == nullptr) return {};
+  return {[this](std::size_t i) {
+            const std::span<const int> adding = share_->adding(active_nodes_[i]);
+            return adding.empty() ? Archive::everyone : adding.front();
+          },
+          [this](std::size_t i) { return share_->follows(active_nodes_[i]); }};
+}
+
+Archive::Holders SurfaceContact::holders_of_blocks() const {
+  if (share_ == nullptr) return {};
+  return {[this](std::size_t b) { return rank_of_block_[b]; }, [this](std::size_t b) { return computes(b); }};
 }
 
 }  // namespace nugget::contact

@@ -612,7 +612,20 @@ void SurfaceContact::Block::archive(Archive& a) {
 /// last digits.
 void SurfaceContact::archive(Archive& a) {
   a.section("contact of surfaces");
-  a(forces_, active_nodes_, searched_at_, searched_, searches_, seen_at_, searched_when_, travelled_, blocks_, acts_);
+  forces_.archive(a, giver_of_places());
+  a(active_nodes_, searched_, searches_, searched_when_, travelled_, acts_);
+  if (a.reading()) {
+    searched_at_ = ZeroedVector<Vec3d>(active_nodes_.size());
+    seen_at_ = ZeroedVector<Vec3d>(active_nodes_.size());
+  }
+  const Archive::Holders of_active = holders_of_active_nodes();
+  a.parts(searched_at_, of_active);
+  a.parts(seen_at_, of_active);
+  a.each_part(blocks_.size(), 1, holders_of_blocks(), [&](std::size_t b, bool here) {
+    Block of_others;
+    a(here ? blocks_[b] : of_others);
+  });
+  if (a.reading() && share_ != nullptr) hold_what_was_read();
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, outline_, excluded_,
           stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_, results_need_hits_,
           share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, by_share_,

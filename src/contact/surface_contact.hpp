@@ -166,20 +166,19 @@ class SurfaceContact {
   /// force; the solver's a = (force - internal)/m).
   void apply(const Step& step, std::span<Row> force);
 
-  /// Adds about what each node costs in a cycle, in pairs that rest; by the lists, which are made at the places `x`
-  /// where there are none yet. A contact with a birth time costs nothing. `ranks`: all of them ask, each looks at some
+  /// Adds about what each node costs in a cycle, in pairs that rest, at the start: by lists that are made at the places
+  /// `x`, and set free again. A contact with a birth time costs nothing. `ranks`: all of them ask, each looks at some
   /// blocks, and the first one gets the costs; null: this process looks at all. `source`: of this surface, where it was
   /// made by its outline alone.
   void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks, const SurfaceSource& source = {});
+  /// The same in the course of a run, by the lists that are there. `nodes`: of the system.
+  void add_costs_now(std::size_t nodes, system::ContactCosts& costs, Ranks* ranks) const;
   /// Over several ranks, before the first step that they share: who does what from now on. All ranks call it. `source`
   /// as in add_costs.
   void take_share(const SharedNodes& shared, const SurfaceSource& source = {});
-  /// Over several ranks (Step::shared): what others need of the blocks of a rank and of the nodes for which it answers,
-  /// for results or for all that is to come, on its way to another one.
+  /// Over several ranks (Step::shared): what results show of the blocks of a rank and of the nodes for which it
+  /// answers, on its way to another one.
   void carry(int rank, system::Carried what, system::Parcel& parcel);
-  /// Sets free the lists of other ranks' blocks, which came with `carry` for all that is to come, when they have been
-  /// used.
-  void leave_to_others();
   /// Results are to show force_on() or force_between(): of several ranks the first one gets the hits of all.
   void keep_hits_for_results() { results_need_hits_ = true; }
 
@@ -379,11 +378,25 @@ class SurfaceContact {
   void fill_near_own_blocks(const SurfaceSource& source, std::span<const Row> x);
   void fill_share(const SurfaceSource& source, std::span<const Row> x);
   static void leave(Block& block);
-  static void free_lists(Block& block);
   Box over_all_ranks(const Box& own) const;
   void list_followed_nodes();
-  void hold_share();
-  std::vector<int> segments_at(std::span<const char> marked) const;
+  void hold_what_was_read();
+  /// What nodes of some blocks cost, and those that rest on each other.
+  struct OwnCosts {
+    struct OfNode {
+      int node = 0;
+      double value = 0.0;
+    };
+    std::vector<OfNode> of_nodes;
+    std::vector<std::array<int, 2>> pairs;
+  };
+  bool costs_something() const;
+  template <class IsAwake, class Touches>
+  OwnCosts costs_of_own_blocks(const IsAwake& is_awake, const Touches& touches) const;
+  static void add_to_first(OwnCosts own, system::ContactCosts& costs, Ranks* ranks);
+  std::function<int(std::size_t)> giver_of_places() const;
+  Archive::Holders holders_of_active_nodes() const;
+  Archive::Holders holders_of_blocks() const;
   void hold(std::vector<int> segments);
   void list_active_nodes(const Step& step);
   std::vector<int> fetch_segments_near(const Step& step);
@@ -467,8 +480,7 @@ class SurfaceContact {
   kernel::PenaltyLaw law_;
   double deepest_allowed_ = 0.0, birth_ = 0.0, death_ = 0.0;
   bool edges_meet_ = false, covers_ = false;  // covers_: deleted elements expose segments
-  // The segments and the tracked nodes. Over several ranks `hold_share` leaves those to others that this one does not
-  // look at: their side, and what they are against, may then be 0, and the rest as well.
+  // The segments and the tracked nodes. Of several ranks each holds those that it looks at; of others all is 0.
   ZeroedVector<Face> faces_;
   ZeroedVector<Tracked> nodes_;
   NodeSegments around_;

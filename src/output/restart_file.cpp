@@ -2,13 +2,19 @@
 #include "output/restart_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "base/checksum.hpp"
+#include "base/index.hpp"
+#include "deck/file_text.hpp"
 
 namespace nugget::output {
 namespace {
@@ -18,7 +24,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view begin_mark = "NUGGETRS", end_mark = "NUGGETRE";
 constexpr std::size_t word = sizeof(std::uint64_t);
-constexpr std::size_t write_size = 1 << 20;  // bytes of a write
+constexpr std::size_t write_size = 1 << 20;  // bytes of a write, or a read
+constexpr std::size_t at_once = 1 << 14;     // of those that ranks send each other
 
 std::string_view raw(const std::uint64_t& number) {
   return {reinterpret_cast<const char*>(&number), word};
@@ -105,11 +112,15 @@ std::uint64_t checksum_of_program() {
   return sum;
 }
 
-RestartWriter::RestartWriter(fs::path folder, const RestartHead& head)
-    : Archive(false),
+RestartWriter::RestartWriter(fs::path folder, const RestartHead& head, Ranks* ranks)
+    : Archive(false, ranks != nullptr ? ranks->rank() : everyone),
       folder_(std::move(folder)),
       file_(std::in_place, folder_ / "restart.part", OpenMode::draft),
       sum_(checksum_of_nothing) {
+  for (int r = 0; ranks != nullptr && r < ranks->count(); ++r) {
+    from_.emplace_back();
+    if (r != ranks->rank()) from_.back().emplace(*ranks, r);
+  }
   const std::string text = to_json(head).dump(-1, ' ', false, Json::error_handler_t::replace);
   put(begin_mark);
   put(raw(text.size()));
@@ -127,11 +138,30 @@ void RestartWriter::bytes(void* data, std::size_t size) {
   put({static_cast<const char*>(data), size});
 }
 
+void RestartWriter::pass(int rank, std::size_t size) {
+  if (from_.empty()) return Archive::pass(rank, size);
+  std::array<char, at_once> piece;
+  for (std::size_t done = 0; done < size; done += piece.size()) {
+    const std::size_t now = std::min(piece.size(), size - done);
+    (*from_[at(rank)])(piece.data(), now);
+    put({piece.data(), now});
+  }
+}
+
+void RestartWriter::pass_piece(int rank) {
+  if (from_.empty()) return Archive::pass_piece(rank);
+  std::uint64_t size = 0;
+  (*from_[at(rank)])(&size, 1);
+  pass(rank, size);
+}
+
 void RestartWriter::put(std::string_view text) {
   sum_ = checksum(text, sum_);
   length_ += text.size();
-  file_->buffer() += text;
-  if (file_->buffer().size() >= write_size) file_->commit();
+  for (; !text.empty(); text.remove_prefix(std::min(text.size(), write_size))) {
+    file_->buffer() += text.substr(0, write_size);
+    if (file_->buffer().size() >= write_size) file_->commit();
+  }
 }
 
 void RestartWriter::finish() {
@@ -148,32 +178,81 @@ void RestartWriter::finish() {
   sync_folder(folder_);
 }
 
+void RestartSender::bytes(void* data, std::size_t size) {
+  if (!giving()) return;
+  auto* const text = static_cast<char*>(data);
+  if (in_piece_)
+    piece_.append(text, size);
+  else
+    for (std::size_t done = 0; done < size; done += at_once) to_first_(text + done, std::min(at_once, size - done));
+}
+
+void RestartSender::end_piece() {
+  in_piece_ = false;
+  std::uint64_t size = piece_.size();
+  to_first_(&size, 1);
+  bytes(piece_.data(), piece_.size());
+  piece_.clear();
+}
+
+RestartReader::File::~File() {
+  if (descriptor >= 0) ::close(descriptor);
+}
+
 void RestartReader::refuse(const std::string& why) const {
   throw ArchiveError(path_.string() + ": " + why);
 }
 
+void RestartReader::read(std::uint64_t place, std::span<char> to) const {
+  for (std::size_t done = 0; done < to.size();) {
+    const ssize_t n = ::pread(file_.descriptor, to.data() + done, to.size() - done, static_cast<off_t>(place + done));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) refuse(n < 0 ? std::generic_category().message(errno) : "it became shorter while it was read");
+    done += static_cast<std::size_t>(n);
+  }
+}
+
 std::uint64_t RestartReader::number(std::uint64_t place) const {
   std::uint64_t n = 0;
-  std::memcpy(&n, text_.view().data() + place, word);
+  read(place, {reinterpret_cast<char*>(&n), word});
   return n;
 }
 
+std::uint64_t RestartReader::checksum_up_to(std::uint64_t end) {
+  std::uint64_t sum = checksum_of_nothing;
+  for (std::uint64_t done = 0; done < end; done += piece_.size()) {
+    piece_.resize(std::min<std::uint64_t>(write_size, end - done));
+    read(done, piece_);
+    sum = nugget::checksum(piece_, sum);
+  }
+  piece_.clear();
+  return sum;
+}
+
 RestartReader::RestartReader(fs::path path) : Archive(true), path_(std::move(path)) {
-  const std::string trouble = text_.open(path_);
-  if (!trouble.empty()) refuse(trouble);
-  const std::string_view text = text_.view();
+  file_.descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat status {};
+  if (file_.descriptor < 0 || ::fstat(file_.descriptor, &status) != 0) refuse(std::generic_category().message(errno));
+  if (S_ISDIR(status.st_mode)) refuse("it is a folder");
+  const auto size = static_cast<std::uint64_t>(status.st_size);
   const std::size_t tail = 2 * word + end_mark.size(), head = begin_mark.size() + word;
-  if (!text.starts_with(begin_mark)) refuse("this is no restart file of nugget");
-  if (text.size() < head + tail || !text.ends_with(end_mark) || number(text.size() - tail) != text.size() - tail)
+  std::string mark(std::min<std::uint64_t>(size, begin_mark.size()), ' ');
+  read(0, mark);
+  if (mark != begin_mark) refuse("this is no restart file of nugget");
+  mark.resize(end_mark.size());
+  if (size >= head + tail) read(size - mark.size(), mark);
+  if (size < head + tail || mark != end_mark || number(size - tail) != size - tail)
     refuse("the restart file is not whole: it was cut off while or after it was written");
-  end_ = text.size() - tail;
-  if (number(end_ + word) != checksum(text.substr(0, end_)))
-    refuse("the restart file is damaged: its checksum does not fit");
+  end_ = size - tail;
+  sum_ = checksum_up_to(end_);
+  if (number(end_ + word) != sum_) refuse("the restart file is damaged: its checksum does not fit");
   const std::uint64_t length = number(begin_mark.size());
   next_ = head + length;
-  if (next_ > end_) refuse("the restart file is damaged: its head is longer than the file");
+  if (length > end_ || next_ > end_) refuse("the restart file is damaged: its head is longer than the file");
+  std::string text(length, ' ');
+  read(head, text);
   try {
-    head_ = from_json(Json::parse(text.substr(head, length)));
+    head_ = from_json(Json::parse(text));
   } catch (const Json::exception& error) {
     refuse(std::string("its head cannot be read: ") + error.what());
   }
@@ -182,10 +261,29 @@ RestartReader::RestartReader(fs::path path) : Archive(true), path_(std::move(pat
            "): go on with that one, or run the deck again");
 }
 
-void RestartReader::bytes(void* data, std::size_t size) {
+void RestartReader::expect(std::size_t size) const {
   if (size > end_ - next_) refuse("the state ends too early");
-  if (size == 0) return;  // an empty vector has no place to copy to
-  std::memcpy(data, text_.view().data() + next_, size);
+}
+
+void RestartReader::bytes(void* data, std::size_t size) {
+  expect(size);
+  auto* to = static_cast<char*>(data);
+  while (size > 0) {
+    if (next_ < piece_begin_ || next_ >= piece_begin_ + piece_.size()) {
+      piece_.resize(std::min<std::uint64_t>(write_size, end_ - next_));
+      piece_begin_ = next_;
+      read(next_, piece_);
+    }
+    const std::size_t here = static_cast<std::size_t>(next_ - piece_begin_), now = std::min(size, piece_.size() - here);
+    std::memcpy(to, piece_.data() + here, now);
+    to += now;
+    size -= now;
+    next_ += now;
+  }
+}
+
+void RestartReader::pass(int, std::size_t size) {
+  expect(size);
   next_ += size;
 }
 

@@ -187,7 +187,9 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       }
       if constexpr (requires { out.volume; }) zero_forces_of_inverted<R, Element::rotational>(out);
       if constexpr (single) balance(out.f);
-      if (any(real_load<R>(state(b * width) + Element::Layout::alive * width) < alive_before)) ++deletions;
+      if (const R alive_now = real_load<R>(state(b * width) + Element::Layout::alive * width);
+          any(alive_now < alive_before))
+        deletions += lanes_below<N, width>(alive_now, alive_before);
 
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
       R work(0.0);
@@ -312,7 +314,7 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
 
   void store_reference_state() override {
     if (reference_kept_) return;
-    expect_all_here();
+    if (elsewhere_.count() > 0) throw std::logic_error("states of elements are asked for that other ranks have");
     reference_kept_ = true;
     for (int i = 0; i < state_size(); ++i) {
       const auto holds = [this, i](std::size_t b) {
@@ -332,13 +334,13 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       }
   }
   void archive(Archive& a) override {
-    expect_all_here();
+    const Archive::Holders to_all{holders.giver, {}}, &of_states = stays_here ? to_all : holders;
     ElementGroup::archive(a);
-    archive_by_element(a, state_, at(state_size()), width);
-    archive_by_element(a, reference_state_, reference_fields_.size(), width);
-    a(energy_, step_);
-    if (a.reading())
-      for (std::size_t b = 0; b < blocks(); ++b) find_block_step(b);
+    archive_known(a, *this, elsewhere_);
+    archive_by_element(a, state_, at(state_size()), width, of_states);
+    archive_by_element(a, reference_state_, reference_fields_.size(), width, {});
+    for (ZeroedVector<double>* numbers : {&energy_, &step_}) a.parts(*numbers, of_states);
+    for (std::size_t b = 0; a.reading() && b < blocks(); ++b) find_block_step(b);
     a.built(kernel_, nodes_, reference_fields_, reference_kept_, small_, inviscid_, mass_, inertia_, imposed_,
             elsewhere_);
   }
@@ -590,9 +592,6 @@ class BatchGroup final : public ElementGroup, public BeforeCycle, public TakesSt
       if (e >= size()) put_field(e, Element::Layout::alive, 0.0);
       step_[e] = unlimited;
     }
-  }
-  void expect_all_here() const {
-    if (elsewhere_.count() > 0) throw std::logic_error("states of elements are asked for that other ranks have");
   }
   void find_block_step(std::size_t b) {
     if (elsewhere_.has(b * width)) {

@@ -77,7 +77,7 @@ int elements_at_a_time() {
 void ElementGroup::archive(Archive& a) {
   a(deletions, inverted, step_share, period, physical_mass_scale_);
   a.built(block_step, kind, part, element, nodes_per_element, weld, rotational, first_slot, single_slots, damping_share,
-          damping_time, damping_stiffness_ratio, mass_step, physical_mass_step, softening_);
+          damping_time, damping_stiffness_ratio, mass_step, physical_mass_step, softening_, holders);
 }
 
 }  // namespace nugget::system

@@ -199,10 +199,13 @@ class ElementGroup {
   /// Effective strain rate of a weld element in the last cycle, sqrt(2/3 e:e) of the deviator [1/time]; 0 of others.
   virtual double strain_rate(std::size_t) const { return 0.0; }
 
-  /// How many blocks lost elements in cycles so far; a change says that an element was deleted.
+  /// How many elements were deleted so far; of elements and not of blocks, so that ranks count alike.
   std::atomic<int> deletions{0};
   /// An element whose volume has become negative, or -1: the run must stop.
   std::atomic<int> inverted{-1};
+
+  /// Over several ranks: who holds the states of an element (of one that fills up the last block, too).
+  Archive::Holders holders;
 
   /// Cycles from one time at which these elements have their forces to the next: 1 but in sub-cycling (Subcycles).
   int period = 1;

@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include "base/archive.hpp"
+
 namespace nugget::system {
 
 /// What is known of those elements of a group whose states are not here: in a run over several ranks those that others
@@ -79,5 +81,20 @@ class ElementsElsewhere {
   std::map<std::size_t, double> steps_;
   std::vector<double> hourglass_, bulk_;  ///< empty: 0
 };
+
+/// What is known of elements of a group whose states are elsewhere: all ranks know it of all.
+template <class Group>
+void archive_known(Archive& a, const Group& group, ElementsElsewhere& elsewhere) {
+  std::vector<char> active(group.size());
+  std::vector<double> scale;
+  for (std::size_t e = 0; e < active.size(); ++e) {
+    active[e] = group.alive(e);
+    if (group.mass_scale(e) != 1.0) scale.resize(active.size(), 1.0);
+    if (!scale.empty()) scale[e] = group.mass_scale(e);
+  }
+  a(active, scale);
+  for (std::size_t e = 0; a.reading() && e < active.size(); ++e)
+    if (elsewhere.has(e)) elsewhere.put(e, active.size(), active[e] != 0, scale.empty() ? 1.0 : scale[e]);
+}
 
 }  // namespace nugget::system

@@ -94,4 +94,15 @@ void put_stress(const Kernel& kernel, const ImposedStress& s, N* values) {
   });
 }
 
+/// In how many lanes `a` is below `b`.
+template <class N, int width, class R>
+int lanes_below(const R& a, const R& b) {
+  N of_a[width], of_b[width];
+  real_store(of_a, a);
+  real_store(of_b, b);
+  int count = 0;
+  for (int l = 0; l < width; ++l) count += of_a[l] < of_b[l] ? 1 : 0;
+  return count;
+}
+
 }  // namespace nugget::system

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -18,11 +19,12 @@ enum class Carried {
   energies,   ///< what energies are summed up from
   end,        ///< and the states of welds and adhesives, which the end of a run reports
   results,    ///< states, for result files
-  whole       ///< stable steps as well: a run could go on from it
+  whole,      ///< nodes, and elements with their stable steps: what the step of the assembled elements follows from
+  restart     ///< what every rank has room for, and one knows: a restart file is written of it and of what `parts` give
 };
 
-/// Numbers on their way to other ranks, or, where it reads, from one, in the same order. They go in pieces of a
-/// mebibyte or what is given at once, so that no rank holds at a time what another one has.
+/// Numbers on their way to other ranks, or, where it reads, from one, in the same order, whatever goes at a time. They
+/// go in pieces of a mebibyte or what is given at once, so that no rank holds at a time what another one has.
 class Parcel {
  public:
   /// Writes, to these ranks; `close` at the end.
@@ -35,12 +37,14 @@ class Parcel {
   void operator()(T* values, std::size_t count) {
     const std::size_t size = count * sizeof(T);
     if (size == 0) return;
-    if (reading_done()) next_piece();
-    if (reading()) {
-      std::memcpy(static_cast<void*>(values), piece_.data() + place_, size);
-      place_ += size;
-      return;
+    for (std::size_t done = 0; reading() && done < size;) {
+      if (place_ == piece_.size()) next_piece();
+      const std::size_t now = std::min(size - done, piece_.size() - place_);
+      std::memcpy(reinterpret_cast<std::byte*>(values) + done, piece_.data() + place_, now);
+      place_ += now;
+      done += now;
     }
+    if (reading()) return;
     const std::size_t end = piece_.size();
     piece_.resize(end + size);
     std::memcpy(piece_.data() + end, values, size);
@@ -50,7 +54,6 @@ class Parcel {
 
  private:
   static constexpr std::size_t piece_size = std::size_t{1} << 20;
-  bool reading_done() const { return reading() && place_ == piece_.size(); }
   void next_piece();
   void send_piece();
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -83,7 +84,8 @@ void each_joined(const System& system, const std::vector<std::vector<int>>& rank
 }
 
 /// What a node costs in contact goes to the units at it in equal shares.
-UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& rank, const ContactCosts& contact) {
+UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& rank, const ContactCosts& contact,
+                   const std::function<bool(std::size_t, std::size_t)>& is_deleted) {
   UnitGraph graph;
   std::vector<std::vector<std::size_t>> vertex_of(system.groups.size());
   for (std::size_t g = 0; g < rank.size(); ++g) {
@@ -108,7 +110,7 @@ UnitGraph graph_of(const System& system, const std::vector<std::vector<int>>& ra
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     nodes_of.add(nodes);
     std::size_t alive = 0;
-    for (std::size_t e = u * size; e < end; ++e) alive += group.alive(e) ? 1 : 0;
+    for (std::size_t e = u * size; e < end; ++e) alive += is_deleted(at(g), e) ? 0 : 1;
     graph.elements.push_back(element_cost(system, group) * static_cast<double>(alive));
   }
   const Lists<std::uint32_t> vertices_at = nodes_of.turned(system.nodes);
@@ -222,8 +224,10 @@ Partition::Partition(const System& system, int ranks) : ranks_(ranks) {
 }
 
 Partition::Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
-                     const ContactCosts& contact, std::span<const std::vector<System::ElementLocation>> of_one_rank)
+                     const ContactCosts& contact, std::span<const std::vector<System::ElementLocation>> of_one_rank,
+                     DeletedElements deleted)
     : Partition(system, ranks) {
+  deleted_ = std::move(deleted);
   for (const System::ElementLocation& one : for_everyone)
     if (one.group >= 0) rank_[one.group][at(one.element) / unit_[one.group]] = everyone;
   constexpr std::size_t most_joined = 64;
@@ -233,7 +237,8 @@ Partition::Partition(const System& system, int ranks, std::span<const System::El
     if (units.size() <= most_joined && std::ranges::none_of(units, is_everyones)) continue;
     for (const auto& [g, u] : units) rank_[g][u] = everyone;
   }
-  UnitGraph graph = graph_of(system, rank_, contact);
+  UnitGraph graph =
+      graph_of(system, rank_, contact, [&](std::size_t g, std::size_t e) { return is_deleted(system, g, e); });
   for (std::size_t g = 0; !contact.of_node.empty() && g < rank_.size(); ++g)
     contact_.emplace_back(rank_[g].size(), 0.0);
   for (std::size_t v = 0; v < graph.contact.size(); ++v)
@@ -271,7 +276,7 @@ std::vector<Partition::Share> Partition::shares(const System& system, std::span<
       const int rank = of_element(static_cast<int>(g), e);
       for (int r = rank == everyone ? 0 : rank; r < (rank == everyone ? ranks_ : rank + 1); ++r) {
         ++all[r].elements;
-        if (!group.alive(e)) continue;
+        if (is_deleted(system, g, e)) continue;
         all[r].cost += cost;
         whole += cost;
       }

@@ -11,11 +11,13 @@
 
 namespace nugget::system {
 
-/// What contact costs at the start, for a partition.
+/// What contact costs, for a partition.
 struct ContactCosts {
   std::vector<double> of_node;               ///< in any measure; empty: there is no contact
   std::vector<std::array<int, 2>> together;  ///< nodes that look at each other
 };
+/// Whether elements are deleted, by group and element; empty: as the system has it.
+using DeletedElements = std::vector<std::vector<char>>;
 
 /// Which rank computes which elements. Elements go to ranks by units, so many as the widest block of their group holds,
 /// whatever the width of this machine's: the partition is the same everywhere.
@@ -30,7 +32,8 @@ class Partition {
   /// on each other, is kept together. `of_one_rank`: lists of elements that one rank must compute, those of a weld;
   /// where lists share so many units that much would hang together, everyone computes them.
   Partition(const System& system, int ranks, std::span<const System::ElementLocation> for_everyone,
-            const ContactCosts& contact = {}, std::span<const std::vector<System::ElementLocation>> of_one_rank = {});
+            const ContactCosts& contact = {}, std::span<const std::vector<System::ElementLocation>> of_one_rank = {},
+            DeletedElements deleted = {});
 
   /// Of which nothing is known yet: to be taken from the first rank.
   Partition(const System& system, int ranks);
@@ -62,8 +65,12 @@ class Partition {
 
  private:
   int ranks_;
-  std::vector<std::size_t> unit_;             ///< elements of a unit, by group
-  std::vector<std::vector<int>> rank_;        ///< by group and unit
+  std::vector<std::size_t> unit_;       ///< elements of a unit, by group
+  std::vector<std::vector<int>> rank_;  ///< by group and unit
+  DeletedElements deleted_;
+  bool is_deleted(const System& system, std::size_t group, std::size_t e) const {
+    return deleted_.empty() ? !system.groups[group]->alive(e) : deleted_[group][e] != 0;
+  }
   std::vector<std::vector<double>> contact_;  ///< cost in contact, likewise; empty where nothing has any
 };
 

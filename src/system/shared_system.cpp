@@ -40,6 +40,13 @@ void System::share_out(Ranks& ranks, Partition partition, std::span<const char> 
     for (std::size_t g = 0; g < groups.size(); ++g)
       groups[g]->start(place, [this, g](std::size_t b) { return computes_block(g, b); });
   }
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::size_t last = groups[g]->size() - 1;
+    const int group = static_cast<int>(g);
+    groups[g]->holders = {
+        [this, group, last](std::size_t e) { return share_->partition().of_element(group, std::min(e, last)); },
+        [this, group, last](std::size_t e) { return share_->computes(group, std::min(e, last)); }};
+  }
   leave_to_others();
   keep_own_slots();
   deletions_seen_.assign(groups.size(), -1);
@@ -57,6 +64,22 @@ void System::keep_own_slots() {
   slots.shrink_to_fit();
   gather_ = std::move(slots);
   gather_start_ = std::move(start);
+}
+
+Archive::Holders System::holders_of_nodes() const {
+  if (!share_) return {};
+  return {[this](std::size_t k) {
+            const auto node = static_cast<int>(k);
+            return share_->everyone_follows(node) ? Archive::everyone : share_->answering(node);
+          },
+          [this](std::size_t k) { return share_->follows(static_cast<int>(k)); }};
+}
+
+/// What others compute has come as well of groups that stay whole; and of deleted elements all know.
+void System::take_share_of_what_was_read() {
+  if (!share_) return;
+  leave_to_others();
+  deletions_seen_.assign(groups.size(), -1);
 }
 
 bool System::computes_block(std::size_t g, std::size_t b) const {
@@ -168,6 +191,7 @@ void System::carry_forces(const ElementGroup& group, std::size_t begin, std::siz
 void System::carry(int rank, Carried what, Parcel& parcel) {
   if (what == Carried::histories) return;
   map.carry([&](int d) { return !share_->everyone_follows(d) && share_->answering(d) == rank; }, parcel);
+  if (what == Carried::restart) return;
   // By masses, which all have alike, and arms.
   if (what == Carried::whole)
     for (const int k : share_->reported_by(rank)) parcel(&inertia[k], 1);

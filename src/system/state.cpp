@@ -4,7 +4,8 @@
 namespace nugget::system {
 
 void State::archive(Archive& a) {
-  a(time, dt, dt_previous, period, cycle, relaxing, controls, x, v, w, f, m);
+  a(time, dt, dt_previous, period, cycle, relaxing, controls);
+  a.built(x, v, w, f, m);  // of several ranks each holds some: who knows which, archives them
 }
 
 }  // namespace nugget::system

@@ -635,15 +635,24 @@ double System::part_mass(model::Index part) const {
 
 void System::archive(Archive& a) {
   a.section("system");
-  a(mass, inertia, own_mass, own_inertia_, map, bodies, slots_, subcycles_);
-  if (!single_slots_.empty()) a(single_slots_);
+  a(mass, own_mass, own_inertia_, map, bodies, subcycles_);
+  a.parts(inertia, {holders_of_nodes().giver, {}});  // the first rank sums up energies of nodes of others
+  a.built(groups, slots_, single_slots_);            // a group's slots behind its states
   a.built(model, ties, brick_joints, weld_stacks, nodes, node_of, model_node, body_of, springs, shell_location,
           solid_location, beam_location, discrete_location, start_, start_is_forgotten_, elements_have_started_,
           carried_mass_, carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_,
           gather_, blocks_, periods_, share_, sums_by_rank_, computed_, deleted_, deletions_seen_, steps_of_others_,
           reported_below);
   a.section("elements");
-  a(groups);
+  for (const auto& group : groups) {
+    a(*group);
+    const std::size_t rows = at(group->nodes_per_element) * (group->rotational ? 2 : 1), first = group->slot_row(0, 0);
+    if (group->single_precision())
+      a.parts(std::span(single_slots_).subspan(first - slots_.size(), group->slot_rows()), rows, group->holders);
+    else
+      a.parts(std::span(slots_).subspan(first, group->slot_rows()), rows, group->holders);
+  }
+  if (a.reading()) take_share_of_what_was_read();
 }
 
 }  // namespace nugget::system

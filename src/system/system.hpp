@@ -239,6 +239,8 @@ class System {
   bool computes(ElementLocation location) const;
   /// Whether elements look at places of nodes that are not their own (BeforeCycle).
   bool looks_at_neighbours() const;
+  /// Over several ranks: who holds values of a node; empty in a run by one process.
+  Archive::Holders holders_of_nodes() const;
   /// Sets the states of elements free that other ranks compute, and takes their steps out of the choice: after
   /// `collect` with results or `whole`, when they have been used.
   void leave_to_others();
@@ -350,6 +352,7 @@ class System {
   void carry_forces(const ElementGroup& group, std::size_t begin, std::size_t end, Parcel& parcel);
   void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
                     std::span<Row> moment) const;
+  void take_share_of_what_was_read();
   std::unique_ptr<Share> share_;
   std::unique_ptr<const SumsByRank> sums_by_rank_;
   std::vector<std::pair<int, std::size_t>> computed_;  ///< its blocks, in the order of groups

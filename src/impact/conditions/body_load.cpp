@@ -169,7 +169,7 @@ void ActingLoad<model::BodyLoad>::carry(system::Carried what, const system::Syst
   if (what == system::Carried::histories) return;
   for (const int k : of.share.reported_by(of.rank)) {
     parcel(&work_of_node_[k], 1);
-    if (what == system::Carried::whole && !last_force_.empty()) parcel(&last_force_[k], 1);
+    if (what == system::Carried::restart && !last_force_.empty()) parcel(&last_force_[k], 1);
   }
 }
 

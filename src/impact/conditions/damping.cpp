@@ -369,7 +369,7 @@ void Damping::carry(system::Carried what, const system::System::Computed& of, sy
   if (force_.empty() || what == system::Carried::histories) return;
   const Runs& nodes = of.share.reported_by(of.rank);
   for (const int k : nodes) parcel(&energy_of_node_[k], 1);
-  if (what != system::Carried::whole) return;
+  if (what != system::Carried::restart) return;
   for (std::vector<Row>* rows : {&force_, &moment_})
     for (const int k : nodes) parcel(&(*rows)[k], 1);
   for (ByRange& d : range_)

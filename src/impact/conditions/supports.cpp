@@ -600,7 +600,7 @@ void Supports::book_opening_work(double dt) {
 }
 
 void Supports::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
-  const bool whole = what == system::Carried::whole;
+  const bool whole = what == system::Carried::restart;
   const auto reported = [&of](int node) {
     return !of.share.everyone_follows(node) && of.share.answering(node) == of.rank;
   };

@@ -48,6 +48,10 @@ class Contacts {
   void add_costs(std::span<const Row> x, system::ContactCosts& costs, Ranks* ranks) {
     for (std::size_t c = 0; c < contacts_.size(); ++c) contacts_[c].add_costs(x, costs, ranks, source(c));
   }
+  /// Adds what they cost by now, see contact::SurfaceContact::add_costs_now.
+  void add_costs_now(system::ContactCosts& costs, Ranks* ranks) const {
+    for (const contact::PenaltyContact& c : contacts_) c.add_costs_now(system_->all_nodes(), costs, ranks);
+  }
   /// Over several ranks: see contact::SurfaceContact::take_share.
   void take_share(const contact::SharedNodes& shared) {
     for (std::size_t c = 0; c < contacts_.size(); ++c) contacts_[c].take_share(shared, source(c));
@@ -55,10 +59,6 @@ class Contacts {
   /// Over several ranks: see contact::SurfaceContact::carry.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
     for (contact::PenaltyContact& contact : contacts_) contact.carry(of.rank, what, parcel);
-  }
-  /// See contact::SurfaceContact::leave_to_others.
-  void leave_to_others() {
-    for (contact::PenaltyContact& contact : contacts_) contact.leave_to_others();
   }
   void archive(Archive& a) {
     a(contacts_);

@@ -94,7 +94,7 @@ void Walls::constrain(const system::System& system, system::State& state, std::s
 }
 
 void Walls::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
-  if (what != system::Carried::whole) return;
+  if (what != system::Carried::restart) return;
   for (contact::RigidWall& w : walls_) w.carry(of.rank, of.share, parcel);
 }
 

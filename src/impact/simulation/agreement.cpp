@@ -101,12 +101,13 @@ system::ContactCosts Simulation::contact_costs(Ranks* ranks) {
   return contact;
 }
 
-system::Partition Simulation::partition(int ranks, const system::ContactCosts& contact) {
+system::Partition Simulation::partition(int ranks, const system::ContactCosts& contact,
+                                        system::DeletedElements deleted) {
   std::vector<system::System::ElementLocation> read;
   components_.elements_read([&](system::System::ElementLocation location) { read.push_back(location); });
   std::vector<std::vector<system::System::ElementLocation>> of_one_rank;
   components_.elements_of_one_rank([&](auto list) { of_one_rank.push_back(std::move(list)); });
-  return {system_, ranks, read, contact, of_one_rank};
+  return {system_, ranks, read, contact, of_one_rank, std::move(deleted)};
 }
 
 // Of all that each rank computes whole, of loads, and those that somebody looks at between results. The
@@ -183,25 +184,26 @@ system::System::Controlling Simulation::controlling_of_all() const {
 }
 
 // Only the first rank cuts; what contact costs they all find out, each of a part.
-void Simulation::share_out(Ranks& ranks, const std::function<void()>& made) {
+void Simulation::share_out(Ranks& ranks, const Options& options) {
   ranks_ = &ranks;
   traffic_before_ = ranks.traffic();
   cycle_before_ = state_.cycle;
   shared_out_at_ = elapsed();
   std::optional<system::Partition> shares;
   {
-    const system::ContactCosts contact = contact_costs(&ranks);
+    if (!options.restore) contact_costs_now_ = contact_costs(&ranks);
     if (on_first_rank())
-      shares.emplace(partition(ranks.count(), contact));
+      shares.emplace(partition(ranks.count(), contact_costs_now_, std::move(deleted_now_)));
     else
       shares.emplace(system_, ranks.count());
+    forget_costs();
   }
   // Contact makes its segments at places of all nodes.
   const std::array<system::Rows*, 4> of_nodes{&state_.v, &state_.w, &state_.f, &state_.m};
   system_.share_out(ranks, std::move(*shares), followed_by_all(), of_nodes);
   components_.contacts.take_share({*system_.share(), state_.x, state_.v});
   system_.share()->forget_others(state_.x);
-  if (made) made();
+  if (options.made) options.made();
   // Here, where there is room for it.
   if (on_first_rank()) shares_ = system_.share()->partition().shares(system_, followed_by_all());
 }
@@ -236,8 +238,9 @@ void Simulation::report_ranks() {
 void Simulation::collect(system::Carried what, bool to_all) {
   std::vector<system::Rows*> rows{&state_.x, &state_.v, &state_.w, &v_before_, &w_before_};
   const bool sums_only = what == system::Carried::energies || what == system::Carried::end;
-  // All follow the nodes that histories show, and energies are summed up from NodalMotion.
-  if (what == system::Carried::histories || sums_only) rows.clear();
+  // All follow the nodes that histories show, energies are summed up from NodalMotion, and what a restart file has of
+  // nodes each rank puts into it.
+  if (what == system::Carried::histories || what == system::Carried::restart || sums_only) rows.clear();
   const std::vector<char> placed =
       what == system::Carried::end && ranks_ != nullptr ? nodes_reported_at_end(system_) : std::vector<char>();
   const double share = share_of_interval(state_);
@@ -258,7 +261,7 @@ void Simulation::collect(system::Carried what, bool to_all) {
       [&](const system::System::Computed& of, system::Parcel& parcel) {
         if (sums_only) sums_of_ranks_.each_of(system_, of.rank, [&](auto& sum) { parcel(&sum, 1); });
         for (const int k : of.share.reported_by(of.rank)) {
-          if (what == system::Carried::histories) break;
+          if (what != system::Carried::results && !sums_only) break;
           if (!placed.empty() && placed[k] != 0) parcel(&state_.x[k], 1);
           if (sums_only && !system_.sums_by_rank()->travels(k)) continue;
           if (sums_only) {
@@ -268,18 +271,13 @@ void Simulation::collect(system::Carried what, bool to_all) {
             if (parcel.reading()) motion_of_others_[system_.sums_by_rank()->place_among_travelling(k)] = of_node;
           }
           if (!step_change_of_node_.empty()) {
-            // A run goes on from what is booked; a balance shows what was done up to now.
-            double booked = step_change_of_node_[k];
-            if (what != system::Carried::whole && !parcel.reading()) booked = step_change_before_now(at(k));
+            double booked = parcel.reading() ? 0.0 : step_change_before_now(at(k));
             parcel(&booked, 1);
             if (parcel.reading() && sums_only)
               step_change_of_others_[system_.sums_by_rank()->place_among_travelling(k)] = booked;
             else if (parcel.reading())
               step_change_of_node_[k] = booked;
           }
-          if (what != system::Carried::whole) continue;
-          parcel(&inverse_mass_[k], 1);
-          parcel(&inverse_inertia_[k], 1);
         }
         if (what == system::Carried::results)
           for (const model::CrossSection& section : system_.model.requests.cross_sections)
@@ -287,11 +285,46 @@ void Simulation::collect(system::Carried what, bool to_all) {
               if (const auto location = system_.location_of(facet.kind, facet.element);
                   location.group >= 0 && of(location.group, at(location.element)))
                 system_.carry_forces(location, parcel);
+        if (what == system::Carried::whole) return;
         components_.for_each([&](auto& component) {
           if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);
         });
       },
       to_all);
+}
+
+void Simulation::write_checkpoint_if_due(const Options& options) {
+  if (!restart_file_due_) return;
+  collect(system::Carried::restart);
+  if (options.write_checkpoint) options.write_checkpoint();
+  checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
+}
+
+void Simulation::leave_to_others() {
+  system_.leave_to_others();
+  for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m, &v_before_, &w_before_})
+    system_.share()->forget_others(*rows);
+  for (ZeroedVector<double>* numbers : {&step_change_of_node_, &inverse_mass_, &inverse_inertia_})
+    system_.share()->forget_others(*numbers);
+}
+
+void Simulation::archive_costs(Archive& a) {
+  a.section("costs");
+  if (!a.reading()) {
+    components_.contacts.add_costs_now(contact_costs_now_, ranks_);
+    std::ranges::sort(contact_costs_now_.together);
+    for (const auto& group : system_.groups) {
+      std::vector<char>& deleted = deleted_now_.emplace_back(group->size());
+      for (std::size_t e = 0; e < deleted.size(); ++e) deleted[e] = !group->alive(e);
+    }
+  }
+  a(contact_costs_now_.of_node, contact_costs_now_.together, deleted_now_);
+  if (!a.reading()) forget_costs();
+}
+
+void Simulation::forget_costs() {
+  contact_costs_now_ = {};
+  free_room(deleted_now_);
 }
 
 void Simulation::agree(const Options& options) {

@@ -28,9 +28,12 @@ struct Options {
   double until = 0.0;   ///< end time; 0: the deck's
   long max_cycles = 0;  ///< 0: the deck's
   Checkpoints checkpoints{};
-  std::function<void()> write_checkpoint{};  ///< writes a restart file, between two cycles; empty: there are none
-  std::function<void()> restore{};  ///< takes the state from one, in place of the start's; empty: a run from its start
-  Ranks* ranks = nullptr;           ///< that compute the run together; null: this process alone
+  /// Writes a restart file, between two cycles; empty: there are none. Over several ranks all have it.
+  std::function<void()> write_checkpoint{};
+  /// Take from one what the partition goes by (Simulation::archive_costs), and then, in place of the start's, the
+  /// state; empty: a run from its start.
+  std::function<void()> restore_costs{}, restore{};
+  Ranks* ranks = nullptr;  ///< that compute the run together; null: this process alone
   /// Called once, when nobody asks for places at the start (Ties::x) any more. Empty: nothing.
   std::function<void()> made{};
   std::function<SenseSwitches()> sense_switches{};  ///< asked a few times a second; empty: nobody asks for anything

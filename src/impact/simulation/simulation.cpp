@@ -153,13 +153,12 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   begin_ = timed_until_ = std::chrono::steady_clock::now();
   const double end_time = options.until > 0.0 ? options.until : system_.model.control.end_time;
 
-  if (options.ranks != nullptr && !options.restore) share_out(*options.ranks, options.made);
+  if (options.restore_costs) options.restore_costs();
+  if (options.ranks != nullptr) share_out(*options.ranks, options);
   if (options.ranks == nullptr && options.made) options.made();
+  forget_costs();
   start();
-  if (options.restore) {
-    resume(options);
-    if (options.ranks != nullptr) share_out(*options.ranks, options.made);  // anew, by what costs by now
-  }
+  if (options.restore) resume(options);
   checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
   if (ranks_ != nullptr) {
     system_.reported_below = components_.erosion.smallest_step(first_step_);
@@ -267,23 +266,6 @@ void Simulation::obey(const SenseSwitches& switches, Recorder& recorder) {
     state_asked_ = true;
   }
   if (switches.restart_file) checkpoints_.ask();
-}
-
-void Simulation::write_checkpoint_if_due(const Options& options) {
-  if (!restart_file_due_) return;
-  collect(system::Carried::whole);
-  if (options.write_checkpoint) options.write_checkpoint();
-  if (ranks_ != nullptr && on_first_rank()) leave_to_others();
-  checkpoints_.written(state_.cycle, state_.time, solve_seconds_);
-}
-
-void Simulation::leave_to_others() {
-  system_.leave_to_others();
-  components_.contacts.leave_to_others();
-  for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m, &v_before_, &w_before_})
-    system_.share()->forget_others(*rows);
-  for (ZeroedVector<double>* numbers : {&step_change_of_node_, &inverse_mass_, &inverse_inertia_})
-    system_.share()->forget_others(*numbers);
 }
 
 void Simulation::update_velocities() {
@@ -665,17 +647,22 @@ void Simulation::update_energy_balance() {
 void Simulation::archive(Archive& a) {
   a(system_);
   a.section("nodes");
+  const Archive::Holders of_nodes = system_.holders_of_nodes();
   a(state_, history_rotation_);
+  for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m}) a.parts(*rows, of_nodes);
   a(components_);
   a.section("balance");
   a(energy_, parts_, controlling_);
   a(masses_.physical, masses_.added, masses_.added_to_welds, masses_.added_by_part);
-  a(inverse_mass_, inverse_inertia_, contact_mass_, dependent_);
-  a(diverged_, unstable_, relaxation_, step_change_, step_change_of_node_, largest_input_, power_on_change_,
-    first_step_, smallest_step_, stable_step_, longest_step_, smallest_by_, seconds_, solve_seconds_);
+  for (ZeroedVector<double>* numbers : {&inverse_mass_, &inverse_inertia_, &step_change_of_node_})
+    a.parts(*numbers, of_nodes);
+  a(contact_mass_, dependent_, diverged_, unstable_, relaxation_, step_change_, largest_input_, power_on_change_,
+    first_step_, smallest_step_, stable_step_, longest_step_, smallest_by_);
   a(step_factor_, bounded_step_, bearable_change_, looks_, masses_changed_, bodies_step_, bodies_cycle_, step_notes_);
   a(v_period_, w_period_);
-  a.built(contact_forces_, run_end_);
+  a.section("clock");
+  a(seconds_, solve_seconds_);
+  a.built(contact_forces_, run_end_, contact_costs_now_, deleted_now_);
   a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
           momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
           rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_, shares_,

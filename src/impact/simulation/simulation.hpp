@@ -75,13 +75,15 @@ class Simulation {
   /// What contact costs at the start; `ranks`: all of them look, and the first one gets it. Null: this process looks.
   system::ContactCosts contact_costs(Ranks* ranks);
   /// How so many ranks would share out the elements.
-  system::Partition partition(int ranks, const system::ContactCosts& contact);
+  system::Partition partition(int ranks, const system::ContactCosts& contact, system::DeletedElements deleted = {});
 
   /// Asks a running simulation to stop after the current cycle (from a signal handler).
   static void interrupt(const char* by = "the user");
   static bool interrupted();
 
   void archive(Archive& a);
+  /// Over several ranks a run goes on with elements shared out anew: by this, which stands before the state.
+  void archive_costs(Archive& a);
 
  private:
   void start();
@@ -93,7 +95,8 @@ class Simulation {
   /// that are reached and the initial velocities. Gives a reason to stop the run, if there is one.
   Outcome relax(const Options& options, Recorder& recorder, const ProgressCallback& progress);
   /// From now on several ranks compute the run together.
-  void share_out(Ranks& ranks, const std::function<void()>& made);
+  void share_out(Ranks& ranks, const Options& options);
+  void forget_costs();
   /// The element that controls the step.
   system::System::Controlling controlling_of_all() const;
   void report_ranks();
@@ -192,10 +195,12 @@ class Simulation {
   /// what of `step_change` is booked there.
   std::vector<NodalMotion> motion_of_others_;
   std::vector<double> step_change_of_others_;
-  SumsOfRanks sums_of_ranks_;         ///< likewise
-  system::Rows v_period_, w_period_;  ///< in sub-cycling: velocities and spins after those of the last period
-  std::vector<Row> contact_forces_;   ///< in sub-cycling, where contacts have theirs not in each cycle
-  double run_end_ = 0.0;              ///< where the period that begins ends the run: its time; else 0
+  SumsOfRanks sums_of_ranks_;               ///< likewise
+  system::ContactCosts contact_costs_now_;  ///< while a restart file is written, or read before shares are known
+  system::DeletedElements deleted_now_;     ///< likewise
+  system::Rows v_period_, w_period_;        ///< in sub-cycling: velocities and spins after those of the last period
+  std::vector<Row> contact_forces_;         ///< in sub-cycling, where contacts have theirs not in each cycle
+  double run_end_ = 0.0;                    ///< where the period that begins ends the run: its time; else 0
   std::vector<Vec3d> momentum_before_;
   std::vector<Vec3d> history_rotation_;
   bool stop_requested_ = false;  ///< the run was interrupted before this cycle

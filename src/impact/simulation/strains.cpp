@@ -240,7 +240,7 @@ Strains::Faces Strains::thick_shell(std::size_t e) const {
 }
 
 void Strains::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {
-  if (what < system::Carried::results) return;
+  if (what != system::Carried::results && what != system::Carried::restart) return;
   const auto some = [&](auto& strains, const std::vector<system::System::ElementLocation>& locations) {
     for (std::size_t e = 0; e < strains.size(); ++e)
       if (const auto& l = locations[e]; l.group >= 0 && of(l.group, at(l.element))) parcel(&strains[e], 1);

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/index.hpp"
+#include "thread_ranks.hpp"
 #include "unit/output/scratch.hpp"
 
 namespace nugget::output {
@@ -155,6 +157,85 @@ TEST(RestartFile, AResultFileIsCutBack) {
   ResultFile file(scratch / "glstat", OpenMode::append);
   EXPECT_THROW((*open_restart(scratch.path(), warning))(file), ArchiveError) << "it is shorter than it was";
   EXPECT_THROW(ResultFile(scratch / "gone", OpenMode::append), ArchiveError);
+}
+
+/// Numbers by place, and as many at each place as it says; of three ranks each has those of a third of the places, in
+/// rows of five, and of some all have them.
+struct Places {
+  static constexpr std::size_t count = 30000;
+  static int giver(std::size_t place) {
+    const int of_row = static_cast<int>(place / 5 % 4);
+    return of_row == 3 ? Archive::everyone : of_row;
+  }
+  std::vector<double> numbers;
+  std::vector<std::vector<double>> lists;
+
+  /// What rank `rank` has, or, of `Archive::everyone`, all of it; what it has not is `otherwise`.
+  explicit Places(int rank, double otherwise = -1.0) : numbers(count, otherwise), lists(count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (rank != Archive::everyone && giver(i) != Archive::everyone && giver(i) != rank) continue;
+      numbers[i] = 0.5 * static_cast<double>(i);
+      lists[i].assign(i % 3, numbers[i]);
+    }
+  }
+  void archive(Archive& a, const Archive::Holders& holders) {
+    std::string name = "numbers";
+    a(name);
+    a.parts(numbers, holders);
+    a.each_part(count, 7, holders, [&](std::size_t i, bool here) {
+      std::vector<double> of_others;
+      a(here ? lists[i] : of_others);
+    });
+  }
+};
+
+void write(const fs::path& folder, Ranks* ranks) {
+  Places places(ranks != nullptr ? ranks->rank() : Archive::everyone);
+  Archive::Holders holders;
+  if (ranks != nullptr) holders.giver = Places::giver;
+  if (ranks != nullptr && ranks->rank() != 0) {
+    RestartSender file(*ranks);
+    places.archive(file, holders);
+    file.finish();
+    return;
+  }
+  RestartWriter file(folder, head(1), ranks);
+  places.archive(file, holders);
+  file.finish();
+}
+
+// Sabotage to be caught: a rank's own values in place of those that another one gives; pieces in the order of ranks.
+TEST(RestartFile, RanksWriteTheFileOfOneProcess) {
+  const Scratch one, three;
+  write(one.path(), nullptr);
+  on_thread_ranks(3, [&](Ranks& ranks) { write(three.path(), &ranks); });
+  EXPECT_TRUE(content(one / "restart") == content(three / "restart"));
+}
+
+TEST(RestartFile, AFileOfOneProcessIsNotWrittenOfWhatOthersHave) {
+  const Scratch scratch;
+  RestartWriter file(scratch.path(), head(1));
+  Places places(0);
+  EXPECT_THROW(places.archive(file, {Places::giver, {}}), std::logic_error);
+}
+
+// Sabotage to be caught: a reader that puts what others want into the lists, or does not pass it by.
+TEST(RestartFile, ARankTakesWhatItWants) {
+  const Scratch scratch;
+  write(scratch.path(), nullptr);
+  for (const int rank : {0, 1, 2}) {
+    std::string warning;
+    const auto file = open_restart(scratch.path(), warning);
+    Places read(-2, 7.0);  // a rank that is not there has what everyone has
+    const Places wanted(rank, 7.0);
+    read.archive(*file, {Places::giver, [rank](std::size_t i) {
+                           return Places::giver(i) == Archive::everyone || Places::giver(i) == rank;
+                         }});
+    EXPECT_TRUE(read.numbers == wanted.numbers);
+    EXPECT_TRUE(read.lists == wanted.lists);
+    char more = 0;
+    EXPECT_THROW((*file)(more), ArchiveError) << "all was read or passed by";
+  }
 }
 
 }  // namespace
