@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app/commands.hpp"
+#include "app/no_memory.hpp"
 #include "app/prepared_deck.hpp"
 #include "base/finding.hpp"
 #include "output/result_file.hpp"
@@ -50,10 +51,6 @@ ExitCode refuse_missing(const Findings& findings);
 
 /// 0: all cores.
 void use_threads(int asked);
-
-constexpr const char* no_memory =
-    "not enough memory for this model [a machine with more of it; --precision single, fewer modes or results need "
-    "less]";
 
 /// Runs `work` in a folder, made where it is missing, and turns a failed write, or memory that ran out, into its exit
 /// code.

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -42,6 +43,7 @@ bool has_avx512() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_new_handler(nullptr);  // see processor_check.cpp
   const bool several_ranks = nugget::app::started_ranks() > 1;
   // Eight lanes where the processor has them and that program was built; NUGGET_LANES asks for one of the two.
   const char* asked = std::getenv("NUGGET_LANES");
