@@ -67,7 +67,7 @@ const CardOf<TestCards> unloading_card{
     {&TestCards::lcunld,
      id("lcunld", IdSpace::function, 0, "curve of unloading, over the range of the (first) curve of loading")},
     {&TestCards::hu, real("hu", dimension::number, 1, between(0, 1),
-                          "share of the deviatoric stress that unloading keeps in the end: 1, all")},
+                          "share of the stress (of rubber: its deviator) that unloading keeps in the end: 1, all")},
     {&TestCards::shape, real("shape", dimension::number, 1, above_zero(),
                              "power of the share of the energy by which unloading goes there")},
     real("stol", dimension::number, 0, any_value, "tolerance of a check of the curve: no effect"),
