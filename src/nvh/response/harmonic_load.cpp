@@ -56,15 +56,30 @@ Nodal displacement_of(const Matrices& m, const Excitation& e) {
   return u;
 }
 
+/// K x = f up to a millionth of f.
+bool is_in_balance(const Matrices& m, std::span<const double> x, std::span<const double> f) {
+  std::vector<double> internal(f.size());
+  m.stiffness.multiply(x, internal);
+  double rest = 0.0, whole = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    rest = std::max(rest, std::abs(f[i] - internal[i]));
+    whole = std::max(whole, std::abs(f[i]));
+  }
+  return rest <= 1e-6 * whole;
+}
+
 /// The structure at rest under a unit displacement of the nodes, the other supports standing still. What is not held
-/// otherwise stays where it is.
+/// otherwise stays where it is. Throws Factorization::SolverError where it is not found.
 Nodal static_shape(const Matrices& m, const Excitation& e) {
   Nodal u = displacement_of(m, e);
   apply_constraints(m.system, u);
   std::vector<double> load(m.size(), 0.0), q(m.size(), 0.0);
   add_load(m, internal_forces(m, u).force, -1.0, load);
-  if (std::ranges::any_of(load, [](double f) { return f != 0.0; }))
-    solve_statically(m, Factorization(m, small_shift(m)), load, q);
+  if (std::ranges::any_of(load, [](double f) { return f != 0.0; }) &&
+      !solve_statically(m, Factorization(m, small_shift(m)), load, q) && !is_in_balance(m, q, load))
+    throw Factorization::SolverError{
+        "the shape at rest under the displacement of the driven nodes was not found to six digits: part of the "
+        "structure is hardly held, or by far softer than the rest"};
   for (std::size_t k = 0; k < u.size(); ++k) {
     const SixDof more = m.equations.motion(static_cast<int>(k), q);
     for (std::size_t i = 0; i < 6; ++i) u[k][i] += more[i];
