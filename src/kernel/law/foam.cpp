@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/index.hpp"
+#include "kernel/law/damped_step.hpp"
 #include "kernel/law/relaxation.hpp"
 #include "kernel/law/tensor_algebra.hpp"
 
@@ -23,12 +24,6 @@ double area(const Curve& curve, double x) {
     from = end;
   }
   return sum + 0.5 * (x - from) * (curve.extrapolated(from) + curve.extrapolated(x));
-}
-
-/// Modulus of a step that is stable with the damping too: 1 / (sqrt(1 + D^2) - D)^2 of the elastic one.
-double with_damping(double modulus, double damping) {
-  const double longer = std::sqrt(1.0 + damping * damping) + damping;
-  return modulus * longer * longer;
 }
 
 /// The viscous stress.
@@ -151,16 +146,13 @@ PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std
   double& failed = h[7];
   const Principal axes = principal_axes(e);
   const double J = std::sqrt(determinant(plus(e, 1.0)));
-  // Rates count as their mean over some steps, or the stress would follow each vibration: one step by 2/13, which
-  // reaches as far back as a mean over twelve.
-  constexpr double weight = 2.0 / 13.0;
   const std::array<double, 3> now = rates_now(axes, d, J, dt);
   const Curve& lowest = law_.curves.front();
   std::array<double, 3> stress{};
   double energy = 0.0, slope = law_.E;
   for (std::size_t i = 0; i < 3; ++i) {
     double &rate = h[8 + i], &more = h[11 + i];
-    if (dt > 0.0) rate += weight * (now[i] - rate);
+    if (dt > 0.0) rate += weight_of_a_step * (now[i] - rate);
     const double strain = nominal_strain(axes.value[i]);
     if (strain >= 0.0 && !law_.tension_by_curves) {
       more = 0.0;

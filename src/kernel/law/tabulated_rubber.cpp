@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/law/damped_step.hpp"
 #include "kernel/law/tensor_algebra.hpp"
 
 namespace nugget::kernel {
@@ -141,9 +142,7 @@ double TabulatedRubberPoint::add_rate(const Principal& e, const Arguments& log_s
   double& rate = own[rate_field];
   const LoadingRates now = loading_rates(e, d, dt, law_.engineering_rate);
   if (dt > 0.0) {
-    // Rates count as their mean over some steps, or the stress would follow each vibration: one step by 2/13 reaches as
-    // far back as a mean over twelve.
-    rate += (law_.window > 0.0 ? std::min(2.0 * dt / (law_.window + dt), 1.0) : 2.0 / 13.0) *
+    rate += (law_.window > 0.0 ? std::min(2.0 * dt / (law_.window + dt), 1.0) : weight_of_a_step) *
             (counting(now.of_each[now.most], e.value[now.most] < 0.0) - rate);
   }
   const RatePlace place = rate_place(law_.rates, rate);
@@ -220,10 +219,8 @@ PointUpdate TabulatedRubberPoint::update(const Tensor&, const Tensor& d, double 
   now.plane_modulus += overstress_.wave_modulus();
   if (law_.damping > 0.0) {
     now.stress = now.stress + (damped_modulus_ * dt) * deviator(tensorial(d));
-    // The step that is stable with the damping too, as of foams.
-    const double longer = std::sqrt(1.0 + law_.damping * law_.damping) + law_.damping;
-    now.wave_modulus *= longer * longer;
-    now.plane_modulus *= longer * longer;
+    now.wave_modulus = with_damping(now.wave_modulus, law_.damping);
+    now.plane_modulus = with_damping(now.plane_modulus, law_.damping);
   }
   return now;
 }

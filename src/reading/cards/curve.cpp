@@ -150,6 +150,13 @@ void add_curve(Builder& b, const Row& row, Curve curve) {
   b.model.curves.push_back(std::move(curve));
 }
 
+/// In which phases loads follow a curve, by SIDR.
+void set_phases(Builder& b, Curve& curve, int sidr) {
+  curve.in_run = sidr != 1;
+  curve.in_relaxation = sidr != 0;
+  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
+}
+
 /// The points up to the end of the keyword. Each abscissa must be larger than the one before.
 Curve read_points(Builder& b, Cursor& cursor, int id) {
   Curve curve;
@@ -175,9 +182,7 @@ void read_curve(Builder& b, const Block& block, const Options& options) {
   const auto row = cursor.read(curve_card);
   refuse_unit_factors(b, block);
   Curve curve = read_points(b, cursor, row->lcid);
-  curve.in_run = row->sidr != 1;
-  curve.in_relaxation = row->sidr != 0;
-  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
+  set_phases(b, curve, row->sidr);
   rescale(curve, *row);
   add_curve(b, row, std::move(curve));
 }
@@ -253,9 +258,7 @@ void read_smooth(Builder& b, const Block& block, const Options& options) {
                   fmt::format("from TSTART to TEND, {:.6g}, there is no room for a rise and a fall", end - start),
                   "give a shorter TRISE, or a smaller VMAX");
   Curve curve = smooth_curve(row->lcid, start, end, rise, velocity);
-  curve.in_run = row->sidr != 1;
-  curve.in_relaxation = row->sidr != 0;
-  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
+  set_phases(b, curve, row->sidr);
   add_curve(b, row, std::move(curve));
 }
 
@@ -308,9 +311,7 @@ void read_curve_function(Builder& b, const Block& block, const Options& options)
   while (cursor.more()) text += cursor.read_text();
   const auto index = b.model.curves.size();
   Curve curve{row->lcid, {0.0}, {0.0}};
-  curve.in_run = row->sidr != 1;
-  curve.in_relaxation = row->sidr != 0;
-  if (curve.in_relaxation) b.model.control.relaxation.asked = true;
+  set_phases(b, curve, row->sidr);
   add_curve(b, row, std::move(curve));
   b.model.curves[index].x.clear();  // known when the end of the run is
   b.model.curves[index].y.clear();

@@ -6,24 +6,10 @@
 #include <fstream>
 
 #include "deck/deck.hpp"
-#include "kernel/law/law_components.hpp"
-#include "reading/build.hpp"
-#include "small_model.hpp"
+#include "law_decks.hpp"
 
 namespace nugget::reading {
 namespace {
-
-Built built(const std::string& more) {
-  return Built("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n" + more);
-}
-
-const kernel::LawComponents& composition(const Built& b) {
-  return *std::get<kernel::ComposedLaw>(b.model.materials.at(0).law).components;
-}
-template <class Flow>
-const Flow& flow(const Built& b) {
-  return std::get<Flow>(composition(b).flow);
-}
 
 TEST(PlasticMaterials, SimplifiedJohnsonCook) {
   const auto b = built("*MAT_098_TITLE\nsteel\n4,7.85e-9,210000.0,0.3,1.0\n300.0,500.0,0.3,0.05,0.4,700.0,900.0,0.1\n");

@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "kernel/law/law_components.hpp"
-#include "reading/build.hpp"
-#include "small_model.hpp"
+#include "law_decks.hpp"
 
 // Cards of plastics, windscreens and viscoelastic series: MAT_032, 076, 089, 124.
 namespace nugget::reading {
 namespace {
 
-Built built(const std::string& more) {
-  return Built("*KEYWORD\n*CONTROL_TERMINATION\n1.0\n" + more);
-}
-const kernel::LawComponents& composition(const Built& b) {
-  return *std::get<kernel::ComposedLaw>(b.model.materials.at(0).law).components;
-}
-template <class Flow>
-const Flow& flow(const Built& b) {
-  return std::get<Flow>(composition(b).flow);
-}
 std::string curve(int id, const std::string& points) {
   return "*DEFINE_CURVE\n" + std::to_string(id) + "\n" + points;
 }
