@@ -158,8 +158,8 @@ class Archive {
     }
   }
 
-  /// Bytes between members go as 0, where the compiler can: what was in the memory before is nobody's business, and two
-  /// files of one state are the same.
+  /// Bytes between members go as 0, where the compiler can: what was in the memory before is no part of the state, and
+  /// two files of one state are the same.
   template <class T>
   void put_plain(T* values, std::size_t count) {
 #if __has_builtin(__builtin_clear_padding)
