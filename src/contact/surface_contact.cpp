@@ -240,7 +240,7 @@ void SurfaceContact::ask_for(const Block& block) const {
 void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, std::size_t begin, std::size_t end,
                                       const Step& step) const {
   for (std::size_t i = begin; i < end; ++i) {
-    const Pair& pair = block.pairs[awake.pairs[i]];
+    const Pair& pair = block.pairs[awake.pairs[i].pair];
     if (pair.touch == none) continue;
     ask_for_lines(&block.touches[pair.touch], sizeof(Touch));
     for (const int n : faces_[pair.segment].node) {
@@ -255,12 +255,13 @@ void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, st
 void SurfaceContact::wake(const Block& block, Awake& awake) const {
   awake.nodes.clear();
   awake.pairs.clear();
-  awake.of.clear();
+  awake.pairs.reserve(block.pairs.size());
   if (block.asleep_until > travelled_) return;
   for (int t = block.begin; t < block.end; ++t) {
     if (block.next_check_travel[t - block.begin] > travelled_) continue;
     if (excluded_ != nullptr && (*excluded_)[t]) continue;
     double asleep_until = Box::infinity;
+    const int node = nodes_[t].node;
     for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
       const Pair& pair = block.pairs[i];
       if (pair.next_check_travel > travelled_) {
@@ -268,8 +269,7 @@ void SurfaceContact::wake(const Block& block, Awake& awake) const {
         continue;
       }
       __builtin_prefetch(&faces_[pair.segment]);
-      awake.pairs.push_back(i);
-      awake.of.push_back(t);
+      awake.pairs.push_back({i, node, 0});
     }
     awake.nodes.push_back({t, awake.pairs.size(), asleep_until});
   }
@@ -282,40 +282,38 @@ void SurfaceContact::project(const Block& block, Work& work, const Step& step) c
   Awake& awake = work.awake;
   const std::size_t count = awake.pairs.size();
   awake.order.resize(count);
-  awake.turn.resize(count);
   // Lanes whose feet stay inside need no look at edges: together they save it.
   std::size_t inside = 0, on_border = count;
   for (std::size_t i = 0; i < count; ++i) {
-    const Pair& pair = block.pairs[awake.pairs[i]];
+    const Pair& pair = block.pairs[awake.pairs[i].pair];
     const bool border = std::max(std::abs(pair.xi), std::abs(pair.eta)) >= 1.0;
     const std::size_t turn = border ? --on_border : inside++;
     awake.order[turn] = static_cast<int>(i);
-    awake.turn[i] = static_cast<int>(turn);
+    awake.pairs[i].turn = static_cast<int>(turn);
   }
   const auto ask_for_corners = [&](std::size_t first) {
     for (std::size_t k = first; k < std::min(count, first + width); ++k)
-      for (const int n : faces_[block.pairs[awake.pairs[awake.order[k]]].segment].node) __builtin_prefetch(&step.x[n]);
+      for (const int n : faces_[block.pairs[awake.pairs[awake.order[k]].pair].segment].node)
+        __builtin_prefetch(&step.x[n]);
   };
   for (std::size_t first = 0; first < std::min(count, ahead); first += width) ask_for_corners(first);
   work.feet.resize((count + width - 1) / width);
-  work.clear.resize(work.feet.size());
   for (std::size_t first = 0; first < count; first += width) {
     ask_for_corners(first + ahead);
     std::array<std::array<int, width>, 4> id;
     std::array<int, width> node;
     std::array<double, width> xi, eta;
     for (std::size_t l = 0; l < width; ++l) {
-      const int i = awake.order[std::min(first + l, count - 1)];
-      const Pair& pair = block.pairs[awake.pairs[i]];
+      const Awake::One& candidate = awake.pairs[awake.order[std::min(first + l, count - 1)]];
+      const Pair& pair = block.pairs[candidate.pair];
       for (std::size_t c = 0; c < 4; ++c) id[c][l] = faces_[pair.segment].node[c];
-      node[l] = nodes_[awake.of[i]].node;
+      node[l] = candidate.node;
       xi[l] = pair.xi;
       eta[l] = pair.eta;
     }
     kernel::CornersOf<R> corners;
     for (std::size_t c = 0; c < 4; ++c) corners[c] = gather<R>(step.x.data(), id[c].data());
     const Vec3<R> x = gather<R>(step.x.data(), node.data());
-    work.clear[first / width] = kernel::least_distance(corners, x);
     work.feet[first / width] = kernel::closest_points(corners, x, real_load<R>(xi.data()), real_load<R>(eta.data()));
   }
 }
@@ -367,9 +365,10 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   double first_check_travel = node.asleep_until;
   if (work.close.size() < node.end - first) work.close.resize(node.end - first);
   std::size_t count = 0;
-  bool matters = deep > 0.0;
+  bool inside = deep > 0.0, matters = inside;  // inside: or near a brick, in which it could be
   for (std::size_t i = first; i < node.end; ++i) {
-    Pair& pair = block.pairs[work.awake.pairs[i]];
+    const auto [number, node_of, turn] = work.awake.pairs[i];
+    Pair& pair = block.pairs[number];
     const Face& face = faces_[pair.segment];
     const bool pressed = block.pressed(pair);
     if (!is_exposed(face, step.element_alive)) {
@@ -377,39 +376,40 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
       block.release(pair);
       continue;
     }
-    const std::size_t batch = at(work.awake.turn[i]) / Work::width;
-    const int l = static_cast<int>(at(work.awake.turn[i]) % Work::width);
-    kernel::Feet<NativeBatch>& feet = work.feet[batch];
-    const double far = widest + (face.inner + deep), least = kernel::stored_lane(work.clear[batch], l);
-    if (least >= far && !pressed) {
-      block.release(pair);
-      pair.next_check_travel = travelled_ + (least - far);
-      first_check_travel = std::min(first_check_travel, pair.next_check_travel);
-      continue;
-    }
-    if (face.triangle())
-      feet.set(l, kernel::closest_point(corners_of(face, step.x), true, vec(step.x[nodes_[tracked].node])));
+    const int l = static_cast<int>(at(turn) % Work::width);
+    kernel::Feet<NativeBatch>& feet = work.feet[at(turn) / Work::width];
+    if (face.triangle()) feet.set(l, kernel::closest_point(corners_of(face, step.x), true, vec(step.x[node_of])));
     const double distance = kernel::stored_lane(feet.distance, l);
     pair.xi = kernel::stored_lane(feet.xi, l);
     pair.eta = kernel::stored_lane(feet.eta, l);
-    pair.next_check_travel = travelled_ + (distance - far);
+    pair.next_check_travel = travelled_ + (distance - (widest + (face.inner + deep)));
     first_check_travel = std::min(first_check_travel, pair.next_check_travel);
     if (pair.next_check_travel > travelled_ && !pressed) {
       block.release(pair);
       continue;
     }
     work.close[count++] = static_cast<int>(i);
-    matters = matters || pressed || face.inner > 0.0 || distance < 0.5 * (thickness + face.thickness);
+    inside = inside || face.inner > 0.0;
+    matters = matters || inside || pressed || distance < 0.5 * (thickness + face.thickness);
   }
   block.next_check_travel[tracked - block.begin] = first_check_travel;
   if (matters && work.candidates.size() < count) work.candidates.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const int i = work.close[k];
-    Pair& pair = block.pairs[work.awake.pairs[i]];
-    if (matters) fill(work.candidates[k], block, pair, work, at(work.awake.turn[i]), tracked, step);
-    block.release(pair);
-  }
-  return std::span(work.candidates).first(matters ? count : 0);
+  std::size_t filled = 0;
+  const auto fill_those = [&](bool touching_only) {
+    filled = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Awake::One& one = work.awake.pairs[work.close[k]];
+      Pair& pair = block.pairs[one.pair];
+      if (!touching_only || pair.touch != none)
+        fill(work.candidates[filled++], block, pair, work, at(one.turn), tracked, step);
+    }
+  };
+  if (matters && !inside) fill_those(true);
+  if (matters &&
+      (filled == 0 || others_matter(std::span(work.candidates).first(filled), block, work, count, tracked, step)))
+    fill_those(false);
+  for (std::size_t k = 0; k < count; ++k) block.release(block.pairs[work.awake.pairs[work.close[k]].pair]);
+  return std::span(work.candidates).first(filled);
 }
 
 /// Makes a candidate, in the place of one of an earlier node, of a pair and its foot. `turn`: see Awake.

@@ -305,10 +305,14 @@ class SurfaceContact {
       std::size_t end = 0;        ///< of its pairs
       double asleep_until = 0.0;  ///< `next_check_travel` of the first of those that are not awake
     };
+    struct One {
+      int pair = 0;  ///< its place in the block
+      int node = 0;  ///< its node
+      int turn = 0;  ///< where it stands in `order`
+    };
     std::vector<Node> nodes;
-    std::vector<int> pairs, of;  ///< places in the block, and the tracked node of each
-    std::vector<int> order;      ///< in which they are projected: those with a foot inside first
-    std::vector<int> turn;       ///< where each stands in that
+    std::vector<One> pairs;
+    std::vector<int> order;  ///< in which they are projected: those with a foot inside first
   };
   struct Work;
   /// Shares of one part of the nodes, see NodalForces; they end where those of the next begin.
@@ -434,6 +438,8 @@ class SurfaceContact {
   void check_node(Block& block, Candidates candidates, int tracked, const Step& step) const;
   Candidates gather_candidates(Block& block, Work& work, const Awake::Node& node, std::size_t first,
                                const Step& step) const;
+  bool others_matter(Candidates touching, const Block& block, const Work& work, std::size_t count, int tracked,
+                     const Step& step) const;
   void fill(Candidate& candidate, const Block& block, Pair& pair, const Work& work, std::size_t turn, int tracked,
             const Step& step) const;
   double reach(const Block& block, int tracked, int segment) const {

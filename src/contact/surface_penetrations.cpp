@@ -44,11 +44,11 @@ void SurfaceContact::find_overlaps(Block& block, const Step& step, std::vector<P
   wake(block, work.awake);
   // From the middle, as a search does, and from there again, as the first cycle does: so the feet have its bits.
   project(block, work, step);
-  for (std::size_t i = 0; i < work.awake.pairs.size(); ++i) {
-    Pair& pair = block.pairs[work.awake.pairs[i]];
-    const std::size_t turn = at(work.awake.turn[i]);
-    pair.xi = kernel::stored_lane(work.feet[turn / Work::width].xi, static_cast<int>(turn % Work::width));
-    pair.eta = kernel::stored_lane(work.feet[turn / Work::width].eta, static_cast<int>(turn % Work::width));
+  for (const Awake::One& one : work.awake.pairs) {
+    const kernel::Feet<NativeBatch>& feet = work.feet[at(one.turn) / Work::width];
+    const int l = one.turn % static_cast<int>(Work::width);
+    block.pairs[one.pair].xi = kernel::stored_lane(feet.xi, l);
+    block.pairs[one.pair].eta = kernel::stored_lane(feet.eta, l);
   }
   project(block, work, step);
   std::size_t first = 0;

@@ -5,6 +5,7 @@
 
 #include "contact/edge_contact.hpp"
 #include "contact/surface_contact.hpp"
+#include "contact/surface_work.hpp"
 
 namespace nugget::contact {
 namespace {
@@ -49,6 +50,13 @@ bool has_boundary(const Facet& other, const Facet& segment, unsigned boundary) {
   return boundary != 0;
 }
 
+/// Two feet, by their distances from the node and their points, are one point but for round-off of the `thickness`.
+bool are_in_one_place(double distance, const Vec3d& point, double other_distance, const Vec3d& other_point,
+                      double thickness) {
+  const double reach = round_off * thickness;
+  return std::abs(distance - other_distance) <= reach && norm(point - other_point) <= reach;
+}
+
 /// Whether a node is one of the corners that `boundary` names.
 bool has_boundary_at(const Facet& segment, unsigned boundary, int node) {
   for (int c = 0; c < segment.corners(); ++c)
@@ -57,6 +65,47 @@ bool has_boundary_at(const Facet& segment, unsigned boundary, int node) {
 }
 
 }  // namespace
+
+/// Whether of the close pairs of a node, of shells all, those that touched in the cycle before (`touching`) press as
+/// they would without the others: these are out of reach, or hidden by one that touched, and hide none. Then they need
+/// not be looked at any more: so it is with most nodes of a flange.
+bool SurfaceContact::others_matter(Candidates touching, const Block& block, const Work& work, std::size_t count,
+                                   int tracked, const Step& step) const {
+  double ahead = 0.0;  // see check_node()
+  for (const Candidate& c : touching)
+    if (c.before.pressed()) ahead = std::max(ahead, -c.before.offset);
+  const Vec3d p = vec(step.x[nodes_[tracked].node]);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Awake::One& one = work.awake.pairs[work.close[k]];
+    const Pair& pair = block.pairs[one.pair];
+    if (pair.touch != none) continue;
+    const auto segment = static_cast<int>(pair.segment);
+    const Face& face = faces_[segment];
+    const kernel::Feet<NativeBatch>& feet = work.feet[at(one.turn) / Work::width];
+    const auto of_foot = [l = one.turn % static_cast<int>(Work::width)](const auto& a) {
+      return kernel::stored_lane(a, l);
+    };
+    const auto boundary = static_cast<unsigned>(of_foot(feet.boundary));
+    const double distance = of_foot(feet.distance), reach = contact_distance(tracked, segment);
+    const Vec3d point{of_foot(feet.point.x), of_foot(feet.point.y), of_foot(feet.point.z)};
+    bool hidden = false;
+    for (const Candidate& c : touching) {
+      const Face& other = faces_[c.segment];
+      const bool closer = c.foot.distance < distance || (c.foot.distance == distance && c.segment < segment);
+      if (closer && (hidden || has_boundary(other, face, boundary))) {
+        hidden = true;
+        continue;
+      }
+      if (!share_a_node(other, face)) continue;
+      const double thinner = std::min(reach, c.contact_distance);
+      const bool in_place = are_in_one_place(distance, point, c.foot.distance, c.foot.point, thinner);
+      if (!in_place && !closer) return true;
+      hidden = hidden || in_place || dot(p - point, c.away) > 0.5 * distance;
+    }
+    if (!hidden && distance < reach + ahead) return true;
+  }
+  return false;
+}
 
 /// A node that is pressed stays so through the whole brick, and behind the mid-surface of a sheet, as long as it is
 /// over a face of that surface; one that was not is pressed down to `inner_` alone.
@@ -302,8 +351,8 @@ bool SurfaceContact::is_own_neighbourhood(const Candidate& candidate, int node,
 
 /// Both feet are one point of a common edge or corner, but for round-off.
 bool SurfaceContact::in_one_place(const Candidate& a, const Candidate& b) const {
-  const double reach = round_off * (b.contact_distance + faces_[b.segment].inner);
-  return std::abs(a.foot.distance - b.foot.distance) <= reach && norm(a.foot.point - b.foot.point) <= reach &&
+  return are_in_one_place(a.foot.distance, a.foot.point, b.foot.distance, b.foot.point,
+                          b.contact_distance + faces_[b.segment].inner) &&
          share_a_node(faces_[a.segment], faces_[b.segment]);
 }
 

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace nugget::output {
@@ -15,27 +17,31 @@ class BinoutReader {
  public:
   /// Reads `directory/binout0000`; nothing is known where it is missing or is no LSDA of 8-byte lengths.
   explicit BinoutReader(const std::filesystem::path& directory);
+  BinoutReader(const BinoutReader&) = delete;  // its variables' names stand in its bytes
+  BinoutReader& operator=(const BinoutReader&) = delete;
 
-  /// `d000001`, ... of a branch in their order.
-  std::vector<std::string> states(const std::string& branch) const;
-  /// Variables of a directory, without its path.
-  std::vector<std::string> names(const std::string& directory) const;
-  /// Whole or real numbers; empty where there is no such variable, or it is text.
-  std::vector<double> numbers(const std::string& path) const;
-  std::string text(const std::string& path) const;
-
- private:
   struct Variable {
+    std::string_view name;
     char type = 0;
     std::uint64_t offset = 0, count = 0;
   };
+  /// `d000001`, ... of a branch in their order.
+  std::vector<std::string> states(const std::string& branch) const;
+  /// Those of a directory, by name.
+  std::span<const Variable> variables(std::string_view directory) const;
+  /// Whole or real numbers; empty where there is no such variable, or it is text.
+  std::vector<double> numbers(std::string_view path) const;
+  std::vector<double> numbers(const Variable& variable) const;
+  std::string text(std::string_view path) const;
+
+ private:
   template <class T>
   T at(std::uint64_t offset) const;
   std::uint64_t read_table(std::uint64_t begin);
-  std::uint64_t begin_of_data(const std::string& path, const Variable& variable) const;
+  const Variable* find(std::string_view path) const;
 
   std::string bytes_;
-  std::map<std::string, Variable> variables_;
+  std::map<std::string, std::vector<Variable>, std::less<>> directories_;
 };
 
 }  // namespace nugget::output

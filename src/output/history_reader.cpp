@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "output/abstat.hpp"
@@ -97,24 +98,37 @@ std::vector<std::string> entities_of(const BinoutReader& binout, const ReadBranc
 }
 
 /// What counts and names, and no history.
-bool is_history(const std::string& variable) {
+bool is_history(std::string_view variable) {
   constexpr std::array<std::string_view, 6> not_one{"time", "cycle", "ts_eltype", "ts_element", "ts_part", "nzc"};
   return std::find(not_one.begin(), not_one.end(), variable) == not_one.end() && variable.find("number_of") != 0;
 }
 
+/// A branch as its states are read.
+struct BranchInReading {
+  const ReadBranch* branch;
+  std::vector<std::string> rows;
+  /// By variable, of the state before: places in the samples of its values.
+  std::map<std::string_view, std::vector<std::size_t>> places;
+};
+
 /// One state of a branch; its numbers are those of the branches beside it.
-void read_state(const BinoutReader& binout, const ReadBranch& branch, const std::string& state,
+void read_state(const BinoutReader& binout, BranchInReading& reading, const std::string& state,
                 HistorySamples& samples) {
-  const std::string directory = fmt::format("/{}/{}", branch.path, state);
+  const std::string directory = fmt::format("/{}/{}", reading.branch->path, state);
   const std::vector<double> time = binout.numbers(directory + "/time");
   if (time.empty()) return;
   if (samples.empty() || time[0] != samples.time()) samples.begin_state(time[0]);
-  const std::vector<std::string> rows = entities(binout, branch);
-  for (const std::string& variable : binout.names(directory)) {
-    if (!is_history(variable)) continue;
-    const std::vector<double> values = binout.numbers(fmt::format("{}/{}", directory, variable));
-    const std::vector<std::string> of = entities_of(binout, branch, variable, rows, values.size());
-    for (std::size_t i = 0; i < std::min(of.size(), values.size()); ++i) samples.put(of[i], variable, values[i]);
+  for (const BinoutReader::Variable& variable : binout.variables(directory)) {
+    if (!is_history(variable.name)) continue;
+    const std::vector<double> values = binout.numbers(variable);
+    std::vector<std::size_t>& places = reading.places[variable.name];
+    if (places.size() != values.size()) {
+      places.clear();
+      for (const std::string& of :
+           entities_of(binout, *reading.branch, std::string(variable.name), reading.rows, values.size()))
+        if (places.size() < values.size()) places.push_back(samples.place(of, variable.name));
+    }
+    for (std::size_t i = 0; i < std::min(places.size(), values.size()); ++i) samples.put(places[i], values[i]);
   }
 }
 
@@ -138,8 +152,10 @@ HistoryRecord read_one(const std::filesystem::path& directory, const BinoutReade
   std::set<std::pair<std::size_t, std::string>> states;  // d01000000 follows d999999
   for (const ReadBranch& branch : file.branches)
     for (const std::string& state : binout.states(branch.path)) states.emplace(state.size(), state);
+  std::vector<BranchInReading> branches;
+  for (const ReadBranch& branch : file.branches) branches.push_back({&branch, entities(binout, branch), {}});
   for (const auto& [length, state] : states)
-    for (const ReadBranch& branch : file.branches) read_state(binout, branch, state, samples);
+    for (BranchInReading& branch : branches) read_state(binout, branch, state, samples);
   HistoryRecord record = samples.take();
   if (record.times.empty())
     record = read_ascii_history(directory / file.name);

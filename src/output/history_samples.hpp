@@ -31,12 +31,18 @@ class HistorySamples {
   }
 
   void put(const std::string& entity, std::string_view quantity, double value) {
-    if (record_.times.empty()) return;
-    const auto [found, is_new] = place_.try_emplace({entity, std::string(quantity)}, record_.channels.size());
-    if (is_new) record_.channels.push_back({entity, {}, std::string(quantity), {}, {}});
-    Channel& channel = record_.channels[found->second];
+    if (!record_.times.empty()) put(place(entity, quantity), value);
+  }
+  /// The same for those who keep the place() of a channel.
+  void put(std::size_t place, double value) {
+    Channel& channel = record_.channels[place];
     channel.values.resize(record_.times.size(), 0.0);
     channel.values.back() = value;
+  }
+  std::size_t place(const std::string& entity, std::string_view quantity) {
+    const auto [found, is_new] = place_.try_emplace({entity, std::string(quantity)}, record_.channels.size());
+    if (is_new) record_.channels.push_back({entity, {}, std::string(quantity), {}, {}});
+    return found->second;
   }
 
   /// Without a last state that lacks entities of the one before it: it was cut off.

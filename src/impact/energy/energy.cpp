@@ -2,10 +2,13 @@
 #include "impact/energy/energy.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "model/axes.hpp"
+#include "model/lumped_mass.hpp"
 #include "system/share.hpp"
 
 namespace nugget::impact {
@@ -13,6 +16,7 @@ namespace {
 
 // Elements or nodes: fixed, so that sums do not depend on the number of threads.
 constexpr std::size_t sums_of = system::SumsByRank::in_a_row;
+constexpr std::size_t quadratic = 10;  // nodes of a tetrahedron whose corners have other shares than its middles
 
 Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
   return before + share * (after - before);
@@ -41,6 +45,26 @@ struct Carried {
     return of_others[system.sums_by_rank()->place_among_travelling(static_cast<int>(k))];
   return nodal_motion(state, v_before, w_before, k, share);
 }
+
+struct Carrier;
+
+/// What nodes carry, of those that were asked for last: elements beside each other share theirs.
+class Remembered {
+ public:
+  void forget() { ++time_; }
+  const Carried& of(int node, const Carrier& carrier);
+
+ private:
+  static constexpr std::size_t places = 4096;
+  struct Place {
+    std::uint64_t time = 0;  ///< at which it was filled
+    int node = -1;
+    Carried carried;
+  };
+  std::array<Place, places> place_;
+  std::uint64_t time_ = 0;
+};
+Remembered& remembered_of_thread();
 
 /// What hands nodal masses to parts: kinetic energy and momentum.
 struct Carrier {
@@ -115,7 +139,9 @@ struct Carrier {
   }
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {
-    const Carried by = carried_by(node);
+    carry(part, node, m, inertia, carried_by(node));
+  }
+  void carry(PartEnergy& part, int node, double m, double inertia, const Carried& by) const {
     (has_no_elements.empty() || !has_no_elements[node] ? part.kinetic : part.eroded_kinetic) +=
         m * by.by_mass + inertia * by.by_inertia;
     part.momentum += m * by.momentum;
@@ -124,6 +150,9 @@ struct Carrier {
 
   /// What elements [begin, end) of a group add to its part.
   PartEnergy sum(const system::ElementGroup& group, std::size_t begin, std::size_t end) const {
+    Remembered& remembered = remembered_of_thread();
+    remembered.forget();
+    const std::size_t count = at(group.nodes_per_element);
     PartEnergy part;
     for (std::size_t e = begin; e < end; ++e) {
       const double internal = group.internal_energy(e), hourglass = group.hourglass_energy(e);
@@ -135,8 +164,12 @@ struct Carrier {
         part.eroded += internal + hourglass;
       }
       const auto nodes = group.nodes(e);
-      const double scale = group.mass_scale(e), inertia = scale * group.nodal_inertia(e);
-      for (int a = 0; a < group.nodes_per_element; ++a) carry(part, nodes[a], scale * group.nodal_mass(e, a), inertia);
+      const double scale = group.mass_scale(e), inertia = scale * group.nodal_inertia(e), mass = group.mass(e);
+      double at_node = model::mass_at(mass, count, 0);
+      for (std::size_t a = 0; a < count; ++a) {
+        if (count == quadratic) at_node = model::mass_at(mass, count, a);  // that of others is one for all
+        carry(part, nodes[a], scale * at_node, inertia, remembered.of(nodes[a], *this));
+      }
     }
     return part;
   }
@@ -159,6 +192,18 @@ struct Carrier {
     part.kinetic += 0.5 * dot(w, Vec3d{dot(x, mixed), dot(y, mixed), dot(z, mixed)});
   }
 };
+
+/// Apart: where a variable of the thread is, is found once so.
+[[gnu::noinline]] Remembered& remembered_of_thread() {
+  static thread_local Remembered remembered;
+  return remembered;
+}
+
+const Carried& Remembered::of(int node, const Carrier& carrier) {
+  Place& place = place_[at(node) % places];
+  if (place.node != node || place.time != time_) place = {time_, node, carrier.carried_by(node)};
+  return place.carried;
+}
 
 /// What some elements of a group add to its part.
 struct GroupSum {
