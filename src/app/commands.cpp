@@ -132,6 +132,7 @@ impact::Options options_of(const RunArguments& arguments, const output::RestartH
   options.ranks = ranks;
   options.write_checkpoint = [=, &simulation, &recorder] {
     output::RestartHead now = head;
+    now.program = output::checksum_of_program();  // found when it is needed: the program is large
     now.time = simulation.state().time;
     now.cycle = simulation.state().cycle;
     output::RestartWriter file(directory, now, ranks);

@@ -47,7 +47,6 @@ bool says_checkpoints(const std::string& text) {
 
 output::RestartHead head_of(const RunArguments& arguments, std::uint64_t deck_checksum) {
   return {.version = NUGGET_VERSION,
-          .program = output::checksum_of_program(),
           .deck = arguments.deck,
           .folder = fs::current_path().string(),
           .deck_checksum = deck_checksum,

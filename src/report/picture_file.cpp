@@ -2,6 +2,7 @@
 #include "report/picture_file.hpp"
 
 #include <librsvg/rsvg.h>
+#include <png.h>
 
 #include <cmath>
 #include <memory>
@@ -16,12 +17,17 @@ namespace {
 #define NUGGET_FUNCTION(name) decltype(::name)* name = library.find<decltype(::name)>(#name)
 
 /// Makes pixels into a PNG: all that a report's picture needs.
+struct Png {
+  LoadedLibrary library{"libpng16.so.16", "a picture as PNG"};
+  NUGGET_FUNCTION(png_image_write_to_memory);
+};
+
+/// Draws on pixels.
 struct Cairo {
-  LoadedLibrary library{"libcairo.so.2", "a picture as PNG"};
+  LoadedLibrary library{"libcairo.so.2", "an SVG as PNG"};
   NUGGET_FUNCTION(cairo_create);
   NUGGET_FUNCTION(cairo_destroy);
   NUGGET_FUNCTION(cairo_image_surface_create);
-  NUGGET_FUNCTION(cairo_image_surface_create_for_data);
   NUGGET_FUNCTION(cairo_surface_destroy);
   NUGGET_FUNCTION(cairo_surface_write_to_png_stream);
 };
@@ -96,11 +102,20 @@ void write_picture(const std::filesystem::path& file, const std::string& svg, in
   output::write_whole_file(file, file.extension() == ".png" ? drawn_as_png(svg, width) : svg);
 }
 
-std::string png_of(std::vector<std::uint32_t> pixels, int width) {
-  const int height = static_cast<int>(pixels.size()) / width;
-  const std::unique_ptr<cairo_surface_t, Unref> surface(cairo().cairo_image_surface_create_for_data(
-      reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_ARGB32, width, height, 4 * width));
-  return png_bytes(surface.get());
+std::string png_of(const std::vector<std::uint32_t>& pixels, int width) {
+  static const Png png;
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(pixels.size()) / image.width;
+  image.format = PNG_FORMAT_BGRA;     // the bytes of ARGB
+  image.flags = PNG_IMAGE_FLAG_FAST;  // a fifth of the time, and hardly larger where colours are flat
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
+  png_alloc_size_t size = bytes.size();
+  if (png.png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
+    throw std::runtime_error(std::string("the picture cannot be drawn: ") + image.message);
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace nugget::report

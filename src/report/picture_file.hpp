@@ -15,7 +15,7 @@ bool is_picture_name(const std::filesystem::path& file);
 /// output::WriteError, and std::runtime_error where librsvg cannot draw it.
 void write_picture(const std::filesystem::path& file, const std::string& svg, int width);
 
-/// Pixels as cairo has them (Raster::halved), row by row, as the bytes of a PNG.
-std::string png_of(std::vector<std::uint32_t> pixels, int width);
+/// Pixels (ARGB, see Raster::halved), row by row, as the bytes of a PNG.
+std::string png_of(const std::vector<std::uint32_t>& pixels, int width);
 
 }  // namespace nugget::report

@@ -31,17 +31,21 @@ void Raster::triangle(const std::array<PicturePoint, 3>& p, Mark mark) {
     return static_cast<int>(std::min<double>(size, std::ceil(high) + 1.0));
   };
   if (left > width_ || top > height_ || right < 0.0 || bottom < 0.0) return;
-  for (int v = first(top); v < end(bottom, height_); ++v)
-    for (int u = first(left); u < end(right, width_); ++u) {
-      const double x = u + 0.5, y = v + 0.5;
-      const double a = doubled_area(p[1], p[2], x, y) / area, b = doubled_area(p[2], p[0], x, y) / area,
-                   c = 1.0 - a - b;
+  const double whole = 1.0 / area;
+  const double a_by_x = (p[1].v - p[2].v) * whole, b_by_x = (p[2].v - p[0].v) * whole;
+  const int begin = first(left), past = end(right, width_);
+  for (int v = first(top); v < end(bottom, height_); ++v) {
+    const double y = v + 0.5;
+    const double a0 = doubled_area(p[1], p[2], 0.0, y) * whole, b0 = doubled_area(p[2], p[0], 0.0, y) * whole;
+    for (int u = begin; u < past; ++u) {
+      const double x = u + 0.5, a = a0 + a_by_x * x, b = b0 + b_by_x * x, c = 1.0 - a - b;
       if (a < 0.0 || b < 0.0 || c < 0.0) continue;
       const auto near = static_cast<float>(a * p[0].near + b * p[1].near + c * p[2].near);
       if (near < near_[place(u, v)]) continue;
       near_[place(u, v)] = near;
       marks_[place(u, v)] = mark;
     }
+  }
 }
 
 void Raster::line(const PicturePoint& a, const PicturePoint& b, double slack, Mark mark) {
@@ -62,22 +66,33 @@ bool Raster::hides(const PicturePoint& p, double slack) const {
 }
 
 std::vector<std::uint32_t> Raster::halved(const std::vector<Colour>& palette) const {
+  // Four numbers side by side, opacity, red, green, blue, with room for the sum of four.
+  std::vector<std::uint64_t> colours(palette.size(), 0);
+  for (std::size_t m = nothing + 1; m < palette.size(); ++m) {
+    colours[m] = 1;
+    for (const double part : palette[m])
+      colours[m] = colours[m] << 16U | static_cast<std::uint64_t>(std::lround(std::clamp(part, 0.0, 255.0)));
+  }
+  const auto mean = [](std::uint64_t sum) {
+    const auto count = static_cast<std::uint32_t>(sum >> 48U);
+    if (count == 0) return std::uint32_t{0};
+    std::uint32_t pixel = (255U * count + 2U) / 4U;
+    for (const unsigned shift : {32U, 16U, 0U})
+      pixel = pixel << 8U | (static_cast<std::uint32_t>(sum >> shift & 0xffffU) + count / 2U) / count;
+    return pixel;
+  };
   std::vector<std::uint32_t> half;
   half.reserve(marks_.size() / 4);
-  for (int v = 0; v + 1 < height_; v += 2)
+  std::uint64_t before = 0;  // pixels beside each other are alike
+  std::uint32_t pixel = 0;
+  for (int v = 0; v + 1 < height_; v += 2) {
+    const Mark *upper = &marks_[place(0, v)], *lower = &marks_[place(0, v + 1)];
     for (int u = 0; u + 1 < width_; u += 2) {
-      std::array<double, 4> sum{};  // opacity, red, green, blue
-      for (const Mark mark :
-           {marks_[place(u, v)], marks_[place(u + 1, v)], marks_[place(u, v + 1)], marks_[place(u + 1, v + 1)]}) {
-        if (mark == nothing) continue;
-        sum[0] += 255.0;
-        for (std::size_t k = 0; k < 3; ++k) sum[k + 1] += palette[mark][k];
-      }
-      std::uint32_t mean = 0;
-      for (const double part : sum)
-        mean = mean << 8U | static_cast<std::uint32_t>(std::lround(std::clamp(0.25 * part, 0.0, 255.0)));
-      half.push_back(mean);
+      const std::uint64_t sum = colours[upper[u]] + colours[upper[u + 1]] + colours[lower[u]] + colours[lower[u + 1]];
+      if (sum != before) pixel = mean(before = sum);
+      half.push_back(pixel);
     }
+  }
   return half;
 }
 

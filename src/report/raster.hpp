@@ -31,8 +31,8 @@ class Raster {
   /// Mark of each pixel, row by row.
   const std::vector<Mark>& marks() const { return marks_; }
 
-  /// Half as wide and high, each pixel the mean of four: ARGB, transparent where nothing is, with colours multiplied by
-  /// their opacity, as cairo has them. Mark m has the colour of place m in `palette`.
+  /// Half as wide and high, each pixel the mean of four: ARGB, transparent where nothing is; the colour is the mean of
+  /// what is there. Mark m has the colour of place m in `palette`.
   std::vector<std::uint32_t> halved(const std::vector<Colour>& palette) const;
 
  private:
