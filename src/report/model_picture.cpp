@@ -481,24 +481,37 @@ std::string colour_bar(const Scene& s, const FacetValues& of) {
       gradient, left, y, wide, tall, labels, text_at(left, y - 6.0, of.name + largest));
 }
 
+/// The first letters of a long name, with an ellipsis.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t longest = 32;
+  if (name.size() <= longest) return name;
+  std::size_t end = longest - 1;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0U) == 0x80U) --end;  // not within a letter
+  return name.substr(0, end) + "…";
+}
+
 std::string part_list(const Scene& s) {
   constexpr std::size_t most = 8;
+  constexpr double letter = 7.8, and_more = 90.0;  // pixels, at most
   std::string text;
   std::set<int> shown;
   for (const Facet& facet : s.facets) shown.insert(facet.part);
   double x = margin;
-  std::size_t told = 0;
+  std::size_t named = 0;
   for (const int part : shown) {
-    if (told++ == most) {
-      text += text_at(x, s.options.height - 20.0, fmt::format("and {} more", shown.size() - most));
+    const output::D3plotPart& p = s.geometry().parts[at(part)];
+    const std::string name =
+        shortened(p.title.empty() ? fmt::format("part {}", p.id) : fmt::format("{} {}", p.id, p.title));
+    const double wide = 36.0 + letter * static_cast<double>(name.size());
+    if (named == most || (named > 0 && x + wide > s.options.width - and_more)) {
+      text += text_at(x, s.options.height - 20.0, fmt::format("and {} more", shown.size() - named));
       break;
     }
-    const output::D3plotPart& p = s.geometry().parts[at(part)];
-    const std::string name = p.title.empty() ? fmt::format("part {}", p.id) : fmt::format("{} {}", p.id, p.title);
+    ++named;
     text += fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"11\" height=\"11\" fill=\"{}\"/>", x,
                         s.options.height - 30.0, css(colour_of_part(part)));
     text += text_at(x + 16.0, s.options.height - 20.0, name);
-    x += 36.0 + 7.0 * static_cast<double>(name.size());
+    x += wide;
   }
   return text;
 }

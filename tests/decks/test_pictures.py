@@ -138,6 +138,18 @@ class Picture(Pictures):
             size = [max(p[k] for p in seen) - min(p[k] for p in seen) for k in (0, 1)]
             self.assertAlmostEqual(size[1] / size[0], high, 2)
 
+    def test_names_of_parts_do_not_run_into_each_other(self):
+        """Long titles are shortened, and what has no room is counted."""
+        self.run_deck(deck().replace("lower sheet", "a lower sheet of which much is said in its title").replace("upper sheet", "obere Tür, äußeres Blech, große Länge"))
+        for width, seen in ((900, ["1 a lower sheet of which much i…", "2 obere Tür, äußeres Blech, …"]), (400, ["1 a lower sheet of which much i…"])):
+            self.nugget("picture", ".", "-o", "a.svg", "--field", "part", "--width", width)
+            names = [t for t in self.svg("a.svg").iter(SVG + "text") if re.match(r"\d |and ", t.text)]
+            self.assertEqual([t.text for t in names][:len(seen)], seen)
+            ends = [float(t.get("x")) + 6.5 * len(t.text) for t in names]
+            for end, after in zip(ends, names[1:]):
+                self.assertLess(end, float(after.get("x")) - 11.0)
+        self.assertRegex(names[1].text, r"and \d+ more")
+
     def test_png_of_every_field(self):
         self.run_deck()
         for field in ("plastic_strain", "von_mises_stress", "thickness", "displacement", "part"):
