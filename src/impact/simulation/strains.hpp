@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -42,10 +43,16 @@ class Strains {
   struct ShellStrain {
     InPlane lower{}, upper{};
   };
-  void advance_shell(std::size_t e, const system::State& state);
+  template <std::size_t corners>
+  struct Chunk;
+  template <std::size_t corners>
+  class Chunks;
+  void advance(const Chunk<4>& shells, const system::State& state);
+  void advance(const Chunk<8>& solids, const system::State& state);
+  void advance_triangle(std::size_t e, const system::State& state);
   void advance_solid(std::size_t e, const system::State& state);
+  bool is_thick_shell(std::size_t solid) const { return !thick_rank_.empty() && thick_rank_[solid] != model::none; }
   void find_thick_shells();
-  static void add(Tensor& strain, const std::array<Vec3d, 3>& gradient, double dt);
   Tensor global(const InPlane& strain, std::size_t e, int layer, const system::State& now) const;
 
   const system::System& system_;
@@ -53,8 +60,9 @@ class Strains {
   std::vector<std::array<double, 2>> zeta_;  ///< by model shell: of its outermost layers
   std::vector<Tensor> solids_;
   std::vector<model::Index>
-      thick_rank_;                  ///< by model solid: of a thick shell in `thick_`, or none; empty: there are none
-  std::vector<double> thick_zeta_;  ///< by rank: place of the uppermost layer
+      thick_rank_;                     ///< by model solid: of a thick shell in `thick_`, or none; empty: there are none
+  std::vector<double> thick_zeta_;     ///< by rank: place of the uppermost layer
+  std::vector<char> has_separations_;  ///< by part: of cohesive bricks, which have no strains
   std::vector<Faces> thick_;
 };
 
