@@ -240,9 +240,11 @@ void read_eigenvalue(Builder& b, const Block& block, const Options&) {
   if (i.modes < 0) b.defer(Phase::conditions, [row](Builder& later) { read_modes_under_load(later, row); });
   b.defer(Phase::checks, [row](Builder& later) {
     if (later.model.implicit.active || later.model.implicit.after_run || later.model.implicit.modes == 0) return;
-    row[&EigenvalueCard::neig].report(later.findings, Severity::warning,
-                                      "no modes: the run is explicit, since IMFLAG of *CONTROL_IMPLICIT_GENERAL is 0",
-                                      "write IMFLAG 1, or use `nugget modes`");
+    // Whatever command reads the deck, this is true.
+    row[&EigenvalueCard::neig].report(
+        later.findings, Severity::warning,
+        "`nugget run` computes no modes, but runs explicitly: IMFLAG of *CONTROL_IMPLICIT_GENERAL is 0",
+        "write IMFLAG 1, or use `nugget modes`");
   });
 }
 
