@@ -58,8 +58,8 @@ BinoutReader::BinoutReader(const std::filesystem::path& directory) {
     // Of one that is there twice the last counts.
     std::ranges::reverse(variables);
     std::ranges::stable_sort(variables, {}, &Variable::name);
-    const auto again = std::ranges::unique(variables, {}, &Variable::name);
-    variables.erase(again.begin(), again.end());
+    const auto same = [](const Variable& a, const Variable& b) { return a.name == b.name; };
+    variables.erase(std::unique(variables.begin(), variables.end(), same), variables.end());
   }
 }
 
