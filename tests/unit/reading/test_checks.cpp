@@ -91,6 +91,36 @@ TEST(Checks, PartsInsideOutAreTurned) {
           1.0 / 6.0);
 }
 
+// Fields that public models of human bodies give: each where it has no effect here, or is what is done in any case, and
+// where it is not.
+TEST(Checks, FieldsOfHumanBodyModels) {
+  const auto has = [](const std::string& more, std::string_view text, std::string_view field) {
+    return Built(sheet_deck(more)).error(std::string(text), std::string(field));
+  };
+  const std::string brick = "*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";
+  const Built ambient(sheet_deck("*PART\nblock\n2,2,1\n*SECTION_SOLID\n2,1,1\n*CONTROL_SOLID\n4\n" + brick));
+  EXPECT_EQ(ambient.findings.errors(), 0) << ambient.all_findings();
+  EXPECT_TRUE(ambient.model.control.sort_solids);
+  EXPECT_TRUE(has("*CONTROL_SOLID\n11\n", "expected 0 to 4", "esort"));
+
+  const std::string interpolation = "*CONSTRAINED_INTERPOLATION\n1,5,123\n2\n3\n1,";
+  EXPECT_FALSE(has(interpolation + "123,1.0,1.0,1.0,1.0,1.0,1.0\n", "", "rwghtx"));
+  EXPECT_TRUE(has(interpolation + ",1.0,1.0,1.0,1.0\n", "rotations of the independent nodes", "rwghtx"));
+
+  const std::string tie = "*SET_NODE_LIST\n9\n5,6,7\n*CONTACT_TIED_NODES_TO_SURFACE_OFFSET\n9,1,4,3\n\n\n\n\n\n,,,,,,";
+  EXPECT_FALSE(has(tie + "1\n", "", "tiedid"));
+  EXPECT_TRUE(has(tie + "2\n", "expected 0 to 1", "tiedid"));
+
+  // The title is a line of its own: what follows is the card.
+  EXPECT_TRUE(has("*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED_TITLE\nwrist\n3,8,9,1,1\n\n\n\n", "8", "pida"));
+
+  const auto rubber = [](const char* poisson) {
+    return std::string("*MAT_OGDEN_RUBBER\n7,1e-9,") + poisson + "\n1.0\n2.0\n";
+  };
+  EXPECT_FALSE(has(rubber("0.4999983"), "", "pr"));
+  EXPECT_TRUE(has(rubber("0.5"), "expected 0 to 0.499999", "pr"));
+}
+
 TEST(Checks, ManyFaultsOfOneKindAreCounted) {
   std::string rows = "*ELEMENT_SHELL\n";
   for (int id = 100; id < 10130; ++id) rows += std::to_string(id) + ",1,1,2,4,3\n";
