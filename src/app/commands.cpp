@@ -15,6 +15,7 @@
 #include "app/audit_table.hpp"
 #include "app/clock.hpp"
 #include "app/command.hpp"
+#include "app/contact_warnings.hpp"
 #include "app/frf.hpp"
 #include "app/history_columns.hpp"
 #include "app/load_cases.hpp"
@@ -344,25 +345,6 @@ std::string joint_warning(const impact::Simulation& run, const output::Summary& 
       100.0 * joints.largest_relative_opening(worst));
 }
 
-/// Springs of contact that were dropped under load stopped nothing any more: bodies went into or through each other.
-std::string dropped_spring_warning(const impact::Simulation& run, const output::Summary& summary) {
-  const output::Summary::Energies& e = summary.energy;
-  const contact::Drops drops = run.components().contacts.energies().drops;
-  const double internal = std::abs(e.internal) + std::abs(e.eroded);
-  if (summary.termination == "error" || drops.energy <= output::EnergyLimits::lost_in_contact * internal ||
-      drops.energy <= 1e-3 * std::abs(e.initial + e.external))
-    return {};
-  const system::System& system = run.system();
-  return fmt::format(
-      "warning: contact dropped {} springs under load, and with them {:.3g} of energy, beside an internal energy of "
-      "{:.3g}; the largest, of {:.3g}, at node {} against node {} at time {:.4g}: bodies went too deep into each "
-      "other, "
-      "or off an edge [run.log has each contact; look there in d3plot; stiffer with SFSA, SFSB, SLSFAC or SOFT = 1 or "
-      "2, or with finer elements where they meet]",
-      drops.count, drops.energy, e.internal, drops.largest, system.node_id(drops.node), system.node_id(drops.other),
-      drops.time);
-}
-
 /// Modes of the state in which a run has ended, into a folder of their own (IMFLAG 6).
 ExitCode modes_after(const fs::path& directory, const RunArguments& arguments, const PreparedDeck& prepared,
                      const impact::Simulation& run) {
@@ -432,13 +414,14 @@ void report_end(const RunArguments& arguments, const fs::path& directory, const 
                 const impact::Outcome& outcome, const output::Summary& summary, Log& log) {
   log.add(log_mass(simulation.system()));
   log.add(log_run(simulation, summary));
-  const std::array<std::string, 7> warnings{idle_warning(summary),
+  const std::array<std::string, 8> warnings{idle_warning(summary),
                                             precision_warning(summary),
                                             loose_weld_warning(summary),
                                             energy_warning(summary),
                                             hourglass_warning(simulation, summary),
                                             joint_warning(simulation, summary),
-                                            dropped_spring_warning(simulation, summary)};
+                                            dropped_spring_warning(simulation, summary),
+                                            giving_contact_warning(simulation, summary)};
   for (const std::string& line : warnings) log.add(line.empty() ? "" : ' ' + line + "\n\n");
   log.add(log_termination(outcome));
   if (!outcome.message.empty()) fmt::print(stderr, "{}\n", outcome.message);

@@ -13,6 +13,12 @@ double Material::poisson() const {
   return std::visit([](const auto& l) { return l.nu; }, law);
 }
 
+double Material::contact_young() const {
+  const auto* composed = std::get_if<kernel::ComposedLaw>(&law);
+  const double own = composed ? composed->components->contact_modulus : 0.0;
+  return own > 0.0 ? own : young();
+}
+
 std::vector<Index> Solids::corners(std::size_t e) const {
   std::vector<Index> different;
   for (const Index n : node[e])

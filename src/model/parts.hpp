@@ -43,7 +43,9 @@ struct Material {
   Place place;
   Index weld = none;  ///< of a *MAT_SPOTWELD: in Model::weld_laws
 
-  double young() const;    ///< Young's modulus [stress]
+  double young() const;  ///< Young's modulus [stress]
+  /// That for the stiffness of contacts.
+  double contact_young() const;
   double poisson() const;  ///< Poisson's ratio
 };
 

@@ -184,6 +184,7 @@ struct EnergyLimits {
   static constexpr double hourglass = 0.1;          ///< hourglass energy over internal energy
   static constexpr double error_of_internal = 0.1;  ///< energy made or lost over internal energy
   static constexpr double lost_in_contact = 0.01;   ///< held by springs dropped under load, over internal energy
+  static constexpr double given_by_contact = 0.01;  ///< by contact beyond what it got, over internal energy
 };
 
 /// Each writes one file into `directory`, all at once. NaN and infinity become null in JSON and an empty cell in CSV;

@@ -184,13 +184,16 @@ std::vector<Check> checks_of(const RunData& run) {
   if (const double internal = largest_internal(run); internal != 0.0) {
     const double hourglass = range(run, "hourglass energy", "hourglass").second,
                  error = std::abs(number_of(energy, "ratio") - 1.0) * input,
-                 given = std::max(0.0, -range(run, "sliding interface energy", "contact").first);
+                 held = number_of(energy, "contact_springs") + number_of(energy, "contact_friction") +
+                        number_of(energy, "contact_damping") + number_of(energy, "contact_lost"),
+                 given = std::max({0.0, -range(run, "sliding interface energy", "contact").first,
+                                   held - number_of(energy, "contact")});
     checks.push_back({"hourglass", "largest hourglass energy, of the largest internal energy", hourglass / internal,
                       output::EnergyLimits::hourglass, hourglass_remedy(run.summary), hourglass <= 1e-2 * input});
     checks.push_back({"energy-of-internal", "total energy made or lost, of the largest internal energy",
                       error / internal, output::EnergyLimits::error_of_internal, energy_remedy, error <= 1e-3 * input});
-    checks.push_back({"contact", "energy that contact gave, of the largest internal energy", given / internal, 0.01,
-                      contact_remedy, given <= 1e-3 * input});
+    checks.push_back({"contact", "energy that contact gave, of the largest internal energy", given / internal,
+                      output::EnergyLimits::given_by_contact, contact_remedy, given <= 1e-3 * input});
   }
   // Where all is rigid nothing is internal, and what came in is the measure.
   if (const double lost = number_of(energy, "contact_lost"), internal = largest_internal(run);

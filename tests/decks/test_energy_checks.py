@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a run says of its energies at the end: work of bulk viscosity; what is compared with the internal energy."""
+import math
 import random
 import unittest
 
@@ -78,6 +79,46 @@ class BesideAStriker(CommandTest):
             if share == 15.0:
                 self.assertLess(abs(energy["step_change"]), 0.05 * energy["initial"])
             (self.assertIn if expected else self.assertNotIn)("the change of the time step took", told)
+
+
+def glued(option, turn, slide=1e-3, end=2e-3):
+    """Two sheets that touch, 1 mm apart, the upper glued to the lower (TIEBREAK). Up to a quarter of `end` the upper slides by `slide`
+    along x, from then on both turn about the axis y of the lower by `turn`."""
+    def sheet(part, z, first):
+        places = "".join(f"{first + 3 * j + i},{10.0 * i - 10.0},{10.0 * j},{z}\n" for j in range(3) for i in range(3))
+        shells = "".join(f"{first + 2 * j + i},{part},{first + 3 * j + i},{first + 3 * j + i + 1},{first + 3 * j + i + 4},{first + 3 * j + i + 3}\n"
+                         for j in range(2) for i in range(2))
+        return places, shells
+    low, high = sheet(1, 0.0, 1), sheet(2, 1.0, 101)
+    first, drive = 0.25 * end, "*BOUNDARY_PRESCRIBED_MOTION_SET\n"
+    motions = [f"2,1,2,1,{slide},0,{first}\n"] + [f"{n},{dof},2,3,1,0,{first}\n" for n, dof in ((1, 1), (1, 3), (2, 3))]
+    motions += [f"{n},10,2,2,{turn},0,1e20,{first}\n0,0\n" for n in (1, 2)]
+    sets = "".join(f"*SET_NODE_LIST\n{n}\n{','.join(str(k + a) for a in range(1, 9))}\n{k + 9}\n" for n, k in ((1, 0), (2, 100)))
+    return ("*KEYWORD\n*CONTROL_TERMINATION\n" + f"{end}\n*CONTROL_ENERGY\n2,2,2,2\n*DATABASE_GLSTAT\n{end / 20}\n*DATABASE_RCFORC\n{end / 20}\n"
+            "*PART\nlow\n1,1,1\n*PART\nhigh\n2,1,1\n*SECTION_SHELL\n1,2\n1.0\n*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n"
+            f"*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n{option}\n" + sets
+            + f"*DEFINE_CURVE\n1\n0,0\n{first},1\n1,1\n*DEFINE_CURVE\n2\n0,0\n{end - first},1\n*DEFINE_CURVE\n3\n0,0\n1,0\n"
+            + "".join(drive + m for m in motions) + "*NODE\n" + low[0] + high[0] + "*ELEMENT_SHELL\n" + low[1] + high[1] + "*END\n")
+
+
+class ContactThatGives(CommandTest):
+    def test_glue_without_a_lever_gives_energy_when_its_sheets_turn(self):
+        """The shear F of OPTION 1 has no lever of the gap h: turned by the angle a, the pair gives F h a, while the ratio stays at 1. With
+        OPTION -1 it keeps F s / 2, s the slide. Sabotage: no warning at the end; one where nothing is given."""
+        for option, gives in ((1, True), (-1, False)):
+            self.write(glued(option, -0.5))
+            run = self.nugget("run", "model.k", "--quiet")
+            energy = self.json("summary.json")["energy"]
+            last = [line.split() for line in self.read("rcforc").splitlines() if line.split()[:1] == ["slave"]][-1]
+            force = math.hypot(float(last[5]), float(last[9]))
+            self.assertAlmostEqual(energy["contact"] / (0.5e-3 * force - gives * 0.5 * force), 1.0, delta=5e-3)
+            self.assertAlmostEqual(energy["ratio"], 1.0, delta=1e-3)
+            said = [line for line in run.stderr.splitlines() if "of energy that they never got" in line]
+            self.assertEqual(len(said), int(gives), run.stderr)
+            self.assertEqual(" contacts gave " in self.read("run.log"), gives)
+            self.assertEqual('id="check-contact">look at it' in self.read("report.html"), gives)
+        self.write(glued(1, 0.5))  # what it takes is no one's gain
+        self.assertNotIn("that they never got", self.nugget("run", "model.k", "--quiet").stderr)
 
 
 if __name__ == "__main__":

@@ -80,7 +80,10 @@ class Membranes(CommandTest):
         by_curves = lambda curves, *more: sheet(law=fabric(0, "", "", "", "", 14) + card(*curves), more="".join(more))  # noqa: E731
         straight, falling = curve(11, (0.0, 0.0), (0.2, 100.0)), curve(12, (0.0, 0.0), (0.1, 20.0), (0.2, 10.0))
         self.refused(by_curves((11,)), "lca = 11: curve 11 is not defined")
-        self.refused(by_curves((12,), falling), "lca = 12: curve 12: the stress falls after the strain 0.1")
+        self.write(by_curves((12,), falling))
+        self.assertIn("warning: *MAT_FABRIC lca = 12: curve 12: the force of a thread, S sqrt(1 + 2 E), falls behind the strain 0.1",
+                      self.nugget("check", "model.k").stderr)
+        self.refused(by_curves((0, 0, 12), falling), "lcab = 12: curve 12: the stress falls after the strain 0.1")
         self.refused(by_curves((0, 13), curve(13, (0.0, 1.0), (0.1, 20.0))), "lcb = 13: curve 13: it does not begin at 0, 0")
         self.refused(by_curves((11, 0, 0, 14), straight, curve(14, (0.0, 0.0), (0.1, 90.0), (0.2, 100.0))), "lcua = 14: curve 14 gives more energy back than loading")
         self.refused(by_curves((0, 0, 0, 0, 0, 0, 0.5)), "*MAT_FABRIC rl = 0.5")
@@ -92,6 +95,15 @@ class Membranes(CommandTest):
         self.refused(sheet(law="*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0) + card(0) + card(0) + card("") + card("")), "needs its shear modulus")
         self.refused(sheet().replace(part(1), "*PART_COMPOSITE\nlayers\n" + card(1, 9) + card(1, 0.2, 0, "", 1, 0.3)),
                      "membranes (ELFORM 9) with layers of different materials are not built")
+
+    def test_a_thread_whose_force_stays(self):
+        """Stress over Green's strain falls where a thread's force stays. Sabotage: refused because S falls."""
+        yields = curve(11, *((round(0.5 * (l * l - 1.0), 9), round(s / l, 9)) for l, s in ((1.0, 0.0), (1.002, 40.0), (1.01, 40.0), (1.5, 40.0))))
+        law = "*MAT_FABRIC\n" + card(1, 1e-9, 400.0, 300.0) + card(20.0) + card(0, "", "", "", "", 14) + card("") + card("") + card(11)
+        self.write(sheet(law=law, more=yields + "*DATABASE_SPCFORC\n" + card(0.002)))
+        self.assertNotIn("the force of a thread", self.nugget("run", "model.k", "--quiet").stderr)
+        held = [line.split() for line in self.read("spcforc").splitlines() if "force resultants" in line]
+        self.assertAlmostEqual(abs(float(held[-1][3])), 40.0 * 0.5 * 20.0, delta=0.01 * 400.0)
 
     def test_step_of_a_square_alone_with_damping(self):
         """It swells and shrinks as an undamped one, omega^2 = 4 (1 + nu) c^2 / L^2; DAMP shortens the formula's step and the limit alike.

@@ -274,7 +274,7 @@ TEST(Layers, LaminatedGlass) {
 
 // A layer of *MAT_002 at an angle B: stiffness in the plane of Jones 2.80, Q11 cos^4 + 2 (Q12 + 2 Q66) cos^2 sin^2 +
 // Q22 sin^4, on top of the material's BETA and the element's own axes. Sabotage: B left out; its sign turned (the
-// coupling of stretch and shear, Q16, tells).
+// coupling of stretch and shear, Q16, tells); layers of ICOMP of equal thickness, or B of another layer.
 TEST(Layers, AnglesOfOrthotropicLayers) {
   const double Ea = 130e3, Eb = 9e3, ba = 0.02, G = 4.8e3, share = 1.0 - ba * ba * Ea / Eb;
   const double Q11 = Ea / share, Q22 = Eb / share, Q12 = ba * Ea / share;
@@ -298,6 +298,22 @@ TEST(Layers, AnglesOfOrthotropicLayers) {
     // Resultants stand in the element's frame, whose first axis halves its diagonals: that of the side of a square.
     expect_reference("layers", fmt::format("ELFORM {:.0f}, layers at angles: force [N/mm]", elform), r[5], n, 1e-4);
     expect_reference("layers", "the same: shear by stretch [N/mm]", r[7], shear, 1e-4);
+  }
+  // The same material by ICOMP of a section: three Gauss points, which bear 5/18, 8/18 and 5/18 of the thickness.
+  const std::array<double, 3> angles{25.0, -50.0, 80.0}, shares{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  n = shear = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [along, coupled] = stiffness(angles[k] + 10.0);
+    n += 0.8 * shares[k] * along * strain;
+    shear += 0.8 * shares[k] * coupled * strain;
+  }
+  for (const double elform : {2.0, 16.0}) {
+    const std::string section = "*SECTION_SHELL\n" + fields({1, elform, 5.0 / 6.0, 3, 1, 0, 1}) +
+                                fields({0.8, 0.8, 0.8, 0.8}) + fields({25, -50, 80}) + "*PART\nlayers\n" +
+                                fields({1, 1, 1});
+    const auto r = driven(material + section, 10.0 * strain, 0.0);
+    expect_reference("layers", fmt::format("ELFORM {:.0f}, ICOMP 1: force [N/mm]", elform), r[5], n, 1e-4);
+    expect_reference("layers", "the same by ICOMP: shear by stretch [N/mm]", r[7], shear, 1e-4);
   }
 }
 

@@ -50,7 +50,6 @@ Belts::Belts(system::System& system, Findings& findings) : system_(system) {
     e.length = e.distance + belt.slack;
     e.mass = belt.mass;
     e.least = material.least_length;
-    e.stiffness = e.tension->steepest();
     e.inside = belt.retractor != model::none;
     e.state = e.tension->start();
     elements_.push_back(e);
@@ -457,7 +456,7 @@ void Belts::find_step() {
   for (const int node : nodes_) stiffness_[node] = 0.0;
   for (const Element& e : elements_)
     if (!e.inside)
-      for (const int node : e.node) stiffness_[node] += e.stiffness / e.length;
+      for (const int node : e.node) stiffness_[node] += e.tension->steepest(e.state) / e.length;
   double squared = 0.0;
   for (const int node : nodes_) squared = std::max(squared, 2.0 * stiffness_[node] * mobility_[node]);
   stable_step_ = squared > 0.0 ? stable_share * 2.0 / std::sqrt(squared) : std::numeric_limits<double>::infinity();
@@ -465,7 +464,7 @@ void Belts::find_step() {
 
 void Belts::Element::archive(Archive& a) {
   a(node, length, distance, strain, force, inside, state, pull);
-  a.built(tension, mass, least, stiffness);
+  a.built(tension, mass, least);
 }
 
 void Belts::Ring::archive(Archive& a) {

@@ -78,7 +78,7 @@ class Belts {
     std::array<int, 2> node{};
     double length = 0.0, distance = 0.0;  ///< unstretched, and of its nodes
     double strain = 0.0, force = 0.0;
-    double mass = 0.0, least = 0.0, stiffness = 0.0;  ///< LMIN; steepest slope of its tension
+    double mass = 0.0, least = 0.0;  ///< LMIN
     bool inside = false;
     Tension::State state;
     Vec3d pull;  ///< on its first node

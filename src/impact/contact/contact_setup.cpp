@@ -532,7 +532,7 @@ double shell_contact_thickness(const model::Model& model, const model::Contact& 
 
 double bulk_modulus(const model::Model& model, const model::Part& part) {
   const model::Material& material = model.materials[part.material];
-  return part.stiffness_scale * material.young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
+  return part.stiffness_scale * material.contact_young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
 }
 
 /// The penalty law that the card asks for.

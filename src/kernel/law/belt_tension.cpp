@@ -7,9 +7,10 @@
 namespace nugget::kernel {
 namespace {
 
-double steepest_of(const Curve& curve) {
+/// Of the pieces that begin at `x` at the latest, and of the next one.
+double steepest_up_to(const Curve& curve, double x) {
   double most = 0.0;
-  for (std::size_t i = 0; i + 1 < curve.x.size(); ++i)
+  for (std::size_t i = 0; i + 1 < curve.x.size() && (i == 0 || curve.x[i - 1] <= x); ++i)
     most = std::max(most, (curve.y[i + 1] - curve.y[i]) / (curve.x[i + 1] - curve.x[i]));
   return most;
 }
@@ -72,8 +73,9 @@ void BeltTension::advance(double x, State& state) const {
   meet(state);
 }
 
-double BeltTension::steepest() const {
-  return std::max(steepest_of(loading_), unloading_.empty() ? 0.0 : steepest_of(unloading_));
+double BeltTension::steepest(const State& state) const {
+  const double loading = steepest_up_to(loading_, state.most);
+  return unloading_.empty() ? loading : std::max(loading, steepest_up_to(unloading_, state.most - state.shift));
 }
 
 }  // namespace nugget::kernel

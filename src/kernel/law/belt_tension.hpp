@@ -28,8 +28,9 @@ class BeltTension {
   double operator()(double x, const State& state) const;
   /// The state once `x` was reached.
   void advance(double x, State& state) const;
-  /// The largest slope of both curves.
-  double steepest() const;
+  /// The largest slope that a belt of this state can have: of the pieces of both curves up to the largest abscissa so
+  /// far, and the next of each.
+  double steepest(const State& state) const;
 
   /// Why curves cannot be those of a belt; empty: they can.
   static const char* fault_of_loading(const Curve& curve);

@@ -149,7 +149,7 @@ PointUpdate RateFoamPoint::update(const Tensor&, const Tensor& d, double dt, std
   const std::array<double, 3> now = rates_now(axes, d, J, dt);
   const Curve& lowest = law_.curves.front();
   std::array<double, 3> stress{};
-  double energy = 0.0, slope = law_.E;
+  double energy = 0.0, slope = std::max(law_.E, law_.step_modulus);
   for (std::size_t i = 0; i < 3; ++i) {
     double &rate = h[8 + i], &more = h[11 + i];
     if (dt > 0.0) rate += weight_of_a_step * (now[i] - rate);

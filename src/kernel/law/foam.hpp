@@ -70,6 +70,7 @@ struct RateFoam {
   double unloading = 0.0;                                   ///< HU [1]; 0: along the curve of the lowest rate
   double shape = 1.0, exponent = 1.0;                       ///< SHAPE, EXPON [1]
   double damping = 0.0;                                     ///< DAMP, share of critical damping [1]
+  double step_modulus = 0.0;                                ///< KCON, least modulus for step and damping [stress]
 };
 
 // Point by point.

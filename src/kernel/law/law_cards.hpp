@@ -41,7 +41,7 @@ namespace law_field {
 inline constexpr RealField young = real("e", dimension::stress, required, above_zero(), "Young's modulus");
 inline constexpr RealField poisson = real("pr", dimension::number, 0, between(0, 0.5), "Poisson's ratio");
 inline constexpr RealField compressible =
-    real("pr", dimension::number, required, between(0, 0.49999), "Poisson's ratio, below 0.5");
+    real("pr", dimension::number, required, between(0, 0.499999), "Poisson's ratio, below 0.5");
 inline constexpr RealField reference = real("ref", dimension::number, 0, only(0), "stress from a reference geometry");
 }  // namespace law_field
 

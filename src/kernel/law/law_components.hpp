@@ -39,6 +39,7 @@ struct LawComponents {
   double deletion_step = 0.0;     ///< an element whose stable time step falls below is deleted [time]; 0: never
   bool for_layers_only = false;   ///< bricks may not have the law, though its flow could be theirs
   bool bulk_viscosity = true;     ///< whether bricks have it
+  double contact_modulus = 0.0;   ///< KCON: for the stiffness of contacts in place of E [stress]; 0: E
   /// Of cohesive bricks, which have no strains and for which nothing else of this holds; null: of other elements.
   std::shared_ptr<const CohesiveBond> bond{};
 };

@@ -33,7 +33,7 @@ Curve turned_round(const Curve& curve) {
 
 double with_end_slopes(const Curve& curve, double at) {
   const double inside = std::clamp(at, curve.x.front(), curve.x.back());
-  return curve.clamped(inside) + (at - inside) * curve.slope(at);
+  return curve.clamped(inside) + (at - inside) * std::max(0.0, curve.slope(at));
 }
 
 ThreadCurve::ThreadCurve(Curve loading, std::optional<Curve> unloading)
@@ -66,7 +66,7 @@ std::optional<double> ThreadCurve::gives_energy() const {
     if (x > 0.0) strains.push_back(x);
   for (const double y : unloading_->y)
     for (std::size_t i = 0; i + 1 < loading_.x.size(); ++i)
-      if (const double low = loading_.y[i], high = loading_.y[i + 1]; y > low && y < high)
+      if (const double low = loading_.y[i], high = loading_.y[i + 1]; (y > low && y < high) || (y < low && y > high))
         strains.push_back(loading_.x[i] + (y - low) / (high - low) * (loading_.x[i + 1] - loading_.x[i]));
   std::sort(strains.begin(), strains.end());
   strains.push_back(2.0 * strains.back());

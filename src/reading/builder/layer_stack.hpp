@@ -5,7 +5,7 @@
 
 #include "deck/deck.hpp"
 
-// Layers of shells as cards give them: *PART_COMPOSITE, *INTEGRATION_SHELL.
+// Layers of shells as cards give them: *PART_COMPOSITE, *INTEGRATION_SHELL, ICOMP of *SECTION_SHELL.
 namespace nugget::reading {
 
 /// One layer, which is one integration point.
@@ -17,6 +17,7 @@ struct LayerCard {
   double angle = 0.0;               ///< B [rad]
   double shear_scale = 1.0;         ///< SHRFAC
   bool mirrored = false;            ///< of a file that is mirrored: `angle` has the other sign than B
+  int number = 0;                   ///< from 0, in the order of the cards
 };
 
 struct LayerStack {

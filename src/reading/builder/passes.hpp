@@ -10,6 +10,9 @@ namespace nugget::reading {
 /// and hourglass, and gives each shell its thickness and offset. An element whose node or part is missing is left out.
 void make_mesh(Builder& builder);
 
+/// Part of it: a part all of whose solids are numbered inside out is a mirrored mesh; its solids are turned.
+void turn_parts_inside_out(Builder& builder);
+
 /// Part of it: springs and dampers, before the parts are linked to their sections.
 void make_discretes(Builder& builder);
 

@@ -197,7 +197,7 @@ const CardOf<InterpolationCard1> interpolation_card1{
 /// The name space of INID depends on ITYP of the first card.
 struct IndependentCard {
   int inid = 0, idof = 0;
-  double twghtx = 0, twghty = 0, twghtz = 0;
+  double twghtx = 0, twghty = 0, twghtz = 0, rwghtx = 0, rwghty = 0, rwghtz = 0;
 };
 CardOf<IndependentCard> independent_card(IdSpace space) {
   return {
@@ -208,9 +208,10 @@ CardOf<IndependentCard> independent_card(IdSpace space) {
        real("twghty", dimension::number, 0, at_least(0), "along y; 0: as along x, and nothing else")},
       {&IndependentCard::twghtz,
        real("twghtz", dimension::number, 0, at_least(0), "along z; 0: as along x, and nothing else")},
-      real("rwghtx", dimension::number, 0, only(0), "weight of its rotation: not built"),
-      real("rwghty", dimension::number, 0, only(0), "not built"),
-      real("rwghtz", dimension::number, 0, only(0), "not built"),
+      {&IndependentCard::rwghtx,
+       real("rwghtx", dimension::number, 0, any_value, "weight of its rotation, no effect with IDOF 123")},
+      {&IndependentCard::rwghty, real("rwghty", dimension::number, 0, any_value, "the same about y")},
+      {&IndependentCard::rwghtz, real("rwghtz", dimension::number, 0, any_value, "the same about z")},
   };
 }
 const CardOf<IndependentCard> interpolation_node = independent_card(IdSpace::node);
@@ -429,6 +430,11 @@ void take_independent(Builder& b, const RowOf<InterpolationCard1>& head, const R
   if (row->idof > 123)
     refuse(b, row[&IndependentCard::idof], "rotations of the independent nodes have no part in this average",
            "write 123");
+  if (row->idof == 0)
+    for (const deck::Entry& weight :
+         {row[&IndependentCard::rwghtx], row[&IndependentCard::rwghty], row[&IndependentCard::rwghtz]})
+      refuse_nonzero(b, weight, "rotations of the independent nodes have no part in this average",
+                     "write 123 in IDOF, or leave it blank");
   const auto add = [&](Index node) {
     out.independent.push_back(node);
     out.weight.push_back(row->twghtx);

@@ -351,7 +351,7 @@ struct SolidCard1 {
   int esort = 0, niptets = 0, psfail = 0;
 };
 const CardOf<SolidCard1> solid_card_1{
-    {&SolidCard1::esort, integer("esort", 0, between(0, 3), "1, 2, 3: tetrahedra become formulation 10, wedges 15")},
+    {&SolidCard1::esort, integer("esort", 0, between(0, 4), "1 to 4: tetrahedra become formulation 10, wedges 15")},
     flag("fmatrx", "deformation gradient of other laws, no effect"),
     {&SolidCard1::niptets, integer("niptets", 4, any_value, "points of tetrahedra of ten nodes; always 4")},
     integer("swlocl", 1, any_value, "axes of the stresses of brick welds, no effect"),

@@ -110,7 +110,7 @@ const CardOf<ValuesCard> displacement_failure_card{
 };
 
 struct GeneralBeamCard : DiscreteLawCard {
-  double kt = 0, kr = 0;
+  double kt = 0, kr = 0, dampf = 0;
   int iunld = 0;
 };
 const CardOf<GeneralBeamCard> general_beam_card{
@@ -122,7 +122,8 @@ const CardOf<GeneralBeamCard> general_beam_card{
     {&GeneralBeamCard::iunld,
      integer("iunld", 0, between(0, 2), "unloading: 0 as loading, 1 on the unloading curve, 2 by KT, KR down to it")},
     real("offset", dimension::number, 0, any_value, "for IUNLD 3 only"),
-    real("dampf", dimension::number, 0, only(0), "damping factor for stability: its scaling is not documented"),
+    {&GeneralBeamCard::dampf, real("dampf", dimension::number, 0, any_value,
+                                   "damping factor for stability, of KT and KR only: its scaling is not documented")},
     integer("iflag", 0, only(0), "1: force formulation"),
 };
 const CardOf<CurvesCard> general_load_card{
@@ -185,7 +186,7 @@ const CardOf<ValuesCard> general_start_card{
 };
 
 struct SingleCard : DiscreteLawCard {
-  double k = 0;
+  double k = 0, dampf = 0;
   int iunld = 0;
 };
 const CardOf<SingleCard> single_card{
@@ -195,7 +196,8 @@ const CardOf<SingleCard> single_card{
     {&SingleCard::iunld,
      integer("iunld", 0, between(0, 2), "unloading: 0 as loading, 1 on the unloading curve, 2 by K down to it")},
     real("offset", dimension::number, 0, any_value, "for IUNLD 3 only"),
-    real("dampf", dimension::number, 0, only(0), "damping factor for stability: its scaling is not documented"),
+    {&SingleCard::dampf, real("dampf", dimension::number, 0, any_value,
+                              "damping factor for stability, of K only: its scaling is not documented")},
 };
 struct SingleCurvesCard {
   int lcidt = 0, lcidtu = 0, lcidtd = 0, lcidte = 0;
@@ -442,10 +444,18 @@ void set_unloading(Builder& b, int iunld, const deck::Entry& k, const deck::Entr
   spring.unload = std::move(unload);
 }
 
+/// DAMPF acts only where the local stiffness, KT, KR or K, is given (manual, vol. II).
+void refuse_damping(Builder& b, const deck::Entry& dampf, double stiffness) {
+  if (stiffness > 0.0)
+    refuse_nonzero(b, dampf, "damping of the local stiffness is not built: how it is scaled is not documented",
+                   "write 0 and damp by LCIDTDR and so on");
+}
+
 void read_general_beam(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   const auto row = cursor.read(general_beam_card);
+  refuse_damping(b, row[&GeneralBeamCard::dampf], row->kt + row->kr);
   const auto load = cursor.read(general_load_card);
   const auto unload = cursor.read(general_unload_card);
   const auto damper = cursor.read(damper_curves_card);
@@ -477,6 +487,7 @@ void read_single_beam(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);
   std::string title = read_title(cursor, options);
   const auto row = cursor.read(single_card);
+  refuse_damping(b, row[&SingleCard::dampf], row->k);
   const auto curves = cursor.read(single_curves_card);
   const auto failure = cursor.read(single_failure_card);
   expect_end(b, cursor);

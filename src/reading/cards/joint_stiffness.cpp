@@ -149,9 +149,10 @@ void add_stiffness(Builder& b, const StiffnessRows& rows, bool rotational) {
   b.model.joint_stiffnesses.push_back(std::move(s));
 }
 
-void read_stiffness(Builder& b, const Block& block, const CardOf<FreedomCards>& curves,
+void read_stiffness(Builder& b, const Block& block, const Options& options, const CardOf<FreedomCards>& curves,
                     const CardOf<FreedomCards>& friction, const CardOf<FreedomCards>& stops, bool rotational) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
+    read_title(cursor, options);
     FreedomCards cards;
     StiffnessRows rows;
     rows.main = cursor.read(joint_stiffness_card);
@@ -162,11 +163,11 @@ void read_stiffness(Builder& b, const Block& block, const CardOf<FreedomCards>& 
   }
 }
 
-void read_rotary(Builder& b, const Block& block, const Options&) {
-  read_stiffness(b, block, rotary_curves_card, rotary_friction_card, rotary_stops_card, true);
+void read_rotary(Builder& b, const Block& block, const Options& options) {
+  read_stiffness(b, block, options, rotary_curves_card, rotary_friction_card, rotary_stops_card, true);
 }
-void read_sliding(Builder& b, const Block& block, const Options&) {
-  read_stiffness(b, block, sliding_curves_card, sliding_friction_card, sliding_stops_card, false);
+void read_sliding(Builder& b, const Block& block, const Options& options) {
+  read_stiffness(b, block, options, sliding_curves_card, sliding_friction_card, sliding_stops_card, false);
 }
 
 }  // namespace
@@ -174,12 +175,14 @@ void read_sliding(Builder& b, const Block& block, const Options&) {
 std::vector<Keyword> joint_stiffness_keywords() {
   return {
       {.name = "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED",
+       .options = {"TITLE"},
        .layout = {{"", &joint_stiffness_card},
                   {"", &rotary_curves_card},
                   {"", &rotary_friction_card},
                   {"", &rotary_stops_card}},
        .read = read_rotary},
       {.name = "CONSTRAINED_JOINT_STIFFNESS_TRANSLATIONAL",
+       .options = {"TITLE"},
        .layout = {{"", &joint_stiffness_card},
                   {"", &sliding_curves_card},
                   {"", &sliding_friction_card},

@@ -202,8 +202,12 @@ FabricForm formulation_of(Builder& b, const deck::Entry& field) {
   return FabricForm::none;
 }
 
+/// What a curve is of: a thread's stress over Green's strain, whose force S sqrt(1 + 2 E) should not fall; the stress
+/// of shear, which must not; a way back, which must rise.
+enum class ThreadRule { force, stress, rises };
+
 /// A curve of a thread, by the field of its id; nothing where there is none. `whole` is cleared where it cannot be one.
-std::optional<Curve> thread_curve(Builder& b, const deck::Entry& field, bool rises, bool& whole) {
+std::optional<Curve> thread_curve(Builder& b, const deck::Entry& field, ThreadRule rule, bool& whole) {
   if (field.value == 0.0) return {};
   const auto refuse_curve = [&](std::string_view text, std::string_view remedy) {
     refuse(b, field, fmt::format("curve {}: {}", field.integer(), text), remedy);
@@ -221,11 +225,27 @@ std::optional<Curve> thread_curve(Builder& b, const deck::Entry& field, bool ris
   if (curve.x.size() < 2) return refuse_curve("one point is no curve", "give at least two");
   if (curve.x.front() > 0.0 || curve.x.back() <= 0.0 || std::abs(curve.clamped(0.0)) > 1e-9 * std::abs(curve.y.back()))
     return refuse_curve("it does not begin at 0, 0", "let the stress be 0 without strain, and rise with it");
-  for (std::size_t i = 0; i + 1 < curve.y.size(); ++i)
-    if (curve.y[i + 1] < curve.y[i] || (rises && !(curve.y[i + 1] > curve.y[i])))
-      return refuse_curve(fmt::format("the stress {} after the strain {:g}",
-                                      curve.y[i + 1] < curve.y[i] ? "falls" : "does not rise", curve.x[i]),
-                          rises ? "the way back must rise everywhere" : "give a curve that does not fall");
+  double most = 0.0;  // force of the thread so far
+  for (std::size_t i = 0; i < curve.y.size(); ++i) {
+    if (rule == ThreadRule::force) {
+      const double force = curve.y[i] * std::sqrt(1.0 + 2.0 * std::max(0.0, curve.x[i]));
+      if (force < 0.99 * most) {
+        field.report(b.findings, Severity::warning,
+                     fmt::format("curve {}: the force of a thread, S sqrt(1 + 2 E), falls behind the strain {:g}: what "
+                                 "stretches first stretches alone, which depends on the mesh",
+                                 field.integer(), curve.x[i - 1]),
+                     "give a curve whose force does not fall");
+        break;
+      }
+      most = std::max(most, force);
+    } else if (i > 0 &&
+               (curve.y[i] < curve.y[i - 1] || (rule == ThreadRule::rises && !(curve.y[i] > curve.y[i - 1])))) {
+      return refuse_curve(
+          fmt::format("the stress {} after the strain {:g}", curve.y[i] < curve.y[i - 1] ? "falls" : "does not rise",
+                      curve.x[i - 1]),
+          rule == ThreadRule::rises ? "the way back must rise everywhere" : "give a curve that does not fall");
+    }
+  }
   return curve;
 }
 
@@ -245,8 +265,9 @@ void take_thread_curves(Builder& builder, const WovenFabric& woven, Index materi
     const std::array moduli{law.young_a, law.young_b, law.shear_ab};
     for (std::size_t k = 0; k < 3; ++k) {
       bool whole = true;
-      std::optional<Curve> there = thread_curve(b, row[loading[k]], false, whole);
-      const std::optional<Curve> back = thread_curve(b, row[unloading[k]], true, whole);
+      std::optional<Curve> there =
+          thread_curve(b, row[loading[k]], k < 2 ? ThreadRule::force : ThreadRule::stress, whole);
+      const std::optional<Curve> back = thread_curve(b, row[unloading[k]], ThreadRule::rises, whole);
       if (!whole) return;
       if (!there && !back) continue;
       if (!there) there = Curve{.id = 0, .x = {0.0, 1.0}, .y = {0.0, moduli[k]}};

@@ -62,7 +62,7 @@ bool pulls(const Curve& curve) {
 /// Both cards of *MAT_LOW_DENSITY_FOAM.
 struct LowDensityFoamCards : MaterialCard, LowDensityFoam {
   int lcid = 0;
-  double fail = 0, bvflag = 0;
+  double fail = 0, bvflag = 0, kcon = 0;
 };
 const CardOf<LowDensityFoamCards> low_density_foam_card{
     {&MaterialCard::mid, material_id},
@@ -87,7 +87,8 @@ const CardOf<LowDensityFoamCards> low_density_foam_unloading_card{
     {&LowDensityFoam::maxwell_modulus,
      real("ed", dimension::stress, 0, at_least(0), "modulus of a stress that relaxes; 0: none")},
     {&LowDensityFoam::decay, real("beta1", dimension::rate, 0, at_least(0), "its decay")},
-    real("kcon", dimension::stress, 0, only(0), "stiffness for contacts; here that of E"),
+    {&LowDensityFoamCards::kcon,
+     real("kcon", dimension::stress, 0, at_least(0), "modulus for the stiffness of contacts; 0: E")},
     reference,
 };
 
@@ -105,6 +106,7 @@ void set_low_density_foam(Builder& b, Index material, const LowDensityFoamCards&
   flow.tension_failure = cards.fail == 1.0;
   kernel::LawComponents law{flow};
   law.bulk_viscosity = cards.bvflag == 1.0;
+  law.contact_modulus = cards.kcon;
   set_foam(b, material, std::move(law));
 }
 
@@ -181,7 +183,8 @@ const CardOf<RateFoamCards> rate_foam_card{
     {&MaterialCard::mid, material_id},
     {&MaterialCard::ro, density},
     {&RateFoam::E, real("e", dimension::stress, required, above_zero(), "Young's modulus in tension")},
-    real("kcon", dimension::stress, 0, only(0), "stiffness for step and contacts; here that of the table and of E"),
+    {&RateFoam::step_modulus,
+     real("kcon", dimension::stress, 0, at_least(0), "least modulus for step, contacts, hourglass stiffness and DAMP")},
     {&RateFoamCards::tc, real("tc", dimension::stress, 1e20, at_least(0), "greatest nominal tensile stress")},
     {&RateFoamCards::fail,
      real("fail", dimension::number, 0, between(0, 2),
@@ -277,6 +280,7 @@ void set_rate_foam(Builder& b, Index material, const RateFoamCards& cards, const
   if (!erodes) flow.cutoff = cards.tc;
   kernel::LawComponents law{flow};
   law.bulk_viscosity = cards.bvflag >= 1.0;
+  if (cards.step_modulus > cards.E) law.contact_modulus = cards.step_modulus;
   if (erodes) {
     law.erosion = kernel::Erosion{};
     law.erosion->most_stress = cards.tc;

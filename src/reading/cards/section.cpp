@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 #include "deck/text.hpp"
 #include "kernel/element/shell.hpp"
@@ -45,8 +47,7 @@ const CardOf<ShellCards> shell_card{
                          "layers: 0 Gauss or Lobatto by *CONTROL_SHELL, 1 trapezoidal; below 0: of *INTEGRATION_SHELL, "
                          "whose IRID is this without its sign"),
                  IdSpace::other)},
-    {&ShellCards::icomp,
-     integer("icomp", 0, between(0, 1), "1: a card of angles follows for each eight layers; angles must be 0")},
+    {&ShellCards::icomp, integer("icomp", 0, between(0, 1), "1: a card of angles follows for each eight layers")},
     integer("setyp", 1, only(1), "two-dimensional sections"),
 };
 
@@ -86,17 +87,23 @@ const CardOf<ShellCards> shell_thickness_card{
     integer("edgset", 0, any_value, "for two-dimensional seatbelts only"),
 };
 
-/// Of ICOMP 1, for eight layers. Angles of 0 turn nothing.
-const Card layer_angles_card{{
-    real("b1", dimension::number, 0, only(0), "angle of the first layer [degrees]; only 0 is built"),
-    real("b2", dimension::number, 0, only(0), "the same of the next"),
-    real("b3", dimension::number, 0, only(0), "the same of the next"),
-    real("b4", dimension::number, 0, only(0), "the same of the next"),
-    real("b5", dimension::number, 0, only(0), "the same of the next"),
-    real("b6", dimension::number, 0, only(0), "the same of the next"),
-    real("b7", dimension::number, 0, only(0), "the same of the next"),
-    real("b8", dimension::number, 0, only(0), "the same of the next"),
-}};
+/// Of ICOMP 1, for eight layers.
+struct AnglesCard {
+  std::array<double, 8> b{};  ///< [degrees]
+};
+const CardOf<AnglesCard> layer_angles_card{
+    {at(&AnglesCard::b, 0),
+     real("b1", dimension::number, 0, any_value,
+          "angle in degrees that turns the material axes of the first layer about the normal; of a membrane 0")},
+    {at(&AnglesCard::b, 1),
+     real("b2", dimension::number, 0, any_value, "of the second; of a membrane that of the threads b: 0 or 90")},
+    {at(&AnglesCard::b, 2), real("b3", dimension::number, 0, any_value, "of the third, and so on")},
+    {at(&AnglesCard::b, 3), real("b4", dimension::number, 0, any_value, "the same of the next")},
+    {at(&AnglesCard::b, 4), real("b5", dimension::number, 0, any_value, "the same of the next")},
+    {at(&AnglesCard::b, 5), real("b6", dimension::number, 0, any_value, "the same of the next")},
+    {at(&AnglesCard::b, 6), real("b7", dimension::number, 0, any_value, "the same of the next")},
+    {at(&AnglesCard::b, 7), real("b8", dimension::number, 0, any_value, "the same of the next")},
+};
 
 /// A written 0 is a formulation of its own, not a blank field.
 constexpr IntegerField solid_formulation() {
@@ -112,7 +119,7 @@ constexpr IntegerField solid_formulation() {
 const CardOf<SolidCard> solid_card{
     {&SolidCard::id, id("secid", IdSpace::other, required, "section id")},
     {&SolidCard::elform, solid_formulation()},
-    integer("aet", 0, only(0), "ambient elements"),
+    integer("aet", 0, any_value, "ambient elements of ELFORM 7, 11 and 12 (fluids), no effect on others"),
     unused(),
     unused(),
     unused(),
@@ -271,6 +278,64 @@ void take_rule(Builder& b, const RowOf<ShellCards>& row) {
   });
 }
 
+/// One of the angles of ICOMP 1.
+struct LayerAngle {
+  deck::Entry entry;
+  double degrees = 0.0;
+};
+
+/// The one layer of a membrane has no angle of its own: fabric has B1 and B2 for its threads a and b.
+void check_threads(Builder& b, const std::vector<LayerAngle>& angles) {
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const double degrees = angles[k].degrees;
+    if (degrees == 0.0 || (k == 1 && degrees == 90.0)) continue;
+    refuse(b, angles[k].entry,
+           k == 1   ? "threads b of a membrane that are not at right angles to its threads a are not built"
+           : k == 0 ? "an angle of a membrane's threads by the section is not built"
+                    : "a membrane has one layer",
+           k == 1   ? "write 90 or 0"
+           : k == 0 ? "write 0, and the angle as BETA of the material"
+                    : "write 0");
+  }
+}
+
+/// The points of a section that no rule of the user gives.
+LayerStack own_points(const SectionShell& section, const Control& control) {
+  const kernel::LayerRule rule = section.trapezoidal ? kernel::equally_spaced_layers(section.layers)
+                                 : control.lobatto   ? kernel::lobatto_layers(section.layers)
+                                                     : kernel::gauss_layers(section.layers);
+  LayerStack points;
+  for (int k = 0; k < rule.count; ++k) {
+    points.layers.push_back({rule.zeta[at(k)], rule.weight[at(k)], {}});
+    points.layers.back().number = k;
+  }
+  return points;
+}
+
+/// The layers of the section that comes next are turned by B1, B2 and so on. Comes after take_rule.
+void take_angles(Builder& b, const Block& block, std::vector<LayerAngle> angles) {
+  if (std::all_of(angles.begin(), angles.end(), [](const LayerAngle& a) { return a.degrees == 0.0; })) return;
+  b.defer(Phase::curves, [angles = std::move(angles), sense = hand(block), mirrored = is_mirrored(block),
+                          index = static_cast<Index>(b.model.shell_sections.size())](Builder& builder) {
+    const SectionShell& section = builder.model.shell_sections[index];
+    const Control& control = builder.model.control;
+    if (is_membrane(section.elform == 0 ? control.default_shell : section.elform))
+      return check_threads(builder, angles);
+    LayerStack& stack = builder.layer_stacks.try_emplace(index, own_points(section, control)).first->second;
+    for (LayerCard& layer : stack.layers) {
+      const LayerAngle& angle = angles[at(layer.number)];
+      layer.angle = sense * angle.degrees * (std::numbers::pi / 180.0);
+      layer.mirrored = mirrored;
+      if (layer.names == LayerCard::Names::nothing) layer.id = angle.entry;
+    }
+    for (std::size_t k = stack.layers.size(); k < angles.size(); ++k)
+      if (angles[k].degrees != 0.0)
+        angles[k].entry.report(builder.findings, Severity::warning,
+                               fmt::format("not looked at: the section has {} layers", stack.layers.size()),
+                               "write 0, or as many layers in NIP as there are angles");
+  });
+}
+
 void read_shell(Builder& b, const Block& block, const Options& options) {
   for (Cursor cursor(b.deck, block, b.findings); !at_end(cursor);) {
     read_title(cursor, options);
@@ -280,10 +345,15 @@ void read_shell(Builder& b, const Block& block, const Options& options) {
     cursor.read(shell_thickness_card, s);
     const bool size_is_known = b.findings.errors() == errors;
     if (s.icomp != 0 && s.icomp != 1) return;  // refused by its range
-    for (int k = 0; s.icomp == 1 && k < s.layers; k += 8) cursor.read(layer_angles_card);
+    std::vector<LayerAngle> angles;
+    for (int k = 0; s.icomp == 1 && k < s.layers; k += 8) {
+      const auto eight = cursor.read(layer_angles_card);
+      for (std::size_t i = 0; i < eight->b.size(); ++i) angles.push_back({eight[at(&AnglesCard::b, i)], eight->b[i]});
+    }
     s.trapezoidal = s.qr_irid == 1;
     s.thickness = size_is_known ? mean_thickness(s.corner) : std::numeric_limits<double>::quiet_NaN();
     if (s.qr_irid < 0) take_rule(b, row);
+    take_angles(b, block, std::move(angles));
     add_section<SectionShell>(b, row, s, b.shell_sections, b.model.shell_sections, "shell section");
     b.shell_formulations.push_back(row[&ShellCards::elform]);
   }
@@ -300,11 +370,13 @@ void read_rule(Builder& b, const Block& block, const Options&) {
     for (int k = 0; k < count; ++k) {
       if (equal) {
         rule.layers.push_back({(2.0 * k + 1.0) / count - 1.0, 1.0 / count, row[&RuleCard::irid]});
+        rule.layers.back().number = k;
         continue;
       }
       const auto layer = cursor.read(rule_layer_card);
       const auto names = layer->pid == 0 ? LayerCard::Names::nothing : LayerCard::Names::part;
       rule.layers.push_back({layer->s, layer->wf, layer[&RuleLayerCard::pid], names});
+      rule.layers.back().number = k;
     }
     std::stable_sort(rule.layers.begin(), rule.layers.end(), [](const LayerCard& one, const LayerCard& other) {
       return std::pair(one.place, one.share) < std::pair(other.place, other.share);

@@ -156,7 +156,8 @@ void make_layers_of(Builder& b, Laws& laws, Part& part, const LayerStack& stack)
   Material of_layers;
   of_layers.id = composite ? 0 : material_at(b, part.material).id;
   of_layers.title = fmt::format("{}", fmt::join(ids, " "));
-  of_layers.keyword = composite ? "PART_COMPOSITE" : "INTEGRATION_SHELL";
+  const bool has_rule = part.section != none && !b.model.shell_sections[part.section].rule.empty();
+  of_layers.keyword = composite ? "PART_COMPOSITE" : has_rule ? "INTEGRATION_SHELL" : "SECTION_SHELL";
   of_layers.density = made.density;
   of_layers.law = std::move(made);
   of_layers.place = part.place;
@@ -183,11 +184,21 @@ void make_layers_of_glass(Builder& b, Part& part, const LayerStack* stack) {
   b.model.materials.push_back(std::move(made));
 }
 
-/// Whether the layers need a law each.
-bool differ(const Builder& b, const LayerStack& stack) {
-  return b.model.control.laminated_shear || std::any_of(stack.layers.begin(), stack.layers.end(), [](const auto& l) {
-           return l.names != LayerCard::Names::nothing;
-         });
+/// Whether the layers need a law each. Angles turn nothing where a law has no axes, which is reported once.
+bool differ(Builder& b, const Part& part, const LayerStack& stack) {
+  if (b.model.control.laminated_shear) return true;
+  const auto named = [](const LayerCard& l) { return l.names != LayerCard::Names::nothing; };
+  if (std::any_of(stack.layers.begin(), stack.layers.end(), named)) return true;
+  const auto turned =
+      std::find_if(stack.layers.begin(), stack.layers.end(), [](const LayerCard& l) { return l.angle != 0.0; });
+  if (turned == stack.layers.end() || part.material == none) return false;
+  const Material& material = material_at(b, part.material);
+  const auto made = components_of(material.law);
+  if (!made || axes_of(made->flow) == nullptr)
+    turned->id.report(
+        b.findings, Severity::note,
+        fmt::format("angles of layers have no effect in part {}: *{} has no axes", part.id, material.keyword));
+  return made && axes_of(made->flow) != nullptr;
 }
 
 }  // namespace
@@ -201,7 +212,7 @@ void make_layers(Builder& b) {
       make_layers_of_glass(b, part, stack == b.layer_stacks.end() ? nullptr : &stack->second);
       continue;
     }
-    if (stack == b.layer_stacks.end() || !differ(b, stack->second)) continue;
+    if (stack == b.layer_stacks.end() || !differ(b, part, stack->second)) continue;
     if (part.material != none && !components_of(material_at(b, part.material).law)) continue;  // rigid, null
     make_layers_of(b, laws, part, stack->second);
   }

@@ -597,6 +597,7 @@ void make_mesh(Builder& b) {
     part.hourglass = b.find(b.hourglass, "hourglass control", hourglass);
   }
   fold_tetrahedra(b.model);
+  turn_parts_inside_out(b);
   if (b.coarsening != nullptr)
     for (const Coarsening::Hanging& h : b.coarsening->hanging)
       b.model.hanging_nodes.push_back(

@@ -49,7 +49,22 @@ TEST(BeltTension, UnloadsFromAPlateauAndKeepsALeastTension) {
   EXPECT_NEAR(reel(29.0, state), 600.0, 1e-9);
   EXPECT_DOUBLE_EQ(reel(28.0, state), 200.0);
   EXPECT_DOUBLE_EQ(reel(0.0, state), 200.0);
-  EXPECT_DOUBLE_EQ(reel.steepest(), 600.0);
+  EXPECT_DOUBLE_EQ(reel.steepest(state), 600.0);
+}
+
+// The step goes by what a belt has come to, not by where its curves end. Sabotage: all pieces from the start.
+TEST(BeltTension, SlopesThatAreNearAtHand) {
+  const BeltTension belt(curve({0.0, 0.1, 0.2, 0.3, 0.31}, {0.0, 100.0, 300.0, 600.0, 10600.0}),
+                         curve({0.0, 0.25, 0.26}, {0.0, 50.0, 5050.0}), 0.0);
+  BeltTension::State state = belt.start();
+  EXPECT_NEAR(belt.steepest(state), 5e5, 1e-3) << "the second piece of unloading is the next one";
+  const BeltTension alone(curve({0.0, 0.1, 0.2, 0.3, 0.31}, {0.0, 100.0, 300.0, 600.0, 10600.0}), {}, 0.0);
+  state = alone.start();
+  EXPECT_NEAR(alone.steepest(state), 2000.0, 1e-9);
+  alone.advance(0.15, state);
+  EXPECT_NEAR(alone.steepest(state), 3000.0, 1e-9);
+  alone.advance(0.2001, state);
+  EXPECT_NEAR(alone.steepest(state), 1e6, 1e-3) << "the last piece is the next one";
 }
 
 TEST(BeltTension, NeverAboveTheLoadingCurve) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "kernel/law/law_components.hpp"
 #include "law_point.hpp"
@@ -234,6 +235,25 @@ TEST(FoamRates, LowDensityFoamRelaxes) {
   const double stress = -bar.strain(-rate, 1000), grown = 7.0 * rate * (1.0 - std::exp(-300.0 * 0.01)) / 300.0;
   EXPECT_NEAR(stress, 2.0 * (1.0 - bar.length) + grown, 1e-6);
   EXPECT_NEAR(-bar.move(0.0, 500), 2.0 * (1.0 - bar.length) + grown * std::exp(-1.5), 1e-6);
+}
+
+// KCON raises the modulus of the step and of DAMP, and nothing else.
+TEST(FoamRates, ModulusForTheStep) {
+  RateFoam plain = rate_foam(), raised = rate_foam();
+  plain.damping = raised.damping = 0.0;
+  raised.step_modulus = 5.0;
+  double modulus[2], stress[2];
+  for (const int k : {0, 1}) {
+    const RateFoamPoint point(k == 0 ? plain : raised);
+    std::vector<double> history(static_cast<std::size_t>(point.history()), 0.0);
+    SolidTensor<double> s{}, d{};
+    d.xx = -1.0;
+    const PointUpdate now = point.update(s, d, 1e-3, history);
+    stress[k] = now.stress.xx;
+    modulus[k] = now.wave_modulus;
+  }
+  EXPECT_DOUBLE_EQ(stress[0], stress[1]);
+  EXPECT_GT(modulus[1], modulus[0] + 2.9);
 }
 
 }  // namespace

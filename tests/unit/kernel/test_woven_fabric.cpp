@@ -151,6 +151,25 @@ TEST(WovenFabric, ShearOfThreads) {
   }
 }
 
+// A ligament's force that stays falls as S = F/l over E; behind the end S stays. Sabotage: the last slope going on, by
+// which the stress falls to 0 and below.
+TEST(WovenFabric, ThreadOfConstantForce) {
+  std::vector<double> strain{0.0}, stress{0.0};
+  for (const double l : {1.05, 1.2, 1.4, 1.6}) {
+    strain.push_back(0.5 * (l * l - 1.0));
+    stress.push_back(30.0 / l);
+  }
+  WovenFabric law = weave_by_curves();
+  law.curves[0].emplace(points(strain, stress));
+  WovenPoint p(law, 0.0);
+  for (const double l : {1.05, 1.2, 1.4, 1.6}) {
+    p.to(l, 0, 0, 1);
+    EXPECT_NEAR(p.s.xx, 30.0, 1e-9) << l;
+  }
+  p.to(3.0, 0, 0, 1);
+  EXPECT_NEAR(p.s.xx, 3.0 * 30.0 / 1.6, 1e-9);
+}
+
 // Steeper than loading: fine; below it and through the same end: stretched, fine. One that lies above it gives energy.
 TEST(WovenFabric, WaysBackThatGiveEnergy) {
   EXPECT_FALSE(ThreadCurve(soft_then_stiff, steep_way_back).gives_energy());

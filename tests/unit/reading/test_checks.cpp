@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "model/lumped_mass.hpp"
 #include "small_model.hpp"
 
 namespace nugget::reading {
@@ -66,6 +67,58 @@ TEST(Checks, JacobiansOfBricks) {
   EXPECT_FALSE(b.error("solid 1 ")) << b.all_findings();
   EXPECT_TRUE(b.error("solid 2 has the volume -1, expected more than 0 (negative Jacobian)"));
   EXPECT_TRUE(b.warning("solid 4 is turned inside out at a corner")) << b.all_findings();
+}
+
+// A mirrored mesh: all solids of a part are inside out, which has one remedy. A part that has others is refused, and so
+// is a single brick. Sabotage: bricks turned one by one.
+TEST(Checks, PartsInsideOutAreTurned) {
+  const std::string part = std::string(brick_part);
+  const Built brick(sheet_deck(part + "*ELEMENT_SOLID\n1,2,5,6,7,8,1,2,3,4\n"));
+  EXPECT_TRUE(brick.error("negative Jacobian")) << brick.all_findings();
+  const Built two(sheet_deck(part + "*NODE\n11,0,0,2\n12,1,0,2\n13,1,1,2\n14,0,1,2\n"
+                                    "*ELEMENT_SOLID\n1,2,5,6,7,8,1,2,3,4\n2,2,11,12,13,14,5,6,7,8\n"));
+  EXPECT_EQ(two.findings.errors(), 0) << two.all_findings();
+  EXPECT_TRUE(two.warning("part 2: all of its 2 solids are numbered inside out")) << two.all_findings();
+  for (const std::size_t e : {0u, 1u}) EXPECT_NEAR(model::solid_volume(two.model, e), 1.0, 1e-12);
+  const auto volumes = [](const Built& b, double expected) {
+    EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+    EXPECT_TRUE(b.warning("all of its 2 solids are numbered inside out")) << b.all_findings();
+    for (const std::size_t e : {0u, 1u}) EXPECT_NEAR(model::solid_volume(b.model, e), expected, 1e-12);
+  };
+  volumes(Built(sheet_deck(part + "*ELEMENT_SOLID\n1,2,2,1,4,3,5,5,8,8\n2,2,2,1,4,3,6,6,7,7\n")), 0.5);
+  volumes(Built(sheet_deck("*PART\nblock\n2,2,1\n*SECTION_SOLID\n2,10\n*ELEMENT_SOLID\n1,2,2,1,4,5,5,5,5,5\n"
+                           "2,2,2,4,3,7,7,7,7,7\n")),
+          1.0 / 6.0);
+}
+
+// Fields that public models of human bodies give: each where it has no effect here, or is what is done in any case, and
+// where it is not.
+TEST(Checks, FieldsOfHumanBodyModels) {
+  const auto has = [](const std::string& more, std::string_view text, std::string_view field) {
+    return Built(sheet_deck(more)).error(std::string(text), std::string(field));
+  };
+  const std::string brick = "*ELEMENT_SOLID\n1,2,1,2,3,4,5,6,7,8\n";
+  const Built ambient(sheet_deck("*PART\nblock\n2,2,1\n*SECTION_SOLID\n2,1,1\n*CONTROL_SOLID\n4\n" + brick));
+  EXPECT_EQ(ambient.findings.errors(), 0) << ambient.all_findings();
+  EXPECT_TRUE(ambient.model.control.sort_solids);
+  EXPECT_TRUE(has("*CONTROL_SOLID\n11\n", "expected 0 to 4", "esort"));
+
+  const std::string interpolation = "*CONSTRAINED_INTERPOLATION\n1,5,123\n2\n3\n1,";
+  EXPECT_FALSE(has(interpolation + "123,1.0,1.0,1.0,1.0,1.0,1.0\n", "", "rwghtx"));
+  EXPECT_TRUE(has(interpolation + ",1.0,1.0,1.0,1.0\n", "rotations of the independent nodes", "rwghtx"));
+
+  const std::string tie = "*SET_NODE_LIST\n9\n5,6,7\n*CONTACT_TIED_NODES_TO_SURFACE_OFFSET\n9,1,4,3\n\n\n\n\n\n,,,,,,";
+  EXPECT_FALSE(has(tie + "1\n", "", "tiedid"));
+  EXPECT_TRUE(has(tie + "2\n", "expected 0 to 1", "tiedid"));
+
+  // The title is a line of its own: what follows is the card.
+  EXPECT_TRUE(has("*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED_TITLE\nwrist\n3,8,9,1,1\n\n\n\n", "8", "pida"));
+
+  const auto rubber = [](const char* poisson) {
+    return std::string("*MAT_OGDEN_RUBBER\n7,1e-9,") + poisson + "\n1.0\n2.0\n";
+  };
+  EXPECT_FALSE(has(rubber("0.4999983"), "", "pr"));
+  EXPECT_TRUE(has(rubber("0.5"), "expected 0 to 0.499999", "pr"));
 }
 
 TEST(Checks, ManyFaultsOfOneKindAreCounted) {
@@ -162,6 +215,9 @@ TEST(Checks, LawsOfDiscreteBeams) {
   EXPECT_EQ(spring(six, 0).kind, Kind::hysteresis);
   EXPECT_EQ(std::get<kernel::DiscreteBeam>(six.model.materials[1].law).rule, kernel::DiscreteBeam::Rule::together);
   EXPECT_TRUE(law("*MAT_119\n2,1.0,0,0,2\n7\n7\n\n\n\n\n\n").error("needs this stiffness", "kt"));
+  // DAMPF acts only where KT or KR is given.
+  EXPECT_EQ(law("*MAT_119\n2,1.0,0,0,0,,0.9\n7\n\n\n\n\n\n\n").findings.errors(), 0);
+  EXPECT_TRUE(law("*MAT_119\n2,1.0,200.0,0,2,,0.9\n7\n7\n\n\n\n\n\n").error("damping of the local stiffness", "dampf"));
   EXPECT_TRUE(law("*MAT_119\n2,1.0,9.0,0,2\n7\n\n\n\n\n\n\n").error("needs an unloading curve", "lcidtur"));
   EXPECT_TRUE(law("*MAT_119\n2,1.0,9.0,0,3\n7\n\n\n\n\n\n\n").error("0 to 2", "iunld"));
 

@@ -2,13 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "base/index.hpp"
 #include "kernel/law/law_components.hpp"
 #include "small_model.hpp"
 
-// Layers of shells: *PART_COMPOSITE, *INTEGRATION_SHELL with parts.
+// Layers of shells: *PART_COMPOSITE, *INTEGRATION_SHELL with parts, ICOMP of *SECTION_SHELL.
 namespace nugget::reading {
 namespace {
 
@@ -146,6 +147,53 @@ TEST(Layers, AxesAreThoseOfTheShellsOwnPart) {
   const auto isotropic = stacked("0,1,0", 1);  // glass has no axes to give
   EXPECT_FALSE(isotropic.warning("not looked at")) << isotropic.all_findings();
   EXPECT_DOUBLE_EQ(layer(isotropic).axes.a.y, 1.0);
+}
+
+// ICOMP 1: B1, B2, ... turn the layers of one material. Sabotage: angles read and left out; places of another rule; the
+// angle of a point that *INTEGRATION_SHELL lists out of order given to its place in the list.
+TEST(Layers, AnglesOfASection) {
+  const auto section = [](const std::string& first, const std::string& angles, int mid, const std::string& more = {}) {
+    return built("*SECTION_SHELL\n" + first + "\n5.0\n" + angles + "\n*PART\npane\n1,1," + std::to_string(mid) + "\n" +
+                 more);
+  };
+  const auto law = [](const Built& b) -> const Law& {
+    return b.model.materials.at(at(b.model.parts.at(0).material)).law;
+  };
+  const auto b = section("1,2,,2,,,1", "30.0,-45.0", 4);
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  EXPECT_EQ(b.model.materials.at(at(b.model.parts.at(0).material)).keyword, "SECTION_SHELL");
+  const auto& two = *std::get<kernel::Laminate>(law(b)).layers;
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_DOUBLE_EQ(two[0].angle, std::numbers::pi / 6.0);
+  EXPECT_DOUBLE_EQ(two[1].angle, -std::numbers::pi / 4.0);
+  EXPECT_NEAR(two[0].place, -1.0 / std::sqrt(3.0), 1e-15);
+  EXPECT_DOUBLE_EQ(two[1].share, 0.5);
+  const auto lobatto = section("1,2,,3,,,1", "0,90.0", 4, "*CONTROL_SHELL\n\n,1\n");
+  EXPECT_EQ(lobatto.findings.errors(), 0) << lobatto.all_findings();
+  EXPECT_DOUBLE_EQ((*std::get<kernel::Laminate>(law(lobatto)).layers)[0].place, -1.0);
+  const auto rule = section("1,2,,2,,-7,1", "30.0,60.0", 4, "*INTEGRATION_SHELL\n7,2\n0.5,0.5\n-0.5,0.5\n");
+  EXPECT_EQ(rule.findings.errors(), 0) << rule.all_findings();
+  const auto& turned = *std::get<kernel::Laminate>(law(rule)).layers;
+  EXPECT_DOUBLE_EQ(turned[0].angle, std::numbers::pi / 3.0);  // the lower one is the second of the cards
+  EXPECT_DOUBLE_EQ(turned[1].angle, std::numbers::pi / 6.0);
+  EXPECT_TRUE(section("1,2,,2,,,1", "0,90.0,45.0", 4).warning("the section has 2 layers", "b3"));
+  // Nothing to turn: the shell keeps its own law.
+  const auto isotropic = section("1,2,,2,,,1", "0,90.0", 1);
+  EXPECT_TRUE(isotropic.find(Severity::note, "*MAT_ELASTIC has no axes", "b2")) << isotropic.all_findings();
+  EXPECT_TRUE(std::holds_alternative<kernel::Elastic>(law(isotropic)));
+  EXPECT_FALSE(std::holds_alternative<kernel::Laminate>(law(section("1,2,,2,,,1", "0,0", 4))));
+}
+
+// A membrane has one layer, and its fabric has B1 and B2 for its threads.
+TEST(Layers, AnglesOfAMembrane) {
+  const auto membrane = [](const std::string& angles) {
+    return built("*MAT_FABRIC\n7,1e-9,100.0,100.0,,0.3\n38.0\n\n\n\n*SECTION_SHELL\n1,9,,1,,,1\n0.5\n" + angles +
+                 "\n*PART\nbag\n1,1,7\n");
+  };
+  EXPECT_EQ(membrane("0,90.0").findings.errors(), 0) << membrane("0,90.0").all_findings();
+  EXPECT_TRUE(membrane("0,60.0").error("not at right angles", "b2"));
+  EXPECT_TRUE(membrane("30.0,90.0").error("by the section is not built", "b1"));
+  EXPECT_TRUE(membrane("0,90.0,45.0").error("a membrane has one layer", "b3"));
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ TEST(Sections, Shell) {
   EXPECT_EQ(b.model.shell_sections[1].layers, 2);
   EXPECT_DOUBLE_EQ(b.model.shell_sections[1].shear_factor, 1.0);
   EXPECT_TRUE(built("*SECTION_SHELL\n3,2,,11\n1.0\n").error("expected 1 to 10", "nip"));
-  EXPECT_TRUE(built("*SECTION_SHELL\n3,2,,4,,,1\n1.0\n0,0,45\n").error("only 0 is supported", "b3"));
+  EXPECT_TRUE(built("*SECTION_SHELL\n3,9,,4,,,1\n1.0\n0,0,45\n").error("a membrane has one layer", "b3"));
 }
 
 TEST(Sections, WeldBeam) {

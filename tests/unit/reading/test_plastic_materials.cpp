@@ -440,6 +440,9 @@ TEST(SoftMaterials, Foams) {
   EXPECT_TRUE(foam.tension_failure);
   EXPECT_TRUE(composition(low).bulk_viscosity);
   EXPECT_FALSE(composition(built("*MAT_057\n4,5e-11,2.0,5\n" + curve)).bulk_viscosity);
+  const auto kcon = built("*MAT_057\n4,5e-11,2.0,5\n,,,,,7.0\n" + curve);
+  EXPECT_EQ(kcon.findings.errors(), 0) << kcon.all_findings();
+  EXPECT_DOUBLE_EQ(composition(kcon).contact_modulus, 7.0);
   const auto slow = built("*MAT_057\n4,5e-11,2.0,5,,,20.0,0.1\n,,,3.0,50.0\n" + curve);
   EXPECT_EQ(slow.findings.errors(), 0) << slow.all_findings();
   EXPECT_DOUBLE_EQ(flow<kernel::LowDensityFoam>(slow).recovery, 20.0);
@@ -487,6 +490,15 @@ TEST(SoftMaterials, FoamByATableOverTheRate) {
                     .error("a rate of 0 has no logarithm", "tbid"));
   }
   EXPECT_FALSE(foam.log_log);
+  // KCON: the larger of E and KCON for step and contacts, and E for the stress.
+  const auto contact_modulus = [](const Built& of) { return of.model.materials.back().contact_young(); };
+  const auto stiff = built("*MAT_083\n4,5e-11,2.0,9.0,,,,7\n\n\n\n\n" + table),
+             soft = built("*MAT_083\n4,5e-11,2.0,1.0,,,,7\n\n\n\n\n" + table);
+  EXPECT_EQ(stiff.findings.errors(), 0) << stiff.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::RateFoam>(stiff).E, 2.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::RateFoam>(stiff).step_modulus, 9.0);
+  EXPECT_DOUBLE_EQ(contact_modulus(stiff), 9.0);
+  EXPECT_DOUBLE_EQ(contact_modulus(soft), 2.0);
   EXPECT_TRUE(built("*MAT_083\n4,5e-11,2.0\n").error("", "tbid"));
   EXPECT_TRUE(built(main).error("table 7 is not defined", "tbid"));
   EXPECT_TRUE(built(main + ",,,,3\n" + table).error("only 0 is supported", "pvid"));
