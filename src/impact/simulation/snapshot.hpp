@@ -68,6 +68,15 @@ class Recorder {
     bool elements = false;     ///< whether there is anything that looks at elements: it does so at the end
   };
   virtual Marks next_marks() const { return {}; }
+  /// Results as large as the model, in which all ranks have a share.
+  struct Shared {
+    bool states = false;  ///< of d3plot
+    bool rows = false;    ///< of elout
+  };
+  /// On the first rank: what `write` will write of them.
+  virtual Shared shared_due(const system::State&, bool /*last*/) { return {}; }
+  /// On another rank, while the first one writes: its share of them.
+  virtual void give(const Snapshot&, Shared) {}
   /// A state of d3plot is wanted that is not due.
   virtual void ask_for_state() {}
   /// Waits until all that was written stands in its files; the run has ended.
