@@ -21,14 +21,17 @@ class HistoryShape {
     std::size_t type = 0;  ///< in Values; 0: the column is left out
   };
 
-  explicit HistoryShape(const HistoryFormat<State>& format) {
+  explicit HistoryShape(const HistoryFormat<State>& format) : ids_(format.branches.size()) {
     for (const Branch<State>& branch : format.branches) columns_.emplace_back(branch.columns.size());
   }
   /// The rows of a piece, whatever they hold.
   void add(const HistoryFormat<State>& format, const State& piece) {
     for (std::size_t b = 0; b < columns_.size(); ++b) {
       const Branch<State>& branch = format.branches[b];
-      for (std::size_t c = 0; branch.is_in(piece) && c < branch.columns.size(); ++c) {
+      if (!branch.is_in(piece)) continue;
+      const std::vector<int> more = branch.ids_in(piece);
+      ids_[b].insert(ids_[b].end(), more.begin(), more.end());
+      for (std::size_t c = 0; c < branch.columns.size(); ++c) {
         const Values values = branch.columns[c].values(piece);
         if (values.index() != 0) columns_[b][c].type = values.index();
         if (const auto* integers = std::get_if<std::vector<int>>(&values)) columns_[b][c].count += integers->size();
@@ -36,6 +39,7 @@ class HistoryShape {
       }
     }
   }
+  const std::vector<int>& ids(std::size_t branch) const { return ids_[branch]; }
   const OfColumn& column(std::size_t branch, std::size_t column) const { return columns_[branch][column]; }
   bool has_rows(std::size_t branch) const {
     return std::ranges::any_of(columns_[branch], [](const OfColumn& column) { return column.count > 0; });
@@ -43,6 +47,7 @@ class HistoryShape {
 
  private:
   std::vector<std::vector<OfColumn>> columns_;  ///< by branch
+  std::vector<std::vector<int>> ids_;           ///< likewise
 };
 
 /// `binout0000`, LS-DYNA's binary history file (LSDA), with a branch for each kind of state that is written to it. Ids
@@ -80,8 +85,8 @@ class Binout {
     for (std::size_t b = 0; b < format.branches.size(); ++b) {
       if (!shape.has_rows(b)) continue;
       const Branch<State>& branch = format.branches[b];
-      if (branch.ids || format.tables_apart) throw std::logic_error("binout: " + branch.path + " has no pieces");
-      if (begin_state(branch.path, {}, branch.lists_ids))
+      if (format.tables_apart) throw std::logic_error("binout: " + branch.path + " has no pieces");
+      if (begin_state(branch.path, shape.ids(b), branch.lists_ids))
         for (const Column<State>& column : branch.once) put(column.name, column.values(first[b]));
       begin_data(branch.path);
       for (std::size_t c = 0; c < branch.columns.size(); ++c) {

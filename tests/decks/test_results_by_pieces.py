@@ -34,10 +34,12 @@ def without(text, *names):
     return text
 
 
-def results_of_sheets(along, across, *, d3plot=None, elout=None):
-    """The sheets of the restart files with histories of all shells. `d3plot`: an interval; `elout`: 1 text, 2 binout, 3 both, at the start and the end."""
+def results_of_sheets(along, across, *, d3plot=None, elout=None, nodout=None):
+    """The sheets of the restart files with histories of all shells, and of all nodes where nodout is asked for. `d3plot`: an interval; `elout`, `nodout`:
+    1 text, 2 binout, 3 both, at the start and the end."""
     files = ("*DATABASE_BINARY_D3PLOT\n" + card(d3plot) if d3plot else "") + ("*DATABASE_ELOUT\n" + card(1.0, elout) if elout else "")
-    return of_all(sheets(along, across).replace("*END", files + "*END"), "SHELL")
+    files += "*DATABASE_NODOUT\n" + card(1.0, nodout) if nodout else ""
+    return of_all(sheets(along, across).replace("*END", files + "*END"), "SHELL", *(["NODE"] if nodout else []))
 
 
 def truss(n=40):
@@ -102,6 +104,7 @@ class ResultsByPieces(RepeatedRuns):
         """Elements that are deleted, under mass scaling, of every kind, welds that fail; d3plot and elout of all. Sabotage: pieces in the order of ranks; one
         at the place of another; strains, or a deletion, of an element that another rank computes."""
         cases = {"tube": (of_all(tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4), "SHELL"), (), [(n, t) for n in (2, 3, 4, 7) for t in (1, 2)]),
+                 "all nodes": (of_all(tube(48, 30, end=2.0e-4), "NODE"), (), ((2, 1), (3, 2))),
                  "bricks": (of_all(block(8), "SOLID", "BEAM"), (), ((2, 2), (3, 1))),
                  "ten nodes": (of_all(block(5, elform=2), "SOLID"), (), ((3, 1),)),
                  "thick shells": (plate(12).replace("*END", "*DATABASE_HISTORY_TSHELL\n" + "".join(card(*range(k, k + 8)) for k in range(1, 121, 8)) + "*END"), (),
@@ -125,7 +128,7 @@ class ResultsByPieces(RepeatedRuns):
 
     def test_states_of_several_pieces(self):
         """26,400 shells: a state has pieces of a mebibyte, elout blocks of 1,024 rows. Sabotage: the second piece at the place of the first."""
-        model = self.write(results_of_sheets(110, 120, d3plot=1.0e-9, elout=3))
+        model = self.write(results_of_sheets(110, 120, d3plot=1.0e-9, elout=3, nodout=3))
         options = ("--max-cycles", 12)
         reference = self.alone(model, *options)
         self.assertGreater(len(reference["d3plot01"]), 4e6)
@@ -148,7 +151,8 @@ class ResultsByPieces(RepeatedRuns):
                     self.same("some", reference, f"{name}, {ranks} ranks")
 
     def test_other_numbers_of_ranks_go_on(self):
-        model = self.write(of_all(tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4), "SHELL"))
+        """With rotations of nodes that only some ranks follow, added up from the start on. Sabotage: those of the rank that reads."""
+        model = self.write(of_all(tube(48, 30, fail=0.02, mass_step=-1.0e-6, end=8.0e-4), "SHELL", "NODE"))
         whole = self.alone(model)
         self.over(3, "run", model, "-o", "cut", "--checkpoint", "100cycles", "--max-cycles", 130)
         self.over(2, "run", "--resume", "cut", "--max-cycles", 230)
@@ -166,13 +170,14 @@ class ResultsByPieces(RepeatedRuns):
         """The most memory of each of three ranks, with d3plot and elout of 72,000 shells and without. Sabotage: states that come to the first rank; rows of
         all elements before any is written."""
         peaks, size = {}, {}
-        for name, wanted in (("plain", {}), ("d3plot", {"d3plot": 1.0e-9}), ("text", {"elout": 1}), ("binout", {"elout": 2})):
+        for name, wanted in (("plain", {}), ("d3plot", {"d3plot": 1.0e-9}), ("text", {"elout": 1}), ("binout", {"elout": 2}),
+                             ("nodes", {"nodout": 3})):
             self.write(results_of_sheets(300, 120, **wanted))
             self.over(3, "run", "model.k", "-o", name, "--max-cycles", 5)
             peaks[name] = [rank["peak_memory_mb"] for rank in self.json(f"{name}/summary.json")["rank"]]
-            size[name] = sum(f.stat().st_size for f in (self.folder / name).iterdir() if re.match("d3plot0|elout|binout", f.name)) / 1e6
+            size[name] = sum(f.stat().st_size for f in (self.folder / name).iterdir() if re.match("d3plot0|elout|binout|nodout", f.name)) / 1e6
         print(f"files of {size} MB; most memory of ranks [MB]: {peaks}")
-        for name, states in (("d3plot", 6), ("text", 2), ("binout", 2)):
+        for name, states in (("d3plot", 6), ("text", 2), ("binout", 2), ("nodes", 2)):
             state = size[name] / states
             self.assertGreater(state, 10.0)
             for plain, with_file in zip(peaks["plain"], peaks[name]):

@@ -209,50 +209,43 @@ int number_of_law(const model::Material& material) {
   return 0;
 }
 
-output::EloutState elout_head(const Snapshot& now) {
+void EloutRows::set_head(State& s, const Snapshot& now) {
   const model::Model& model = now.system.model;
-  output::EloutState s;
   s.cycle = now.state.cycle + 1;  // LS-DYNA counts from 1
   s.time = now.state.time;
   s.strains = model.requests.strains;
   s.local_shells = model.requests.shell_axes != model::Requests::ShellAxes::global;
-  return s;
 }
 
-void pass_elout(const Snapshot& now, EloutTable table, ResultParcels& parcels,
-                const std::function<void(const output::EloutState&)>& take) {
-  pass_table(now.system, &now, table, &parcels, elout_head(now), take);
+void EloutRows::pass(const Snapshot& now, Table table, ResultParcels& parcels, const Take& take) {
+  State head;
+  set_head(head, now);
+  pass_table(now.system, &now, table, &parcels, head, take);
 }
 
-void blank_elout(const system::System& system, EloutTable table,
-                 const std::function<void(const output::EloutState&)>& take) {
-  output::EloutState head;
+void EloutRows::blank(const system::System& system, const Take& take) {
+  State head;
   head.strains = system.model.requests.strains;
-  pass_table(system, nullptr, table, nullptr, head, take);
+  for (const Table table : output::elout_tables)
+    if (!text_only(table)) pass_table(system, nullptr, table, nullptr, head, take);
 }
 
-std::vector<EloutTable> passed_tables(const model::Model& model) {
-  const model::HistoryName elout("elout");
-  std::vector<EloutTable> tables;
-  for (const EloutTable table : output::elout_tables)
-    if (!output::shows_strains(table) || (model.requests.strains && model.requests[elout].ascii()))
-      tables.push_back(table);
+std::vector<EloutTable> EloutRows::tables(const model::Model& model) {
+  constexpr model::HistoryName elout("elout");
+  std::vector<Table> tables;
+  for (const Table table : output::elout_tables)
+    if (!text_only(table) || (model.requests.strains && model.requests[elout].ascii())) tables.push_back(table);
   return tables;
 }
 
-void give_elout(const Snapshot& now) {
-  ResultParcels parcels(now.system);
-  for (const EloutTable table : passed_tables(now.system.model)) pass_elout(now, table, parcels, {});
-  parcels.close();
-}
-
 output::EloutState elout_state(const Snapshot& now) {
-  output::EloutState all = elout_head(now);
+  output::EloutState all;
+  EloutRows::set_head(all, now);
   ResultParcels parcels(now.system);
   const auto add = [](auto& to, const auto& rows) { to.insert(to.end(), rows.begin(), rows.end()); };
   for (const EloutTable table : output::elout_tables)
-    if (!output::shows_strains(table))
-      pass_elout(now, table, parcels, [&](const output::EloutState& piece) {
+    if (!EloutRows::text_only(table))
+      EloutRows::pass(now, table, parcels, [&](const output::EloutState& piece) {
         add(all.solids, piece.solids);
         add(all.beams, piece.beams);
         add(all.shells, piece.shells);

@@ -14,19 +14,24 @@ namespace nugget::impact {
 /// are not in it; deleted ones stay, without stress.
 output::EloutState elout_state(const Snapshot& now);
 
-/// The same, some rows of a table at a time: `take` gets them on the process that writes, others give theirs to it.
-/// Strains of shells are in the rows of either table.
-void pass_elout(const Snapshot& now, output::EloutTable table, ResultParcels& parcels,
-                const std::function<void(const output::EloutState&)>& take);
-/// Its rows without what elements hold.
-void blank_elout(const system::System& system, output::EloutTable table,
-                 const std::function<void(const output::EloutState&)>& take);
-/// What elout says besides elements.
-output::EloutState elout_head(const Snapshot& now);
-/// The tables that go from rank to rank, in their order: strains have to be printed in tables of their own.
-std::vector<output::EloutTable> passed_tables(const model::Model& model);
-/// On another rank than the first: its share of what that writes.
-void give_elout(const Snapshot& now);
+/// Its rows, some of a table at a time, for HistoryByRows. Strains of shells are in the rows of either table.
+struct EloutRows {
+  using State = output::EloutState;
+  using Table = output::EloutTable;
+  using Take = std::function<void(const State&)>;
+  static const output::HistoryFormat<State>& format() { return output::elout(); }
+  static std::vector<Table> tables(const model::Model& model);
+  static bool text_only(Table table) { return output::shows_strains(table); }
+  static void set_head(State& state, const Snapshot& now);
+  static void blank(const system::System& system, const Take& take);
+  static void pass(const Snapshot& now, Table table, ResultParcels& parcels, const Take& take);
+  static void print_head(output::AsciiFile& file, Table table, const State& state) {
+    output::print_elout_head(file, table, state);
+  }
+  static void print_rows(output::AsciiFile& file, Table table, const State& state) {
+    output::print_elout_rows(file, table, state);
+  }
+};
 
 /// LS-DYNA's number of the laws that beams can have; 0 where it is not known.
 int number_of_law(const model::Material& material);

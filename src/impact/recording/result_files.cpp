@@ -11,6 +11,8 @@
 #include "base/index.hpp"
 #include "impact/recording/d3plot_states.hpp"
 #include "impact/recording/element_histories.hpp"
+#include "impact/recording/history_by_rows.hpp"
+#include "impact/recording/nodout_rows.hpp"
 #include "output/model_geometry.hpp"
 #include "system/share.hpp"
 
@@ -115,7 +117,8 @@ void ResultFiles::StateFile::archive(Archive& a) {
 
 void ResultShares::give(const Snapshot& now, Shared what) {
   // In the order in which the first rank writes its files.
-  if (what.rows) give_elout(now);
+  if (what.nodes) HistoryByRows<NodoutRows>::give(now);
+  if (what.rows) HistoryByRows<EloutRows>::give(now);
   if (!what.states) return;
   ResultParcels parcels(now.system);
   put_state(now, layout_for_all(now.system, std::nullopt), parcels, {});
@@ -140,9 +143,15 @@ void ResultFiles::add(const HistoryFile& history, const system::System& system) 
   // In binout a branch that has no headings of its own shows those of the whole file.
   if (to.binout && !to.legend.empty()) to.binout->set_legend(std::string(history.name.text()), to.legend);
   const OpenHistory file = history.open(history.name, system, to);
-  channels_.push_back({request, file.write, file.archive, first_mark(request, model_.curves), false,
-                       !of_sums_and_nodes(history.name.text()), of_energies(history.name.text()),
-                       history.name.text() == "elout"});
+  channels_.push_back({request,
+                       file.write,
+                       file.archive,
+                       first_mark(request, model_.curves),
+                       false,
+                       !of_sums_and_nodes(history.name.text()),
+                       of_energies(history.name.text()),
+                       {.rows = history.name.text() == "elout",
+                        .nodes = history.name.text() == "nodout" && history_nodes_are_shared_out(system.model)}});
 }
 
 std::shared_ptr<output::Binout> ResultFiles::binout() {
@@ -165,8 +174,9 @@ Recorder::Shared ResultFiles::shared_due(const system::State& state, bool last) 
   Shared shared;
   for (const Channel& c : channels_) {
     if (!writes(c, state, last)) continue;
-    shared.rows |= c.of_rows;
     shared.states |= c.of_states;
+    shared.rows |= c.of_ranks.rows;
+    shared.nodes |= c.of_ranks.nodes;
   }
   return shared;
 }
@@ -191,7 +201,7 @@ Recorder::Marks ResultFiles::next_marks() const {
 void ResultFiles::Channel::archive(Archive& a) {
   archive_file(a);
   a(next);
-  a.built(request, write, of_states, of_elements, of_energies, of_rows);
+  a.built(request, write, of_states, of_elements, of_energies, of_ranks);
 }
 
 void ResultFiles::archive(Archive& a) {

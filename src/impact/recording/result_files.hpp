@@ -40,7 +40,7 @@ class ResultFiles : public Recorder {
     bool of_states = false;   ///< d3plot
     bool of_elements = true;  ///< see Recorder::Marks
     bool of_energies = true;  ///< see energies_due
-    bool of_rows = false;     ///< elout, to which other ranks give rows
+    Shared of_ranks{};        ///< what other ranks give to it
     void archive(Archive& a);
   };
   /// d3plot, to which a thread of its own writes the pieces of states. Of those that wait for the disk this process

@@ -17,6 +17,8 @@ namespace nugget::impact {
 /// Nobody holds more of what others give than a mebibyte of each (system::Parcel). One process has nothing to send.
 class ResultParcels {
  public:
+  static constexpr std::size_t rows_at_a_time = 1024;
+
   explicit ResultParcels(const system::System& system);
 
   /// Whether this is the process that writes.
@@ -49,7 +51,7 @@ class ResultParcels {
 template <class Row, class Owner, class Blank, class Fill, class Carry, class Take>
 void pass_rows(ResultParcels* parcels, std::size_t count, const Owner& owner, const Blank& blank, const Fill& fill,
                const Carry& carry, const Take& take) {
-  constexpr std::size_t at_a_time = 1024;
+  constexpr std::size_t at_a_time = ResultParcels::rows_at_a_time;
   const bool writes = parcels == nullptr || parcels->writes();
   for (std::size_t begin = 0; begin < count; begin += at_a_time) {
     std::vector<Row> rows;

@@ -154,7 +154,8 @@ std::vector<char> Simulation::followed_by_all() const {
   for (const model::PressureLoad& load : model.pressure_loads) follow_segments(load.segments);
   for (const model::TractionLoad& load : model.traction_loads) follow_segments(load.segments);
   for (const model::BlastLoad& load : model.blast_loads) follow_segments(load.segments);
-  for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
+  if (!history_nodes_are_shared_out(model))
+    for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
   for (const model::Sensor& sensor : model.sensors) {
     std::ranges::for_each(sensor.node, follow);
     using Quantity = model::Sensor::Quantity;
@@ -340,13 +341,13 @@ void Simulation::write_results(Recorder& recorder, bool last) {
   const bool writes = on_first_rank() && !diverged_;
   const bool shows = ranks_ != nullptr && shows_elements(last);
   Recorder::Shared shared;
-  if (shows) {
-    collect_shown();
+  if (shows) collect_shown();
+  if (ranks_ != nullptr && (shows || history_nodes_are_shared_out(system_.model))) {
     if (writes) shared = recorder.shared_due(state_, last);
     broadcast(*ranks_, shared);
   }
   if (writes) recorder.write(snapshot(), last);
-  if (!on_first_rank() && (shared.states || shared.rows)) recorder.give(snapshot(), shared);
+  if (!on_first_rank() && shared.any()) recorder.give(snapshot(), shared);
   if (shows && !last && on_first_rank() && !shown_.elements.empty()) leave_to_others();
 }
 

@@ -537,7 +537,8 @@ void Simulation::move() {
   for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
   const auto turn = [&](std::size_t i, std::size_t k) { history_rotation_[i] += state_.dt * vec(state_.w[k]); };
   const std::vector<model::NamedEntity>& asked = system_.model.requests.history_nodes;
-  for (std::size_t i = 0; i < asked.size(); ++i) turn(i, at(system_.node_of[asked[i].index]));
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (const std::size_t k = at(system_.node_of[asked[i].index]); system_.follows(k)) turn(i, k);
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) turn(asked.size() + b, at(system_.bodies[b].node));
   state_.time += state_.dt;
   ++state_.cycle;
@@ -645,7 +646,12 @@ void Simulation::archive(Archive& a) {
   a(system_);
   a.section("nodes");
   const Archive::Holders of_nodes = system_.holders_of_nodes();
-  a(state_, history_rotation_);
+  a(state_);
+  const std::vector<model::NamedEntity>& asked = system_.model.requests.history_nodes;
+  const auto node = [&](std::size_t i) { return at(system_.node_of[asked[i].index]); };
+  a.parts(history_rotation_,
+          {[&](std::size_t i) { return i < asked.size() && of_nodes.giver ? of_nodes.giver(node(i)) : a.everyone; },
+           [&](std::size_t i) { return i >= asked.size() || system_.follows(node(i)); }});
   for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m}) a.parts(*rows, of_nodes);
   a(components_);
   a.section("balance");
