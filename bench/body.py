@@ -55,9 +55,10 @@ RESULTS = {  # what is as large as the model
     "none": "",
     "d3plot each cycle": "*DATABASE_BINARY_D3PLOT\n   1.0E-12\n",
     "elout, text": "*DATABASE_ELOUT\n       1.0         1\n*DATABASE_HISTORY_SHELL_SET\n         3\n",
+    "nodout, both": "*DATABASE_NODOUT\n       1.0         3\n*DATABASE_HISTORY_NODE_SET\n         3\n",
     "elout, binout": "*DATABASE_ELOUT\n       1.0         2\n*DATABASE_HISTORY_SHELL_SET\n         3\n",
 }
-ALL_SHELLS = "*SET_SHELL_GENERAL\n         3\nALL\n"
+ALL = {"SHELL": "*SET_SHELL_GENERAL\n         3\nALL\n", "NODE": "*SET_NODE_GENERAL\n         3\nALL\n"}
 CARDS = {  # set 2: the sheets
     "none": "",
     "histories every 1e-6": "*DATABASE_HISTORY_NODE\n         1\n" + "".join(f"*DATABASE_{f}\n   1.0E-06\n" for f in ("NODOUT", "RWFORC", "RCFORC")),
@@ -235,7 +236,7 @@ def growth(programs, work, threads, sizes, cycles, repeat):
 def results(programs, work, threads, ranks, cycles):
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", NUGGET_LANES="4")
     for name, card in RESULTS.items():
-        write_crash(work, card + (ALL_SHELLS if "SHELL" in card else ""))
+        write_crash(work, card + "".join(members for kind, members in ALL.items() if f"_{kind}_SET" in card))
         files = {}
         for count in ranks:
             for program in programs:
@@ -246,7 +247,7 @@ def results(programs, work, threads, ranks, cycles):
                 summary = json.loads((work / "crash" / "summary.json").read_text(encoding="utf-8"))
                 peaks = [rank["peak_memory_mb"] for rank in summary.get("rank", [])] or [summary["peak_memory_mb"]]
                 of_files = {file.name: zlib.crc32(file.read_bytes()) for file in sorted((work / "crash").iterdir())
-                            if re.match("d3plot|elout|binout", file.name)}
+                            if re.match("d3plot|elout|nodout|binout", file.name)}
                 same = files.setdefault("one", of_files) == of_files
                 others = f", others {min(peaks[1:]):.0f} to {max(peaks[1:]):.0f}" if count > 1 else ""
                 print(f"{name:20} {count} ranks: first {peaks[0]:.0f} MB{others}; output {summary['seconds']['phases']['output']:.2f} s of "
