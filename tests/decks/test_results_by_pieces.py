@@ -39,6 +39,8 @@ def results_of_sheets(along, across, *, d3plot=None, elout=None, nodout=None):
     1 text, 2 binout, 3 both, at the start and the end."""
     files = ("*DATABASE_BINARY_D3PLOT\n" + card(d3plot) if d3plot else "") + ("*DATABASE_ELOUT\n" + card(1.0, elout) if elout else "")
     files += "*DATABASE_NODOUT\n" + card(1.0, nodout) if nodout else ""
+    draw = random.Random(2)  # no two elements or nodes are alike
+    files += "*INITIAL_VELOCITY_NODE\n" + "".join(card(n, *(round(draw.uniform(-5e3, 5e3), 1) for _ in range(3))) for n in range(1, 2 * (along + 1) * (across + 1) + 1))
     return of_all(sheets(along, across).replace("*END", files + "*END"), "SHELL", *(["NODE"] if nodout else []))
 
 
