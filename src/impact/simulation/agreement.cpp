@@ -235,8 +235,7 @@ void Simulation::find_shown() {
     if (std::holds_alternative<kernel::DiscreteBeam>(material.law)) add(system_.beam_location[beam.index]);
   }
   std::ranges::sort(shown_.blocks);
-  const auto same = std::ranges::unique(shown_.blocks);
-  shown_.blocks.erase(same.begin(), same.end());
+  shown_.blocks.erase(std::unique(shown_.blocks.begin(), shown_.blocks.end()), shown_.blocks.end());
   for (std::size_t k = 0; k < system_.nodes; ++k)
     if (nodes[k] != 0) shown_.nodes.push_back(static_cast<int>(k));
 }
