@@ -5,6 +5,7 @@
     python3 bench/body.py --study crash [--end 1e-4] ...
     python3 bench/body.py --study cards [--other OLD_NUGGET] --shells 55000 --welds 700 --end 3e-5
     python3 bench/body.py --study growth [--other OLD_NUGGET] [--sizes 20000,100000,500000] [--cycles 5,45] [--repeat 2]
+    python3 bench/body.py --study results [--other OLD_NUGGET] [--ranks 1,2,4,8] [--cycles 5]
     python3 bench/body.py --study modes [--modes 50] [--shells 280000] [--welds 800] ...
 
 The body is a row of closed sills: each is a curved hat with flanges, and a floor strip under it, both of 5 mm elements; some
@@ -13,7 +14,8 @@ stand along the flanges, three elements wide; `nugget weld` places them, so that
 What is timed is `nugget check` as its check.log tells it: reading, then tie and audit together (aim: under 5 s); the impact of
 the body against a wall at 10 m/s, all of it in one contact with itself; that impact with one more card that many decks have,
 phase by phase, in turn with another program's where one is given; what that impact costs with the size of the body, setup and
-memory too (a cycle is what the later of two runs takes longer than the earlier, in processor time of the user); modes up to their number, files and report included.
+memory too (a cycle is what the later of two runs takes longer than the earlier, in processor time of the user); what results that are
+as large as the model cost ranks (megabytes of each at most, seconds by the clock, checksums of the files); modes up to their number, files and report included.
 """
 import argparse
 import math
@@ -24,6 +26,7 @@ import re
 import subprocess
 import sys
 import time
+import zlib
 
 from modes import measure
 
@@ -48,6 +51,14 @@ IMPACT = """*CONTACT_AUTOMATIC_SINGLE_SURFACE
 *CONTROL_ENERGY
          2         2         2         2
 """
+RESULTS = {  # what is as large as the model
+    "none": "",
+    "d3plot each cycle": "*DATABASE_BINARY_D3PLOT\n   1.0E-12\n",
+    "elout, text": "*DATABASE_ELOUT\n       1.0         1\n*DATABASE_HISTORY_SHELL_SET\n         3\n",
+    "nodout, both": "*DATABASE_NODOUT\n       1.0         3\n*DATABASE_HISTORY_NODE_SET\n         3\n",
+    "elout, binout": "*DATABASE_ELOUT\n       1.0         2\n*DATABASE_HISTORY_SHELL_SET\n         3\n",
+}
+ALL = {"SHELL": "*SET_SHELL_GENERAL\n         3\nALL\n", "NODE": "*SET_NODE_GENERAL\n         3\nALL\n"}
 CARDS = {  # set 2: the sheets
     "none": "",
     "histories every 1e-6": "*DATABASE_HISTORY_NODE\n         1\n" + "".join(f"*DATABASE_{f}\n   1.0E-06\n" for f in ("NODOUT", "RWFORC", "RCFORC")),
@@ -222,6 +233,27 @@ def growth(programs, work, threads, sizes, cycles, repeat):
                   f"  {1e9 * few['setup'] / shells:10.0f}  {more['memory'] / 1e6:4.0f}  {more['memory'] / shells:13.0f}  {program}", flush=True)
 
 
+def results(programs, work, threads, ranks, cycles):
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", NUGGET_LANES="4")
+    for name, card in RESULTS.items():
+        write_crash(work, card + "".join(members for kind, members in ALL.items() if f"_{kind}_SET" in card))
+        files = {}
+        for count in ranks:
+            for program in programs:
+                command = [program, "run", "crash.k", "-o", "crash", "-j", str(threads), "--quiet", "--max-cycles", str(cycles)]
+                if count > 1:
+                    command = ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", str(count), *command]
+                subprocess.run(command, cwd=work, env=environment, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                summary = json.loads((work / "crash" / "summary.json").read_text(encoding="utf-8"))
+                peaks = [rank["peak_memory_mb"] for rank in summary.get("rank", [])] or [summary["peak_memory_mb"]]
+                of_files = {file.name: zlib.crc32(file.read_bytes()) for file in sorted((work / "crash").iterdir())
+                            if re.match("d3plot|elout|nodout|binout", file.name)}
+                same = files.setdefault("one", of_files) == of_files
+                others = f", others {min(peaks[1:]):.0f} to {max(peaks[1:]):.0f}" if count > 1 else ""
+                print(f"{name:20} {count} ranks: first {peaks[0]:.0f} MB{others}; output {summary['seconds']['phases']['output']:.2f} s of "
+                      f"{summary['seconds']['solve']:.2f}; {'the same bytes' if same else 'OTHER BYTES'}  {program}", flush=True)
+
+
 def modes(nugget, work, threads, number):
     seconds, memory = measure([nugget, "modes", "welded.k", "-n", str(number), "-o", "modes", "-j", str(threads), "--quiet"], work)
     log = (work / "modes" / "run.log").read_text(encoding="utf-8")
@@ -231,7 +263,7 @@ def modes(nugget, work, threads, number):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--study", choices=("tie", "crash", "cards", "growth", "modes"), default="tie")
+    parser.add_argument("--study", choices=("tie", "crash", "cards", "growth", "results", "modes"), default="tie")
     parser.add_argument("--nugget", type=pathlib.Path, default=ROOT / "build" / "nugget")
     parser.add_argument("--other", type=pathlib.Path)
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build-bench" / "body")
@@ -242,6 +274,7 @@ def main():
     parser.add_argument("--modes", type=int, default=50)
     parser.add_argument("--sizes", default="20000,100000,500000")
     parser.add_argument("--cycles", default="5,45")
+    parser.add_argument("--ranks", default="1,2,4,8")
     parser.add_argument("--repeat", type=int, default=2)
     arguments = parser.parse_args()
     nugget, work = str(arguments.nugget.resolve()), arguments.work
@@ -267,6 +300,9 @@ def main():
     print(re.search(r"Seconds: .*", log)[0])
     if arguments.study == "crash":
         crash(nugget, work, arguments.threads)
+    elif arguments.study == "results":
+        whole = lambda text: [int(word) for word in text.split(",")]
+        results(programs, work, arguments.threads, whole(arguments.ranks), whole(arguments.cycles)[0])
     elif arguments.study == "cards":
         cards(programs, work, arguments.threads, arguments.end)
     elif arguments.study == "modes":

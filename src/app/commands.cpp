@@ -602,11 +602,8 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
     options.restore_costs = [&] { simulation.archive_costs(*from); };
     options.restore = [&] { (*from)(simulation); };
   }
-  class : public impact::Recorder {
-    bool due(const system::State&) override { return false; }
-    void write(const impact::Snapshot&, bool) override {}
-  } nothing;
-  simulation.run(options, nothing, {});
+  impact::ResultShares shares;
+  simulation.run(options, shares, {});
   return ExitCode::normal;
 }
 

@@ -310,14 +310,13 @@ void RigidWall::share_found(const system::Share& share) {
     found_[g].stopped.clear();
   }
   if (awake.empty()) return;
-  std::vector<Near> of_all(own.size() * at(ranks.count()));
-  ranks.gather(std::as_bytes(std::span(own)), std::as_writable_bytes(std::span(of_all)));
+  std::vector<Near> of_all;
+  stopped = stopped_of_ranks_.gather(ranks, stopped, own, of_all);
   for (std::size_t i = 0; i < of_all.size(); ++i) {
     Found& found = found_[awake[i % awake.size()]];
     if (!(of_all[i].clear >= found.clear)) found.clear = of_all[i].clear;
     found.attached = found.attached || of_all[i].attached != 0.0;
   }
-  stopped = gather_lists(ranks, stopped);
   std::ranges::sort(stopped, {}, &Stopped::tracked);
   for (const Stopped& s : stopped) found_[at(s.tracked) / nodes_per_sum].stopped.push_back(s);
 }
@@ -350,7 +349,7 @@ void RigidWall::archive(Archive& a) {
     energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_, on_);
   if (bodies_) a(*bodies_);
   a.built(nodes_, shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_,
-          motion_direction_, birth_, death_, found_, followed_, first_followed_);
+          motion_direction_, birth_, death_, found_, followed_, first_followed_, stopped_of_ranks_);
 }
 
 }  // namespace nugget::contact

@@ -14,6 +14,7 @@
 #include "contact/wall_penalty.hpp"
 #include "kernel/contact/wall.hpp"
 #include "model/loads.hpp"
+#include "system/gathered_lists.hpp"
 
 namespace nugget::system {
 class Share;
@@ -182,6 +183,7 @@ class RigidWall {
   std::vector<Found> found_;                        // by group
   std::vector<int> followed_;                       // over several ranks: tracked nodes, and
   std::vector<std::size_t> first_followed_;         // where those of each group begin and the last one's end
+  system::GatheredLists<Stopped> stopped_of_ranks_;
   double travelled_ = 0.0;  // by how much a node can have come closer to the wall since the start, at most
   bool started_ = false;    // Group::last holds
   std::optional<WallPenalty> bodies_;

@@ -61,6 +61,10 @@ class AsciiFile {
   void print_vector(const Vec3d& v) { print("{:12.4E}{:12.4E}{:12.4E}", column(v.x), column(v.y), column(v.z)); }
   void print_text(std::string_view text) { file_.buffer() += text; }
   void end_state() { file_.commit(); }
+  /// Within a long state: what was printed goes to the disk, once it is much, and counts with the rest.
+  void end_part() {
+    if (file_.buffer().size() >= part_of_text) file_.flush();
+  }
   void archive(Archive& a) { a(file_); }
 
  private:

@@ -87,7 +87,7 @@ void Binout::begin_data(const std::string& path) {
 
 void Binout::end_state() {
   if (variables_.empty()) return;
-  const std::uint64_t position = file_.size() + file_.buffer().size();
+  const std::uint64_t position = file_.end();
   file_.buffer() += symbol_table();
   file_.commit();
   std::string link;
@@ -99,7 +99,7 @@ void Binout::end_state() {
 
 void Binout::archive(Archive& a) {
   a(file_, branches_, directory_, link_);
-  a.built(header_, legends_, variables_);
+  a.built(header_, legends_, variables_, pieces_);
   if (a.reading()) file_.write_at(link_, std::string(sizeof(std::uint64_t), '\0'));
 }
 
@@ -127,14 +127,46 @@ void Binout::put(const std::string& name, const Values& values) {
   if (const auto* all = std::get_if<std::string>(&values)) text(name, *all);
 }
 
-void Binout::data(const std::string& name, char type, std::uint64_t count, std::string_view bytes) {
+void Binout::head(const std::string& name, char type, std::uint64_t count, std::uint64_t bytes) {
   std::string& out = file_.buffer();
-  variables_[directory_][name] = {type, file_.size() + out.size(), count};
-  append_record_head(out, 2 + name.size() + bytes.size(), data_record);
+  variables_[directory_][name] = {type, file_.end(), count};
+  append_record_head(out, 2 + name.size() + bytes, data_record);
   out += type;
   out += static_cast<char>(name.size());
   out += name;
-  out += bytes;
+}
+
+void Binout::data(const std::string& name, char type, std::uint64_t count, std::string_view bytes) {
+  head(name, type, count, bytes.size());
+  file_.buffer() += bytes;
+}
+
+Binout::Room Binout::leave_room(const std::string& name, std::size_t type, std::size_t count) {
+  if (type == 0) return {};
+  const bool reals = type == Values(std::vector<double>{}).index();
+  const std::uint64_t bytes = count * (reals ? sizeof(double) : sizeof(int));
+  head(name, reals ? type_real : type_int, count, bytes);
+  const std::uint64_t begin = file_.leave_room(bytes);
+  return {begin, begin + bytes};
+}
+
+void Binout::put_ahead(Room& room, const Values& values) {
+  const auto write = [&](const auto& numbers) {
+    const std::string_view bytes = bytes_of(numbers);
+    if (room.next + bytes.size() > room.end) throw std::logic_error("binout: more rows than there is room for");
+    file_.write_ahead(room.next, bytes);
+    room.next += bytes.size();
+  };
+  if (const auto* all = std::get_if<std::vector<double>>(&values)) write(*all);
+  if (const auto* all = std::get_if<std::vector<int>>(&values)) write(*all);
+}
+
+void Binout::end_pieces() {
+  for (const std::vector<Room>& branch : pieces_)
+    for (const Room& room : branch)
+      if (room.next != room.end) throw std::logic_error("binout: rows of a state are missing");
+  pieces_.clear();
+  end_state();
 }
 
 /// The table of all data since the last one, in alphabetical order as LSTC's library writes it; its last word is the

@@ -298,28 +298,39 @@ void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> 
   layers[2] = points.back();
 }
 
-D3plotWords::D3plotWords(const D3plotGeometry& g) : geometry_(g) {
-  places_ = 1 + at(global_words(g));
-  solids_ = places_ + at(nodal_words(g)) * g.node_ids.size();
+D3plotLayout::D3plotLayout(const D3plotGeometry& g)
+    : layers_(at(g.layers)),
+      beam_points_(at(g.beam_points)),
+      parts_(g.parts.size() + at(g.nodal_rigid_bodies)),
+      walls_(at(g.rigid_walls)),
+      solid_histories_(g.solid_histories),
+      shell_histories_(g.shell_histories),
+      strains_(g.strains),
+      shell_stresses_(g.shell_stresses) {
   const std::size_t thick = count_thick_shells(g), bricks = g.solids.size() - thick;
-  thick_shells_ = solids_ + at(solid_words(g)) * bricks;
-  beams_ = thick_shells_ + at(thick_shell_words(g)) * thick;
-  shells_ = beams_ + at(beam_words(g)) * g.beams.size();
-  solid_deletion_ = shells_ + at(shell_words(g)) * g.shells.size();
-  thick_deletion_ = solid_deletion_ + bricks;
-  shell_deletion_ = thick_deletion_ + thick;
-  beam_deletion_ = shell_deletion_ + g.shells.size();
-  bytes_.resize((beam_deletion_ + g.beams.size()) * d3plot_word);
-  if (thick == 0) return;
-  std::array<std::size_t, 2> next{};
-  rank_.reserve(g.solids.size());
-  for (std::size_t e = 0; e < g.solids.size(); ++e) rank_.push_back(next[g.is_thick(e) ? 1 : 0]++);
+  all_ = 1 + at(global_words(g));
+  const auto add = [this](Stretch s, std::size_t count, int words) {
+    count_[s] = count;
+    words_[s] = at(words);
+    begin_[s] = all_;
+    all_ += count * at(words);
+  };
+  add(coordinates, g.node_ids.size(), 3);
+  for (const Stretch s : {velocities, accelerations}) add(s, g.node_ids.size(), holds_modes(g) ? 0 : 3);
+  add(solids, bricks, solid_words(g));
+  add(thick_shells, thick, thick_shell_words(g));
+  add(beams, g.beams.size(), beam_words(g));
+  add(shells, g.shells.size(), shell_words(g));
+  add(solid_deletion, bricks, 1);
+  add(thick_deletion, thick, 1);
+  add(shell_deletion, g.shells.size(), 1);
+  add(beam_deletion, g.beams.size(), 1);
 }
 
-void D3plotWords::put(const D3plotTotals& s) {
-  check_size(s.parts.size(), geometry_.parts.size() + at(geometry_.nodal_rigid_bodies), "parts");
-  check_size(s.wall_forces.size(), at(geometry_.rigid_walls), "wall_forces");
-  Put out(word(0));
+void D3plotLayout::put(char* to, const D3plotTotals& s) const {
+  check_size(s.parts.size(), parts_, "parts");
+  check_size(s.wall_forces.size(), walls_, "wall_forces");
+  Put out(to);
   out.reals({s.time, s.kinetic, s.internal, s.total});
   out.vector(s.velocity);
   for (const D3plotPartState& part : s.parts) out.real(part.internal);
@@ -330,61 +341,52 @@ void D3plotWords::put(const D3plotTotals& s) {
   for (const double force : s.wall_forces) out.real(force);
 }
 
-void D3plotWords::put_node(std::size_t n, const Vec3d& x) {
-  Put(word(places_ + 3 * n)).vector(x);
+void D3plotLayout::put(char* to, const Vec3d& vector) {
+  Put(to).vector(vector);
 }
 
-void D3plotWords::put_node(std::size_t n, const Vec3d& x, const Vec3d& v, const Vec3d& a) {
-  const std::size_t nodes = geometry_.node_ids.size();
-  put_node(n, x);
-  Put(word(places_ + 3 * (nodes + n))).vector(v);
-  Put(word(places_ + 3 * (2 * nodes + n))).vector(a);
+void D3plotLayout::put(char* to, const SolidRecord& record) const {
+  Put out(to);
+  out.stress(record, solid_histories_);
+  if (strains_) out.reals(record.strain);
 }
 
-void D3plotWords::put_solid(std::size_t e, const SolidRecord& record, bool alive) {
-  const std::size_t place = rank_.empty() ? e : rank_[e];
-  Put out(word(solids_ + place * at(solid_words(geometry_))));
-  out.stress(record, geometry_.solid_histories);
-  if (geometry_.strains) out.reals(record.strain);
-  Put(word(solid_deletion_ + place)).real(deletion(geometry_.solids[e].part, alive));
-}
-
-void D3plotWords::put_thick_shell(std::size_t e, const ThickShellRecord& r, std::span<const StressRecord> layers,
-                                  bool alive) {
-  Put out(word(thick_shells_ + rank_[e] * at(thick_shell_words(geometry_))));
-  for (const StressRecord& layer : layers) out.stress(layer, geometry_.shell_histories);
-  if (geometry_.strains) {
+void D3plotLayout::put(char* to, const ThickShellRecord& r, std::span<const StressRecord> layers) const {
+  Put out(to);
+  for (const StressRecord& layer : layers) out.stress(layer, shell_histories_);
+  if (strains_) {
     out.reals(r.inner_strain);
     out.reals(r.outer_strain);
   }
   out.real(r.internal_energy);
-  Put(word(thick_deletion_ + rank_[e])).real(deletion(geometry_.solids[e].part, alive));
 }
 
-void D3plotWords::put_beam(std::size_t e, const BeamRecord& r, std::span<const BeamPointRecord> points, bool alive) {
-  Put out(word(beams_ + e * at(beam_words(geometry_))));
+void D3plotLayout::put(char* to, const BeamRecord& r, std::span<const BeamPointRecord> points) const {
+  Put out(to);
   out.reals({r.axial, r.shear_s, r.shear_t, r.moment_s, r.moment_t, r.torsion});
   for (const BeamPointRecord& p : points)
     out.reals({p.stress_rs, p.stress_tr, p.stress_axial, p.plastic_strain, p.axial_strain});
-  Put(word(beam_deletion_ + e)).real(deletion(geometry_.beams[e].part, alive));
 }
 
-void D3plotWords::put_shell(std::size_t e, const ShellRecord& r, std::span<const StressRecord> layers, bool alive) {
-  Put out(word(shells_ + e * at(shell_words(geometry_))));
-  for (const StressRecord& layer : layers) out.stress(layer, geometry_.shell_histories);
-  if (geometry_.shell_stresses) out.reals({r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy});
+void D3plotLayout::put(char* to, const ShellRecord& r, std::span<const StressRecord> layers) const {
+  Put out(to);
+  for (const StressRecord& layer : layers) out.stress(layer, shell_histories_);
+  if (shell_stresses_) out.reals({r.mx, r.my, r.mxy, r.qx, r.qy, r.nx, r.ny, r.nxy});
   out.real(r.thickness);
   out.reals({0.0, 0.0});  // two words that depend on the element formulation
-  if (geometry_.shell_stresses && geometry_.strains) {
+  if (shell_stresses_ && strains_) {
     out.reals(r.inner_strain);
     out.reals(r.outer_strain);
   }
   out.real(r.internal_energy);
-  Put(word(shell_deletion_ + e)).real(deletion(geometry_.shells[e].part, alive));
+}
+
+void D3plotLayout::put_deletion(char* to, int part, bool alive) {
+  Put(to).real(deletion(part, alive));
 }
 
 D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, OpenMode mode)
-    : directory_(std::move(directory)), geometry_(std::move(geometry)) {
+    : directory_(std::move(directory)), geometry_(std::move(geometry)), layout_(geometry_) {
   const D3plotGeometry& g = geometry_;
   check(g);
   if (mode == OpenMode::append) return;
@@ -406,52 +408,97 @@ D3plot::D3plot(std::filesystem::path directory, D3plotGeometry geometry, OpenMod
 void D3plot::write(const D3plotState& s) {
   const D3plotGeometry& g = geometry_;
   check(g, s);
-  D3plotWords out(g);
-  out.put(s);
-  for (std::size_t n = 0; n < s.x.size(); ++n)
-    if (holds_modes(g))
-      out.put_node(n, s.x[n]);
-    else
-      out.put_node(n, s.x[n], s.v[n], s.a[n]);
-  const auto alive = [](const std::vector<char>& flags, std::size_t e) { return flags.empty() || flags[e] != 0; };
+  std::string words(layout_.all_words() * d3plot_word, '\0');
+  const auto each = [&](D3plotLayout::Stretch stretch, const auto& put) {
+    const std::size_t size = layout_.words(stretch) * d3plot_word;
+    char* to = words.data() + layout_.begin(stretch) * d3plot_word;
+    for (std::size_t i = 0; i < layout_.count(stretch) && size > 0; ++i, to += size) put(to, i);
+  };
+  const auto vectors = [&](D3plotLayout::Stretch stretch, const std::vector<Vec3d>& of_nodes) {
+    each(stretch, [&](char* to, std::size_t n) { D3plotLayout::put(to, of_nodes[n]); });
+  };
+  const auto deletions = [&](D3plotLayout::Stretch stretch, const std::vector<char>& flags, const auto& element) {
+    each(stretch, [&](char* to, std::size_t i) {
+      const auto [e, part] = element(i);
+      D3plotLayout::put_deletion(to, part, flags.empty() || flags[e] != 0);
+    });
+  };
   const auto points = at(g.beam_points), layers = at(g.layers), of_shells = at(g.layers_of_shells());
-  for (std::size_t e = 0, thick = 0; e < s.solids.size(); ++e)
-    if (g.is_thick(e)) {
-      out.put_thick_shell(e, s.thick_shells[thick], std::span(s.thick_layers).subspan(thick * layers, layers),
-                          alive(s.solid_alive, e));
-      ++thick;
-    } else {
-      out.put_solid(e, s.solids[e], alive(s.solid_alive, e));
-    }
-  for (std::size_t e = 0; e < s.beams.size(); ++e)
-    out.put_beam(e, s.beams[e], std::span(s.beam_points).subspan(e * points, points), alive(s.beam_alive, e));
-  for (std::size_t e = 0; e < s.shells.size(); ++e)
-    out.put_shell(e, s.shells[e], std::span(s.shell_layers).subspan(e * of_shells, of_shells), alive(s.shell_alive, e));
-  append(out);
+  std::array<std::vector<std::size_t>, 2> solids;  // bricks, thick shells
+  for (std::size_t e = 0; e < s.solids.size(); ++e) solids[g.is_thick(e) ? 1 : 0].push_back(e);
+  layout_.put(words.data(), s);
+  vectors(D3plotLayout::coordinates, s.x);
+  vectors(D3plotLayout::velocities, s.v);
+  vectors(D3plotLayout::accelerations, s.a);
+  each(D3plotLayout::solids, [&](char* to, std::size_t i) { layout_.put(to, s.solids[solids[0][i]]); });
+  each(D3plotLayout::thick_shells, [&](char* to, std::size_t i) {
+    layout_.put(to, s.thick_shells[i], std::span(s.thick_layers).subspan(i * layers, layers));
+  });
+  each(D3plotLayout::beams, [&](char* to, std::size_t e) {
+    layout_.put(to, s.beams[e], std::span(s.beam_points).subspan(e * points, points));
+  });
+  each(D3plotLayout::shells, [&](char* to, std::size_t e) {
+    layout_.put(to, s.shells[e], std::span(s.shell_layers).subspan(e * of_shells, of_shells));
+  });
+  const auto part_of = [](const auto& elements) {
+    return [&elements](std::size_t e) { return std::pair(e, elements[e].part); };
+  };
+  const auto part_of_solid = [&](std::size_t kind) {
+    return [&, kind](std::size_t i) { return std::pair(solids[kind][i], g.solids[solids[kind][i]].part); };
+  };
+  deletions(D3plotLayout::solid_deletion, s.solid_alive, part_of_solid(0));
+  deletions(D3plotLayout::thick_deletion, s.solid_alive, part_of_solid(1));
+  deletions(D3plotLayout::shell_deletion, s.shell_alive, part_of(g.shells));
+  deletions(D3plotLayout::beam_deletion, s.beam_alive, part_of(g.beams));
+  begin_state();
+  put_piece(words);
+  end_state();
+}
+
+void D3plot::forget_mesh() {
+  D3plotGeometry kept;
+  kept.family = geometry_.family;
+  kept.suffix = geometry_.suffix;
+  kept.one_state_a_file = geometry_.one_state_a_file;
+  geometry_ = std::move(kept);
 }
 
 /// A state goes behind the last one, over its end mark, and never across two files. All but its first word is written
 /// before that word replaces the mark: until then readers stop where they did.
-void D3plot::append_state(std::string_view words) {
-  const bool full = end_mark_ + words.size() + d3plot_word > family_member;
+void D3plot::begin_state() {
+  const bool full = end_mark_ + (layout_.all_words() + 1) * d3plot_word > family_member;
   if (!member_ || full || geometry_.one_state_a_file) {
     if (member_) member_->sync();  // a restart file counts on it, and looks after the last one only
     member_.emplace(member_path(++members_));
     end_mark_ = 0;
   }
-  std::string tail(words.substr(d3plot_word));
+  next_ = end_mark_;
+  first_word_.clear();
+}
+
+void D3plot::put_piece(std::string_view bytes) {
+  if (next_ == end_mark_) {
+    first_word_ = bytes.substr(0, d3plot_word);
+    next_ += d3plot_word;
+    bytes.remove_prefix(d3plot_word);
+  }
+  member_->write_ahead(next_, bytes);
+  next_ += bytes.size();
+}
+
+void D3plot::end_state() {
+  if (next_ != end_mark_ + layout_.all_words() * d3plot_word)
+    throw std::logic_error(fmt::format("d3plot: a state of {} bytes has {} instead of {} words", next_ - end_mark_,
+                                       (next_ - end_mark_) / d3plot_word, layout_.all_words()));
   Words mark;
   mark.real(d3plot_end_of_states);
-  tail += mark.bytes();
-  const std::uint64_t used = end_mark_ + d3plot_word + tail.size();
+  std::string tail(mark.bytes());
+  const std::uint64_t used = next_ + tail.size();
   tail.resize(tail.size() + (block - used % block) % block, '\0');
-  if (end_mark_ == 0) {
-    member_->write_at(0, std::string(words.substr(0, d3plot_word)) + tail);
-  } else {
-    member_->write_at(end_mark_ + d3plot_word, tail);
-    member_->write_at(end_mark_, words.substr(0, d3plot_word));
-  }
-  end_mark_ = used - d3plot_word;
+  member_->write_ahead(next_, tail);
+  member_->count_up_to(next_ + tail.size());
+  member_->write_at(end_mark_, first_word_);
+  end_mark_ = next_;
 }
 
 std::filesystem::path D3plot::member_path(int number) const {
@@ -460,7 +507,7 @@ std::filesystem::path D3plot::member_path(int number) const {
 
 void D3plot::archive(Archive& a) {
   a(members_, end_mark_);
-  a.built(directory_, geometry_);
+  a.built(directory_, geometry_, layout_, next_, first_word_);
   if (a.reading()) {
     member_.reset();
     if (members_ > 0) member_.emplace(member_path(members_), OpenMode::append);

@@ -131,31 +131,48 @@ struct D3plotState : D3plotTotals {
 /// *DATABASE_EXTENT_BINARY, MAXINT).
 void shell_layers(std::span<const StressRecord> points, std::span<StressRecord> layers);
 
-/// A state as it stands in the file. Each node and element has its place: they are put there in any order, by several
-/// threads. What nothing was put for is 0, and its element deleted.
-class D3plotWords {
+/// How a state stands in the file: its time and sums, then stretches of so many words of each node, or of each element
+/// of a kind. It can be sent to other ranks.
+class D3plotLayout {
  public:
-  explicit D3plotWords(const D3plotGeometry& geometry);
+  enum Stretch {
+    coordinates,
+    velocities,
+    accelerations,
+    solids,
+    thick_shells,
+    beams,
+    shells,
+    solid_deletion,
+    thick_deletion,
+    shell_deletion,
+    beam_deletion,
+    stretches
+  };
+
+  explicit D3plotLayout(const D3plotGeometry& geometry);
+  std::size_t count(Stretch s) const { return count_[s]; }  ///< of nodes or elements
+  std::size_t words(Stretch s) const { return words_[s]; }  ///< of each; 0: not there
+  std::size_t begin(Stretch s) const { return begin_[s]; }  ///< of the stretch, in words
+  std::size_t all_words() const { return all_; }
+  std::size_t layers() const { return layers_; }  ///< of shells and thick shells
+  std::size_t beam_points() const { return beam_points_; }
+
+  // The words of one node or element, or of time and sums, at `to`.
+  static void put(char* to, const Vec3d& vector);
+  void put(char* to, const SolidRecord& record) const;
+  void put(char* to, const ThickShellRecord& record, std::span<const StressRecord> layers) const;
+  void put(char* to, const BeamRecord& record, std::span<const BeamPointRecord> points) const;
+  void put(char* to, const ShellRecord& record, std::span<const StressRecord> layers) const;
+  static void put_deletion(char* to, int part, bool alive);
   /// Throws std::logic_error where there are not as many parts and walls as in the geometry.
-  void put(const D3plotTotals& totals);
-  /// Not of modes: these have places only.
-  void put_node(std::size_t n, const Vec3d& x, const Vec3d& v, const Vec3d& a);
-  void put_node(std::size_t n, const Vec3d& x);
-  void put_solid(std::size_t e, const SolidRecord& record, bool alive);
-  /// `e` counts all solids.
-  void put_thick_shell(std::size_t e, const ThickShellRecord& record, std::span<const StressRecord> layers, bool alive);
-  void put_beam(std::size_t e, const BeamRecord& record, std::span<const BeamPointRecord> points, bool alive);
-  void put_shell(std::size_t e, const ShellRecord& record, std::span<const StressRecord> layers, bool alive);
-  const std::string& bytes() const { return bytes_; }
+  void put(char* to, const D3plotTotals& totals) const;
 
  private:
-  char* word(std::size_t index) { return bytes_.data() + index * sizeof(float); }
-
-  const D3plotGeometry& geometry_;
-  std::size_t places_, solids_, thick_shells_, beams_, shells_;  ///< where they begin, in words
-  std::size_t solid_deletion_, thick_deletion_, shell_deletion_, beam_deletion_;
-  std::vector<std::size_t> rank_;  ///< of each solid among the bricks or the thick shells; empty: no thick shells
-  std::string bytes_;
+  std::array<std::size_t, stretches> count_{}, words_{}, begin_{};
+  std::size_t all_ = 0, layers_ = 0, beam_points_ = 0, parts_ = 0, walls_ = 0;
+  int solid_histories_ = 0, shell_histories_ = 0;
+  bool strains_ = false, shell_stresses_ = true;
 };
 
 /// The d3plot family: `d3plot` with the geometry, then states in `d3plot01`, `d3plot02`, ... Single precision and the
@@ -169,22 +186,27 @@ class D3plot {
 
   /// Throws WriteError, and std::logic_error where an array does not fit the geometry.
   void write(const D3plotState& state);
-  /// Room for a state, for `append`. The geometry is this file's.
-  D3plotWords words() const { return D3plotWords(geometry_); }
-  /// Throws WriteError.
-  void append(const D3plotWords& state) { append_state(state.bytes()); }
+  /// A state whose words come piece by piece, as `layout` has them: all of them between the two. Throw WriteError.
+  const D3plotLayout& layout() const { return layout_; }
+  void begin_state();
+  void put_piece(std::string_view bytes);
+  void end_state();
+  /// From now on states come by pieces: what was asked for by the file's head alone is set free.
+  void forget_mesh();
   /// Reading, states of later are taken away.
   void archive(Archive& a);
 
  private:
   std::filesystem::path member_path(int number) const;
-  void append_state(std::string_view words);
 
   std::filesystem::path directory_;
   D3plotGeometry geometry_;
+  D3plotLayout layout_;
   std::optional<ResultFile> member_;  ///< the file that takes states now
   int members_ = 0;
   std::uint64_t end_mark_ = 0;  ///< its place in member_
+  std::uint64_t next_ = 0;      ///< where the next piece of a state goes
+  std::string first_word_;      ///< of that state
 };
 
 }  // namespace nugget::output

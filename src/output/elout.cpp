@@ -53,7 +53,7 @@ std::vector<EloutBeam::Point> points_of_beams(const EloutState& s) {
   return all;
 }
 
-void write_solids(AsciiFile& file, const EloutState& state) {
+void head_of_solids(AsciiFile& file, const EloutState& state) {
   head(file, "s t r e s s", state);
   file.print(
       " element  materl\n"
@@ -61,18 +61,26 @@ void write_solids(AsciiFile& file, const EloutState& state) {
       "yield\n"
       "           state                                                                                  effsg      "
       "function\n");
+}
+
+void rows_of_solids(AsciiFile& file, const EloutState& state) {
   for (const EloutSolid& solid : state.solids) {
     element(file, solid.id, solid.part);
     file.print("       1 {:<7} ", state_of(solid.point));
     tensor(file, solid.point.stress);
     file.print("{:14.4E}{:14.4E}\n", column(effective(solid.point.stress)), column(solid.point.plastic_strain));
   }
-  if (!state.strains) return;
+}
+
+void head_of_solid_strains(AsciiFile& file, const EloutState& state) {
   head(file, "s t r a i n", state);
   file.print(
       " element  strain       eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx                       "
       " "
       "    yield\n num/ipt   state\n");
+}
+
+void rows_of_solid_strains(AsciiFile& file, const EloutState& state) {
   for (const EloutSolid& solid : state.solids) {
     element(file, solid.id, solid.part);
     file.print("      1  {:<7} ", state_of(solid.point));
@@ -81,9 +89,12 @@ void write_solids(AsciiFile& file, const EloutState& state) {
   }
 }
 
-void write_beams(AsciiFile& file, const EloutState& state) {
+void head_of_beams(AsciiFile& file, const EloutState& state) {
   file.print(" r e s u l t a n t s   a n d   s t r e s s e s   f o r   t i m e  s t e p{:9}   ( at time{:12.5E} )\n",
              state.cycle, column(state.time));
+}
+
+void rows_of_beams(AsciiFile& file, const EloutState& state) {
   for (const EloutBeam& beam : state.beams) {
     file.print("\n\n beam/truss # ={:8}      part ID  ={:10}      material type={:8}\n", beam.id, beam.part,
                beam.material_type);
@@ -100,14 +111,20 @@ void write_beams(AsciiFile& file, const EloutState& state) {
   }
 }
 
-void write_shells(AsciiFile& file, const EloutState& state, const std::vector<EloutShell>& shells, bool local) {
-  const char* axes = local ? "(local)" : "(global)";
+const char* axes_of_shells(bool local) {
+  return local ? "(local)" : "(global)";
+}
+
+void head_of_shells(AsciiFile& file, const EloutState& state, bool local) {
   head(file, "s t r e s s", state);
   file.print(
       " element  materl{:<8}\n"
       " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       plastic\n"
       "           state                                                                                 strain \n",
-      axes);
+      axes_of_shells(local));
+}
+
+void rows_of_shells(AsciiFile& file, const std::vector<EloutShell>& shells) {
   for (const EloutShell& shell : shells) {
     element(file, shell.id, shell.part);
     int number = 0;
@@ -117,9 +134,14 @@ void write_shells(AsciiFile& file, const EloutState& state, const std::vector<El
       file.print("{:14.4E}\n", column(layer.plastic_strain));
     }
   }
-  if (!state.strains) return;
+}
+
+void head_of_shell_strains(AsciiFile& file, bool local) {
   file.print("\n strains {:<8}      eps-xx      eps-yy      eps-zz      eps-xy      eps-yz      eps-zx{:36}\n{:117}\n",
-             axes, "", "");
+             axes_of_shells(local), "", "");
+}
+
+void rows_of_shell_strains(AsciiFile& file, const std::vector<EloutShell>& shells) {
   for (const EloutShell& shell : shells) {
     element(file, shell.id, shell.part);
     file.print(" lower ipt       ");
@@ -130,14 +152,53 @@ void write_shells(AsciiFile& file, const EloutState& state, const std::vector<El
   }
 }
 
+bool has_rows(EloutTable table, const EloutState& s) {
+  if (shows_strains(table) && !s.strains) return false;
+  switch (table) {
+    case EloutTable::solids:
+    case EloutTable::strains_of_solids: return !s.solids.empty();
+    case EloutTable::beams: return !s.beams.empty();
+    case EloutTable::shells:
+    case EloutTable::strains_of_shells: return !s.shells.empty();
+    case EloutTable::thick_shells:
+    case EloutTable::strains_of_thick: return !s.thick_shells.empty();
+  }
+  return false;
+}
+
 void print(AsciiFile& file, const EloutState& state) {
-  if (!state.solids.empty()) write_solids(file, state);
-  if (!state.beams.empty()) write_beams(file, state);
-  if (!state.shells.empty()) write_shells(file, state, state.shells, state.local_shells);
-  if (!state.thick_shells.empty()) write_shells(file, state, state.thick_shells, false);
+  for (const EloutTable table : elout_tables) {
+    if (!has_rows(table, state)) continue;
+    print_elout_head(file, table, state);
+    print_elout_rows(file, table, state);
+  }
 }
 
 }  // namespace
+
+void print_elout_head(AsciiFile& file, EloutTable table, const EloutState& state) {
+  switch (table) {
+    case EloutTable::solids: return head_of_solids(file, state);
+    case EloutTable::strains_of_solids: return head_of_solid_strains(file, state);
+    case EloutTable::beams: return head_of_beams(file, state);
+    case EloutTable::shells: return head_of_shells(file, state, state.local_shells);
+    case EloutTable::strains_of_shells: return head_of_shell_strains(file, state.local_shells);
+    case EloutTable::thick_shells: return head_of_shells(file, state, false);
+    case EloutTable::strains_of_thick: return head_of_shell_strains(file, false);
+  }
+}
+
+void print_elout_rows(AsciiFile& file, EloutTable table, const EloutState& rows) {
+  switch (table) {
+    case EloutTable::solids: return rows_of_solids(file, rows);
+    case EloutTable::strains_of_solids: return rows_of_solid_strains(file, rows);
+    case EloutTable::beams: return rows_of_beams(file, rows);
+    case EloutTable::shells: return rows_of_shells(file, rows.shells);
+    case EloutTable::strains_of_shells: return rows_of_shell_strains(file, rows.shells);
+    case EloutTable::thick_shells: return rows_of_shells(file, rows.thick_shells);
+    case EloutTable::strains_of_thick: return rows_of_shell_strains(file, rows.thick_shells);
+  }
+}
 
 double effective(const Tensor& s) {
   const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];

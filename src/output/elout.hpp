@@ -54,6 +54,22 @@ struct EloutState {
   std::vector<EloutShell> thick_shells;  ///< in global axes
 };
 
+/// The tables of `elout` as text, in their order: each has its head, then rows of elements, all at once or some at a
+/// time.
+enum class EloutTable { solids, strains_of_solids, beams, shells, strains_of_shells, thick_shells, strains_of_thick };
+inline constexpr std::array elout_tables{
+    EloutTable::solids,          EloutTable::strains_of_solids, EloutTable::beams,
+    EloutTable::shells,          EloutTable::strains_of_shells, EloutTable::thick_shells,
+    EloutTable::strains_of_thick};
+/// Whether a table shows strains, which EloutState::strains asks for.
+constexpr bool shows_strains(EloutTable table) {
+  return table == EloutTable::strains_of_solids || table == EloutTable::strains_of_shells ||
+         table == EloutTable::strains_of_thick;
+}
+/// `state`: what it says besides elements.
+void print_elout_head(AsciiFile& file, EloutTable table, const EloutState& state);
+void print_elout_rows(AsciiFile& file, EloutTable table, const EloutState& rows);
+
 /// The file `elout`; the legend holds the headings of *DATABASE_HISTORY_..._ID. The state of a point is `plastic`
 /// once it has a plastic strain.
 const HistoryFormat<EloutState>& elout();

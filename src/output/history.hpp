@@ -277,6 +277,12 @@ class AsciiHistory {
     }
     file_.end_state();
   }
+  /// A state that is printed by parts (AsciiFile::end_part).
+  template <class Print>
+  void write_by(const Print& print_state) {
+    print_state(file_);
+    file_.end_state();
+  }
   void archive(Archive& a) {
     a(file_);
     a.built(format_);

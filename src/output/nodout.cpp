@@ -18,33 +18,43 @@ void table_head(AsciiFile& file, const NodoutState& state) {
 }
 
 void print(AsciiFile& file, const NodoutState& state) {
-  table_head(file, state);
-  file.print(
-      "\n nodal point  x-disp     y-disp      z-disp      x-vel       y-vel       z-vel      x-accl      y-accl      "
-      "z-accl      x-coor      y-coor      z-coor\n");
-  for (const NodoutRow& row : state.rows) {
-    node_and_vector(file, row.node, row.displacement);
-    file.print_vector(row.velocity);
-    file.print_vector(row.acceleration);
-    file.print_vector(row.coordinate);
-    file.print("\n");
-  }
-  if (state.rotations) {
-    table_head(file, state);
-    file.print(
-        "\n nodal point  x-rot      y-rot       z-rot       x-rot vel   y-rot vel   z-rot vel   x-rot acc   y-rot acc  "
-        " "
-        "z-rot acc\n");
-    for (const NodoutRow& row : state.rows) {
-      node_and_vector(file, row.node, row.rotation);
-      file.print_vector(row.rotational_velocity);
-      file.print_vector(row.rotational_acceleration);
-      file.print("\n");
-    }
+  for (const NodoutTable table : {NodoutTable::translations, NodoutTable::rotations}) {
+    if (table == NodoutTable::rotations && !state.rotations) continue;
+    print_nodout_head(file, table, state);
+    print_nodout_rows(file, table, state);
   }
 }
 
 }  // namespace
+
+void print_nodout_head(AsciiFile& file, NodoutTable table, const NodoutState& state) {
+  table_head(file, state);
+  if (table == NodoutTable::translations)
+    file.print(
+        "\n nodal point  x-disp     y-disp      z-disp      x-vel       y-vel       z-vel      x-accl      y-accl      "
+        "z-accl      x-coor      y-coor      z-coor\n");
+  else
+    file.print(
+        "\n nodal point  x-rot      y-rot       z-rot       x-rot vel   y-rot vel   z-rot vel   x-rot acc   y-rot acc  "
+        " "
+        "z-rot acc\n");
+}
+
+void print_nodout_rows(AsciiFile& file, NodoutTable table, const NodoutState& rows) {
+  for (const NodoutRow& row : rows.rows) {
+    if (table == NodoutTable::translations) {
+      node_and_vector(file, row.node, row.displacement);
+      file.print_vector(row.velocity);
+      file.print_vector(row.acceleration);
+      file.print_vector(row.coordinate);
+    } else {
+      node_and_vector(file, row.node, row.rotation);
+      file.print_vector(row.rotational_velocity);
+      file.print_vector(row.rotational_acceleration);
+    }
+    file.print("\n");
+  }
+}
 
 const HistoryFormat<NodoutState>& nodout() {
   static const HistoryFormat<NodoutState> format{

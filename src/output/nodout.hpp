@@ -22,6 +22,12 @@ struct NodoutState {
   std::vector<NodoutRow> rows;  ///< the same nodes in the same order in every state
 };
 
+/// The tables of `nodout` as text: each has its head, then rows, all at once or some at a time. That of rotations is
+/// there where NodoutState::rotations is set.
+enum class NodoutTable { translations, rotations };
+void print_nodout_head(AsciiFile& file, NodoutTable table, const NodoutState& state);
+void print_nodout_rows(AsciiFile& file, NodoutTable table, const NodoutState& rows);
+
 /// The file `nodout`; the legend holds the headings of *DATABASE_HISTORY_NODE_ID.
 const HistoryFormat<NodoutState>& nodout();
 

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -36,6 +37,7 @@ ResultFile::ResultFile(ResultFile&& other) noexcept
     : path_(std::move(other.path_)),
       buffer_(std::move(other.buffer_)),
       size_(other.size_),
+      ahead_(other.ahead_),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 ResultFile& ResultFile::operator=(ResultFile&& other) noexcept {
@@ -44,6 +46,7 @@ ResultFile& ResultFile::operator=(ResultFile&& other) noexcept {
   path_ = std::move(other.path_);
   buffer_ = std::move(other.buffer_);
   size_ = other.size_;
+  ahead_ = other.ahead_;
   descriptor_ = std::exchange(other.descriptor_, -1);
   return *this;
 }
@@ -54,18 +57,41 @@ void ResultFile::close() noexcept {
 }
 
 void ResultFile::commit() {
-  write_at(size_, buffer_);
-  buffer_.clear();
+  flush();
+  size_ += ahead_;
+  ahead_ = 0;
   expect_in_place();
 }
 
+void ResultFile::flush() {
+  write_ahead(size_ + ahead_, buffer_);
+  ahead_ += buffer_.size();
+  buffer_.clear();
+}
+
+std::uint64_t ResultFile::leave_room(std::uint64_t bytes) {
+  flush();
+  const std::uint64_t begin = size_ + ahead_;
+  ahead_ += bytes;
+  return begin;
+}
+
 void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
+  size_ = std::max(size_, put(offset, bytes));
+}
+
+void ResultFile::write_ahead(std::uint64_t offset, std::string_view bytes) {
+  put(offset, bytes);
+}
+
+std::uint64_t ResultFile::put(std::uint64_t offset, std::string_view bytes) {
   std::uint64_t position = offset;
   for (std::string_view rest = bytes; !rest.empty();) {
     const ssize_t written = ::pwrite(descriptor_, rest.data(), rest.size(), static_cast<off_t>(position));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
       const std::string reason = written < 0 ? last_error() : "nothing was written";
+      ahead_ = 0;
       // Best effort: the error that counts is the one above.
       if (::ftruncate(descriptor_, static_cast<off_t>(size_)) != 0) errno = 0;
       throw WriteError(path_, reason);
@@ -73,7 +99,7 @@ void ResultFile::write_at(std::uint64_t offset, std::string_view bytes) {
     rest.remove_prefix(static_cast<std::size_t>(written));
     position += static_cast<std::uint64_t>(written);
   }
-  if (position > size_) size_ = position;
+  return position;
 }
 
 void ResultFile::expect_in_place() const {
@@ -89,7 +115,7 @@ void ResultFile::sync() {
 void ResultFile::archive(Archive& a) {
   if (!a.reading()) sync();
   a(size_);
-  a.built(path_, buffer_, descriptor_);
+  a.built(path_, buffer_, ahead_, descriptor_);
   if (!a.reading()) return;
   struct stat now {};
   if (::fstat(descriptor_, &now) != 0) throw WriteError(path_, last_error());

@@ -46,6 +46,18 @@ class ResultFile {
   std::string& buffer() { return buffer_; }
   void commit();
 
+  /// A long state goes to the disk in parts: `flush` writes the buffer behind the parts before it, `leave_room` leaves
+  /// room there for `write_ahead`. Nothing of it counts before the next commit(), and is cut off if anything fails.
+  void flush();
+  /// Where the next byte of the buffer will stand.
+  std::uint64_t end() const { return size_ + ahead_ + buffer_.size(); }
+  /// Writes what the buffer holds, and leaves room for so many bytes; returns where it begins.
+  std::uint64_t leave_room(std::uint64_t bytes);
+  /// Writes bytes at a place of their own that do not count yet.
+  void write_ahead(std::uint64_t offset, std::string_view bytes);
+  /// What was written ahead up to there counts from now on.
+  void count_up_to(std::uint64_t size) { size_ = size; }
+
   /// Writes bytes at a place of their own, at once; past the end of the file it grows. Throws WriteError.
   void write_at(std::uint64_t offset, std::string_view bytes);
 
@@ -61,10 +73,13 @@ class ResultFile {
  private:
   void close() noexcept;
   void expect_in_place() const;
+  /// Returns where the bytes end.
+  std::uint64_t put(std::uint64_t offset, std::string_view bytes);
 
   std::filesystem::path path_;
   std::string buffer_;
   std::uint64_t size_ = 0;
+  std::uint64_t ahead_ = 0;  ///< bytes of the state that is being written, behind those that count
   int descriptor_ = -1;
 };
 

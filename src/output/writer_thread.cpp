@@ -16,9 +16,16 @@ WriterThread::~WriterThread() {
 
 void WriterThread::start(Job job) {
   finish();
+  add(std::move(job), 0, 0);
+}
+
+void WriterThread::add(Job job, std::size_t bytes, std::size_t room) {
   {
-    const std::lock_guard lock(mutex_);
-    job_ = std::move(job);
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return jobs_.empty() || bytes_ + bytes <= room; });
+    throw_failure();
+    jobs_.push_back({std::move(job), bytes});
+    bytes_ += bytes;
   }
   changed_.notify_all();
   if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
@@ -26,24 +33,35 @@ void WriterThread::start(Job job) {
 
 void WriterThread::finish() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !job_; });
+  changed_.wait(lock, [this] { return jobs_.empty(); });
+  throw_failure();
+}
+
+void WriterThread::throw_failure() {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void WriterThread::work() {
   for (std::unique_lock lock(mutex_);;) {
-    changed_.wait(lock, [this] { return job_ || ending_; });
-    if (!job_) return;
-    lock.unlock();  // job_ stays as it is until it is done
+    changed_.wait(lock, [this] { return !jobs_.empty() || ending_; });
+    if (jobs_.empty()) return;
+    Handed first = std::move(jobs_.front());  // its place says that it is not done
+    lock.unlock();
     std::exception_ptr thrown;
     try {
-      job_();
+      first.job();
     } catch (...) {
       thrown = std::current_exception();
     }
+    first.job = nullptr;
     lock.lock();
-    job_ = nullptr;
-    failure_ = thrown;
+    bytes_ -= first.bytes;
+    jobs_.pop_front();
+    if (thrown) {
+      failure_ = thrown;
+      jobs_.clear();
+      bytes_ = 0;
+    }
     changed_.notify_all();
   }
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstddef>
+#include <deque>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -9,28 +11,37 @@
 
 namespace nugget::output {
 
-/// Does one job at a time in a thread of its own, so that a run goes on while the disk is written to.
+/// Does one job after the other in a thread of its own, so that a run goes on while the disk is written to.
 class WriterThread {
  public:
   using Job = std::function<void()>;
 
   WriterThread() = default;
-  /// Ends when the job is done. What it throws then is lost: call `finish` first.
+  /// Ends when all jobs are done. What they throw then is lost: call `finish` first.
   ~WriterThread();
   WriterThread(const WriterThread&) = delete;
   WriterThread& operator=(const WriterThread&) = delete;
 
   /// Hands over a job, after `finish`.
   void start(Job job);
-  /// Waits until the job is done. Throws what it has thrown, once.
+  /// Hands over a job behind the others, which holds so many bytes of memory; waits until those that are not done hold,
+  /// with this one, no more than `room`, or there are none. Throws as `finish`.
+  void add(Job job, std::size_t bytes, std::size_t room);
+  /// Waits until all jobs are done. Throws what one has thrown, once; those behind it are not done.
   void finish();
 
  private:
+  struct Handed {
+    Job job;
+    std::size_t bytes = 0;
+  };
   void work();
+  void throw_failure();
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  Job job_;  ///< empty: there is none
+  std::deque<Handed> jobs_;  ///< not done; the first one is being done
+  std::size_t bytes_ = 0;    ///< of them all
   bool ending_ = false;
   std::exception_ptr failure_;
   std::thread thread_;  ///< begun with the first job

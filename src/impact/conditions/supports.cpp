@@ -610,9 +610,7 @@ void Supports::carry(system::Carried what, const system::System::Computed& of, s
       if (!reported(r.node)) continue;
       if (whole)
         archive(r);
-      else if (what == system::Carried::energies)
-        archive(r.energy, r.step_change);
-      else
+      else  // histories of forces may be due with a balance of energies
         archive(r.force, r.moment, r.energy, r.step_change);
     }
   if (!whole) return;

@@ -141,7 +141,6 @@ void Welds::update(const system::State& state) {
   if (share_ != system_.share()) list_own();
   std::vector<News> news;
   for (const std::size_t i : looked_at_) {
-    if (share_ != nullptr) length_[i] = length(i, state);
     if (!histories_[i]->failed()) look_at(i, state, news);
   }
   for (const News& n : of_all_ranks(std::move(news))) {
@@ -257,6 +256,11 @@ weld::Resultants Welds::resultants(std::size_t i, const system::State& state) {
   const system::System::ElementLocation location = system_.location_of(w, w.element);
   const std::array<double, 8> r = system_.groups[location.group]->resultants(at(location.element));
   return {r[0], r[1], r[2], r[3], r[4], r[5]};
+}
+
+void Welds::measure(const system::State& state) {
+  if (share_ != system_.share()) list_own();
+  for (const std::size_t i : looked_at_) length_[i] = length(i, state);
 }
 
 double Welds::length(std::size_t i, const system::State& state) const {

@@ -45,6 +45,8 @@ class Welds {
   const WeldWork& work(std::size_t i) const { return works_[i]; }
   /// Work and failure values over time begin anew: the run begins after a dynamic relaxation.
   void reset_work();
+  /// Over several ranks: finds the lengths of its own, before others hear of them.
+  void measure(const system::State& state);
   /// Length of weld i now; after it has failed, of what is left between its ends [length].
   double length(std::size_t i, const system::State& state) const;
   /// Of a weld of bricks as it is loaded now, not filtered; null for others and for those without a history.
@@ -126,7 +128,7 @@ class Welds {
   std::vector<double> death_time_;        ///< of *DEFINE_ELEMENT_DEATH; infinite: none [time]
   std::vector<std::size_t> looked_at_;    ///< welds with a history whose elements this process computes
   const system::Share* share_ = nullptr;  ///< when `looked_at_` was listed
-  std::vector<double> length_;  ///< over several ranks, of the last cycle; not a number before the first one [length]
+  std::vector<double> length_;            ///< over several ranks; not a number before `measure` [length]
   int failed_ = 0;
   std::vector<std::string> events_;
 };

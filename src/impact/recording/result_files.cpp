@@ -5,9 +5,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
+#include "base/index.hpp"
 #include "impact/recording/d3plot_states.hpp"
+#include "impact/recording/element_histories.hpp"
+#include "impact/recording/history_by_rows.hpp"
+#include "impact/recording/nodout_rows.hpp"
 #include "output/model_geometry.hpp"
+#include "system/share.hpp"
 
 namespace nugget::impact {
 
@@ -44,16 +51,23 @@ double next_on_curve(const model::Request& request, const Curve& curve, double l
 }
 
 /// Histories that take energies, forces on nodes and motions, and nothing from elements but those that every rank
-/// computes: welds and springs.
+/// computes: welds, springs and belts, and what nodal force groups look at.
 bool of_sums_and_nodes(std::string_view name) {
-  constexpr std::array<std::string_view, 14> names{"glstat", "matsum",  "nodout", "spcforc", "rwforc",
-                                                   "rcforc", "bndout",  "rbdout", "swforc",  "dcfail",
-                                                   "deforc", "jntforc", "sleout", "abstat"};
+  constexpr std::array<std::string_view, 16> names{"glstat", "matsum", "nodout", "spcforc", "rwforc", "rcforc",
+                                                   "bndout", "rbdout", "swforc", "dcfail",  "deforc", "jntforc",
+                                                   "sleout", "abstat", "nodfor", "sbtout"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 bool of_energies(std::string_view name) {
   return name == "glstat" || name == "matsum" || name == "sleout";
+}
+
+/// That of the first rank, to all of them.
+output::D3plotLayout layout_for_all(const system::System& system, std::optional<output::D3plotLayout> of_first) {
+  output::D3plotLayout layout = of_first ? *of_first : output::D3plotLayout(output::D3plotGeometry());
+  if (system.share() != nullptr) broadcast(system.share()->ranks(), layout);
+  return layout;
 }
 
 /// The first mark: the start, but with IOOPT 3 the curve's first abscissa that is not before it.
@@ -82,15 +96,33 @@ ResultFiles::ResultFiles(const system::System& system, const std::filesystem::pa
 }
 
 void ResultFiles::StateFile::write(const Snapshot& now) {
-  writer.finish();
-  put_state(now, words);
-  writer.start([this] { file.append(words); });
+  ResultParcels parcels(now.system);
+  const output::D3plotLayout layout = layout_for_all(now.system, file.layout());
+  const system::Share* share = now.system.share();
+  const auto ranks = at(share == nullptr ? 1 : share->ranks().count());
+  const std::size_t room = layout.all_words() * sizeof(float) / ranks;
+  writer.add([this] { file.begin_state(); }, 0, room);
+  put_state(now, layout, parcels, [&](std::string piece) {
+    const std::size_t size = piece.size();
+    writer.add([this, piece = std::move(piece)] { file.put_piece(piece); }, size, room);
+  });
+  writer.add([this] { file.end_state(); }, 0, room);
 }
 
 void ResultFiles::StateFile::archive(Archive& a) {
   writer.finish();
   a(file);
-  a.built(words, writer);
+  a.built(writer);
+}
+
+void ResultShares::give(const Snapshot& now, Shared what) {
+  // In the order in which the first rank writes its files.
+  if (what.nodes) HistoryByRows<NodoutRows>::give(now);
+  if (what.rows) HistoryByRows<EloutRows>::give(now);
+  if (!what.states) return;
+  ResultParcels parcels(now.system);
+  put_state(now, layout_for_all(now.system, std::nullopt), parcels, {});
+  parcels.close();
 }
 
 void ResultFiles::finish() {
@@ -111,8 +143,15 @@ void ResultFiles::add(const HistoryFile& history, const system::System& system) 
   // In binout a branch that has no headings of its own shows those of the whole file.
   if (to.binout && !to.legend.empty()) to.binout->set_legend(std::string(history.name.text()), to.legend);
   const OpenHistory file = history.open(history.name, system, to);
-  channels_.push_back({request, file.write, file.archive, first_mark(request, model_.curves), false,
-                       !of_sums_and_nodes(history.name.text()), of_energies(history.name.text())});
+  channels_.push_back({request,
+                       file.write,
+                       file.archive,
+                       first_mark(request, model_.curves),
+                       false,
+                       !of_sums_and_nodes(history.name.text()),
+                       of_energies(history.name.text()),
+                       {.rows = history.name.text() == "elout",
+                        .nodes = history.name.text() == "nodout" && history_nodes_are_shared_out(system.model)}});
 }
 
 std::shared_ptr<output::Binout> ResultFiles::binout() {
@@ -129,6 +168,17 @@ bool ResultFiles::due(const system::State& state) {
   for (const Channel& c : channels_)
     if (due(c, state) || (state_asked_ && c.of_states)) return true;
   return false;
+}
+
+Recorder::Shared ResultFiles::shared_due(const system::State& state, bool last) {
+  Shared shared;
+  for (const Channel& c : channels_) {
+    if (!writes(c, state, last)) continue;
+    shared.states |= c.of_states;
+    shared.rows |= c.of_ranks.rows;
+    shared.nodes |= c.of_ranks.nodes;
+  }
+  return shared;
 }
 
 bool ResultFiles::energies_due(const system::State& state) {
@@ -151,7 +201,7 @@ Recorder::Marks ResultFiles::next_marks() const {
 void ResultFiles::Channel::archive(Archive& a) {
   archive_file(a);
   a(next);
-  a.built(request, write, of_states, of_elements, of_energies);
+  a.built(request, write, of_states, of_elements, of_energies, of_ranks);
 }
 
 void ResultFiles::archive(Archive& a) {
@@ -164,7 +214,7 @@ void ResultFiles::archive(Archive& a) {
 void ResultFiles::write(const Snapshot& now, bool last) {
   for (Channel& c : channels_) {
     const bool is_due = last || due(c, now.state);
-    if (!is_due && !(state_asked_ && c.of_states)) continue;
+    if (!writes(c, now.state, last)) continue;
     c.write(now);
     if (!is_due) continue;
     if (c.request.curve != model::none) {

@@ -26,6 +26,7 @@ class ResultFiles : public Recorder {
   void finish() override;
   Marks next_marks() const override;
   void ask_for_state() override { state_asked_ = true; }
+  Shared shared_due(const system::State& state, bool last) override;
   /// Sizes of the files and when they are next due. Reading, what was written later is cut off.
   void archive(Archive& a) override;
 
@@ -39,19 +40,26 @@ class ResultFiles : public Recorder {
     bool of_states = false;   ///< d3plot
     bool of_elements = true;  ///< see Recorder::Marks
     bool of_energies = true;  ///< see energies_due
+    Shared of_ranks{};        ///< what other ranks give to it
     void archive(Archive& a);
   };
-  /// d3plot, to which a thread of its own writes the states.
+  /// d3plot, to which a thread of its own writes the pieces of states. Of those that wait for the disk this process
+  /// holds no more than its share of a state: alone a whole one.
   struct StateFile {
     StateFile(const std::filesystem::path& directory, output::D3plotGeometry geometry, output::OpenMode mode)
-        : file(directory, std::move(geometry), mode), words(file.words()) {}
+        : file(directory, std::move(geometry), mode) {
+      file.forget_mesh();
+    }
     void write(const Snapshot& now);
     void archive(Archive& a);
     output::D3plot file;
-    output::D3plotWords words;    ///< of the state that is made, then written
-    output::WriterThread writer;  ///< ends before the others do
+    output::WriterThread writer;  ///< ends before the file does
   };
   bool due(const Channel& channel, const system::State& state) const;
+  /// `last`: the run ends.
+  bool writes(const Channel& channel, const system::State& state, bool last) const {
+    return last || due(channel, state) || (state_asked_ && channel.of_states);
+  }
   /// A channel for an ASCII file, for binout, or for both, as the request says.
   void add(const HistoryFile& history, const system::System& system);
   std::shared_ptr<output::Binout> binout();  ///< made where it is asked for first
@@ -63,6 +71,14 @@ class ResultFiles : public Recorder {
   std::shared_ptr<StateFile> states_;
   std::vector<Channel> channels_;
   bool state_asked_ = false;
+};
+
+/// On other ranks than the first: gives their share of what that writes of elements and nodes.
+class ResultShares : public Recorder {
+ public:
+  bool due(const system::State&) override { return false; }
+  void write(const Snapshot&, bool) override {}
+  void give(const Snapshot& now, Shared what) override;
 };
 
 }  // namespace nugget::impact

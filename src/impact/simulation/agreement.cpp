@@ -154,7 +154,8 @@ std::vector<char> Simulation::followed_by_all() const {
   for (const model::PressureLoad& load : model.pressure_loads) follow_segments(load.segments);
   for (const model::TractionLoad& load : model.traction_loads) follow_segments(load.segments);
   for (const model::BlastLoad& load : model.blast_loads) follow_segments(load.segments);
-  for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
+  if (!history_nodes_are_shared_out(model))
+    for (const model::NamedEntity& node : model.requests.history_nodes) follow(node.index);
   for (const model::Sensor& sensor : model.sensors) {
     std::ranges::for_each(sensor.node, follow);
     using Quantity = model::Sensor::Quantity;
@@ -204,8 +205,39 @@ void Simulation::share_out(Ranks& ranks, const Options& options) {
   components_.contacts.take_share({*system_.share(), state_.x, state_.v});
   system_.share()->forget_others(state_.x);
   if (options.made) options.made();
+  find_shown();
   // Here, where there is room for it.
   if (on_first_rank()) shares_ = system_.share()->partition().shares(system_, followed_by_all());
+}
+
+void Simulation::find_shown() {
+  const model::Model& model = system_.model;
+  std::vector<char> nodes(system_.all_nodes());
+  const auto add = [&](const system::System::ElementLocation& location) {
+    if (location.group < 0) return;
+    const system::ElementGroup& group = *system_.groups[location.group];
+    shown_.elements.push_back(location);
+    shown_.blocks.emplace_back(location.group, at(location.element) / group.block_width());
+    const system::ElementNodes of_element = group.nodes(at(location.element));
+    for (int a = 0; a < group.nodes_per_element; ++a)
+      if (of_element[a] >= 0) nodes[of_element[a]] = 1;
+  };
+  for (const model::CrossSection& section : model.requests.cross_sections) {
+    for (const model::CrossSection::Facet& facet : section.facets) {
+      add(system_.location_of(facet.kind, facet.element));
+      for (const model::CrossSection::Corner& corner : facet.corners)
+        for (const model::Index n : {corner.from, corner.to}) nodes[system_.node_of[n]] = 1;
+    }
+    for (const model::Index n : section.nodes) nodes[system_.node_of[n]] = 1;
+  }
+  for (const model::NamedEntity& beam : model.requests.history_beams) {
+    const model::Material& material = model.materials[model.parts[model.beams.part[beam.index]].material];
+    if (std::holds_alternative<kernel::DiscreteBeam>(material.law)) add(system_.beam_location[beam.index]);
+  }
+  std::ranges::sort(shown_.blocks);
+  shown_.blocks.erase(std::unique(shown_.blocks.begin(), shown_.blocks.end()), shown_.blocks.end());
+  for (std::size_t k = 0; k < system_.nodes; ++k)
+    if (nodes[k] != 0) shown_.nodes.push_back(static_cast<int>(k));
 }
 
 void Simulation::report_ranks() {
@@ -255,6 +287,7 @@ void Simulation::collect(system::Carried what, bool to_all) {
     sums_of_ranks_ = sums_for_first(system_, state_, v_before_, w_before_,
                                     [this](std::size_t k) { return step_change_before_now(k); });
   }
+  if (ranks_ != nullptr) components_.welds.measure(state_);
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
   system_.collect(
       what, rows,
@@ -279,18 +312,42 @@ void Simulation::collect(system::Carried what, bool to_all) {
               step_change_of_node_[k] = booked;
           }
         }
-        if (what == system::Carried::results)
-          for (const model::CrossSection& section : system_.model.requests.cross_sections)
-            for (const model::CrossSection::Facet& facet : section.facets)
-              if (const auto location = system_.location_of(facet.kind, facet.element);
-                  location.group >= 0 && of(location.group, at(location.element)))
-                system_.carry_forces(location, parcel);
         if (what == system::Carried::whole) return;
         components_.for_each([&](auto& component) {
           if constexpr (requires { component.carry(what, of, parcel); }) component.carry(what, of, parcel);
         });
       },
       to_all);
+}
+
+void Simulation::collect_shown() {
+  if (shown_.elements.empty()) return;
+  system_.collect(system::Carried::histories, {}, [&](const system::System::Computed& of, system::Parcel& parcel) {
+    for (const auto& [g, b] : shown_.blocks)
+      if (of(g, b * system_.groups[g]->block_width()))
+        system_.groups[g]->carry(b, b + 1, system::Carried::results, parcel);
+    for (const system::System::ElementLocation& e : shown_.elements)
+      if (of(e.group, at(e.element))) system_.carry_forces(e, parcel);
+    for (const int k : shown_.nodes)
+      if (!of.share.everyone_follows(k) && of.share.answering(k) == of.rank)
+        for (system::Rows* rows : {&state_.x, &state_.v, &state_.w}) parcel(&(*rows)[k], 1);
+  });
+}
+
+// What is as large as the model the ranks give piece by piece: the first one says whether it writes any.
+void Simulation::write_results(Recorder& recorder, bool last) {
+  // Numbers that are none would only spoil files that are good up to here.
+  const bool writes = on_first_rank() && !diverged_;
+  const bool shows = ranks_ != nullptr && shows_elements(last);
+  Recorder::Shared shared;
+  if (shows) collect_shown();
+  if (ranks_ != nullptr && (shows || history_nodes_are_shared_out(system_.model))) {
+    if (writes) shared = recorder.shared_due(state_, last);
+    broadcast(*ranks_, shared);
+  }
+  if (writes) recorder.write(snapshot(), last);
+  if (!on_first_rank() && shared.any()) recorder.give(snapshot(), shared);
+  if (shows && !last && on_first_rank() && !shown_.elements.empty()) leave_to_others();
 }
 
 void Simulation::write_checkpoint_if_due(const Options& options) {
@@ -382,7 +439,7 @@ bool Simulation::results_due(Recorder& recorder) const {
 }
 
 bool Simulation::shows_elements(bool last) const {
-  return elements_due() || (last && (next_marks_.elements || system_.model.implicit.after_run));
+  return elements_due() || (last && next_marks_.elements);
 }
 
 bool Simulation::elements_due() const {

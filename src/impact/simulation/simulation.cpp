@@ -186,10 +186,10 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
       // Dependent nodes follow at the start of the step, which turns the arms of their rows: here those of a copy.
       system::ConstraintMap(system_.map).apply_to_velocities(state_.dt, state_.v, state_.w);
       const bool energies = balance || runs_away();
-      collect(shows_elements(last) ? system::Carried::results
-              : last               ? system::Carried::end
-              : energies           ? system::Carried::energies
-                                   : system::Carried::histories);
+      collect(last && system_.model.implicit.after_run ? system::Carried::results
+              : last                                   ? system::Carried::end
+              : energies                               ? system::Carried::energies
+                                                       : system::Carried::histories);
       if (on_first_rank() && energies) {
         update_energy_balance();
         if (record) masses_ = system_.masses();
@@ -198,9 +198,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
         sums_of_ranks_ = {};
       }
     }
-    // Numbers that are none would only spoil files that are good up to here.
-    if (record && !diverged_ && on_first_rank()) write_results(recorder, last);
-    if (ranks_ != nullptr && on_first_rank() && (record || balance) && !last && elements_due()) leave_to_others();
+    if (record) write_results(recorder, last);
     if (record || balance) pass_on_balance(recorder);
     if (elapsed() >= next_report) {
       if (progress) report_progress(progress, end_time);
@@ -238,20 +236,19 @@ void Simulation::store_velocities() {
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) momentum_before_[b] = system_.bodies[b].angular_momentum;
 }
 
-void Simulation::write_results(Recorder& recorder, bool last) {
-  recorder.write({.system = system_,
-                  .state = state_,
-                  .components = components_,
-                  .v_before = v_before_,
-                  .w_before = w_before_,
-                  .v_period = v_period_.empty() ? v_before_ : v_period_,
-                  .w_period = w_period_.empty() ? w_before_ : w_period_,
-                  .energy = energy_,
-                  .parts = parts_,
-                  .controlling = controlling_,
-                  .masses = masses_,
-                  .history_rotation = history_rotation_},
-                 last);
+Snapshot Simulation::snapshot() const {
+  return {.system = system_,
+          .state = state_,
+          .components = components_,
+          .v_before = v_before_,
+          .w_before = w_before_,
+          .v_period = v_period_.empty() ? v_before_ : v_period_,
+          .w_period = w_period_.empty() ? w_before_ : w_period_,
+          .energy = energy_,
+          .parts = parts_,
+          .controlling = controlling_,
+          .masses = masses_,
+          .history_rotation = history_rotation_};
 }
 
 void Simulation::report_progress(const ProgressCallback& progress, double end_time) const {
@@ -540,7 +537,8 @@ void Simulation::move() {
   for (system::RigidBody& body : system_.bodies) body.turn(state_.dt, state_);
   const auto turn = [&](std::size_t i, std::size_t k) { history_rotation_[i] += state_.dt * vec(state_.w[k]); };
   const std::vector<model::NamedEntity>& asked = system_.model.requests.history_nodes;
-  for (std::size_t i = 0; i < asked.size(); ++i) turn(i, at(system_.node_of[asked[i].index]));
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (const std::size_t k = at(system_.node_of[asked[i].index]); system_.follows(k)) turn(i, k);
   for (std::size_t b = 0; b < system_.bodies.size(); ++b) turn(asked.size() + b, at(system_.bodies[b].node));
   state_.time += state_.dt;
   ++state_.cycle;
@@ -648,7 +646,12 @@ void Simulation::archive(Archive& a) {
   a(system_);
   a.section("nodes");
   const Archive::Holders of_nodes = system_.holders_of_nodes();
-  a(state_, history_rotation_);
+  a(state_);
+  const std::vector<model::NamedEntity>& asked = system_.model.requests.history_nodes;
+  const auto node = [&](std::size_t i) { return at(system_.node_of[asked[i].index]); };
+  a.parts(history_rotation_,
+          {[&](std::size_t i) { return i < asked.size() && of_nodes.giver ? of_nodes.giver(node(i)) : a.everyone; },
+           [&](std::size_t i) { return i >= asked.size() || system_.follows(node(i)); }});
   for (system::Rows* rows : {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m}) a.parts(*rows, of_nodes);
   a(components_);
   a.section("balance");
@@ -666,7 +669,7 @@ void Simulation::archive(Archive& a) {
   a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
           momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
           rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_, shares_,
-          motion_of_others_, step_change_of_others_, sums_of_ranks_);
+          motion_of_others_, step_change_of_others_, sums_of_ranks_, shown_);
 }
 
 }  // namespace nugget::impact

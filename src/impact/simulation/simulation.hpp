@@ -5,6 +5,7 @@
 #include <chrono>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "impact/simulation/assembled_step.hpp"
@@ -107,7 +108,10 @@ class Simulation {
   void agree(const Options& options);
   /// Elements that other ranks compute, and what components keep of them; see System::collect.
   void collect(system::Carried what, bool to_all = false);
-  /// Sets free what of other ranks came with `collect`, when it has been used.
+  /// States, nodal forces and nodes of the elements that cross sections and discrete beams of histories show.
+  void collect_shown();
+  void find_shown();
+  /// Sets free what of other ranks came with these, when it has been used.
   void leave_to_others();
   /// Whether results are due at the state that is about to be complete.
   bool results_due(Recorder& recorder) const;
@@ -117,7 +121,7 @@ class Simulation {
   bool runs_away() const;
   /// Whether what is due looks at elements; in one process they are there anyway.
   bool elements_due() const;
-  /// Whether what is written looks at states of elements, or, where the run ends, what follows it.
+  /// Whether what is written looks at states of elements.
   bool shows_elements(bool last) const;
   /// After a balance of energies, which the first rank makes: what others must know of it.
   void pass_on_balance(const Recorder& recorder);
@@ -160,7 +164,9 @@ class Simulation {
   double step_of_bodies(double end_time);
   /// Stores the velocities at t(n-1/2), before `update_velocities`.
   void store_velocities();
+  /// The first rank writes, and others give their share of what is as large as the model.
   void write_results(Recorder& recorder, bool last);
+  Snapshot snapshot() const;
   void report_progress(const ProgressCallback& progress, double end_time) const;
   /// Does between two cycles what somebody has asked for.
   void obey(const SenseSwitches& switches, Recorder& recorder);
@@ -195,7 +201,14 @@ class Simulation {
   /// what of `step_change` is booked there.
   std::vector<NodalMotion> motion_of_others_;
   std::vector<double> step_change_of_others_;
-  SumsOfRanks sums_of_ranks_;               ///< likewise
+  SumsOfRanks sums_of_ranks_;  ///< likewise
+  /// What `collect_shown` brings; empty in a run by one process.
+  struct Shown {
+    std::vector<system::System::ElementLocation> elements;
+    std::vector<std::pair<int, std::size_t>> blocks;  ///< that they stand in: group, block
+    std::vector<int> nodes;
+  };
+  Shown shown_;
   system::ContactCosts contact_costs_now_;  ///< while a restart file is written, or read before shares are known
   system::DeletedElements deleted_now_;     ///< likewise
   system::Rows v_period_, w_period_;        ///< in sub-cycling: velocities and spins after those of the last period

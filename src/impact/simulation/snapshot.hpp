@@ -50,6 +50,13 @@ struct Snapshot {
   }
 };
 
+/// Over several ranks all follow the nodes of histories while they are few, so that nothing has to be sent for them; of
+/// more the rank that answers for a node gives its motion.
+inline bool history_nodes_are_shared_out(const model::Model& model) {
+  constexpr std::size_t few = 1024;
+  return model.requests.history_nodes.size() > few;
+}
+
 /// Somebody who looks at the run from time to time. Reads, never writes.
 class Recorder {
  public:
@@ -68,6 +75,17 @@ class Recorder {
     bool elements = false;     ///< whether there is anything that looks at elements: it does so at the end
   };
   virtual Marks next_marks() const { return {}; }
+  /// Results as large as the model, in which all ranks have a share.
+  struct Shared {
+    bool states = false;  ///< of d3plot
+    bool rows = false;    ///< of elout
+    bool nodes = false;   ///< of nodout, where these are shared out
+    bool any() const { return states || rows || nodes; }
+  };
+  /// On the first rank: what `write` will write of them.
+  virtual Shared shared_due(const system::State&, bool /*last*/) { return {}; }
+  /// On another rank, while the first one writes: its share of them.
+  virtual void give(const Snapshot&, Shared) {}
   /// A state of d3plot is wanted that is not due.
   virtual void ask_for_state() {}
   /// Waits until all that was written stands in its files; the run has ended.

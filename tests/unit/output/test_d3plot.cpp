@@ -185,6 +185,34 @@ TEST(D3plot, StatesShareAFileAndEndWithTheMark) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "d3plot02"));
 }
 
+// Sabotage: a piece at the place of the one before it; the first word, by which readers see a state, before the others.
+TEST(D3plot, AStateInPiecesHasTheBytesOfAWholeOne) {
+  Scratch whole, pieces;
+  D3plotGeometry g = small_geometry();
+  g.strains = true;
+  g.solid_histories = 2;
+  D3plot one(whole.path(), g), some(pieces.path(), g);
+  some.forget_mesh();
+  for (int i = 0; i < 3; ++i) {
+    one.write(small_state(g, i));
+    const std::string all = content(whole / "d3plot01");
+    const std::size_t size = 4 * some.layout().all_words();
+    const std::string state = all.substr(at(i) * size, size), before = i == 0 ? "" : content(pieces / "d3plot01");
+    some.begin_state();
+    for (std::size_t done = 0, next = 40; done < size; done += next, next += 12)
+      some.put_piece(std::string_view(state).substr(done, next));
+    if (i > 0) {
+      const std::string now = content(pieces / "d3plot01");
+      EXPECT_EQ(now.substr(0, at(i) * size + 4), before.substr(0, at(i) * size + 4)) << "a reader sees half a state";
+    }
+    some.end_state();
+    EXPECT_EQ(content(pieces / "d3plot01"), all);
+  }
+  some.begin_state();
+  some.put_piece(std::string(40, 'x'));
+  EXPECT_THROW(some.end_state(), std::logic_error);
+}
+
 TEST(D3plot, OneStateAFileWhereAsked) {
   Scratch scratch;
   D3plotGeometry g = small_geometry();

@@ -103,6 +103,40 @@ TEST(ResultFile, AFailedCommitIsCutBack) {
   EXPECT_EQ(content(scratch / "a"), "whole state");
 }
 
+TEST(ResultFile, PartsOfAStateCountAtItsCommit) {
+  Scratch scratch;
+  ResultFile file(scratch / "a");
+  file.buffer() = "one ";
+  file.commit();
+  file.buffer() = "two ";
+  file.flush();
+  file.buffer() = "three ";
+  const std::uint64_t room = file.leave_room(5);
+  EXPECT_EQ(room, 14u);
+  file.buffer() = "five";
+  EXPECT_EQ(file.end(), 23u);
+  EXPECT_EQ(file.size(), 4u);
+  file.write_ahead(room, "four ");
+  file.commit();
+  EXPECT_EQ(content(scratch / "a"), "one two three four five");
+  EXPECT_EQ(file.size(), 23u);
+}
+
+TEST(ResultFile, PartsOfAStateAreCutOffWhereOneDoesNotFit) {
+  Scratch scratch;
+  ResultFile file(scratch / "a");
+  file.buffer() = "whole state";
+  file.commit();
+  file.buffer() = "part";
+  file.flush();
+  {
+    FileSizeLimit limit(20);
+    file.buffer() = std::string(100, 'x');
+    EXPECT_THROW(file.flush(), WriteError);
+  }
+  EXPECT_EQ(content(scratch / "a"), "whole state");
+}
+
 TEST(ResultFile, WholeFilesThatDoNotFitAreNotThere) {
   Scratch scratch;
   {
@@ -144,6 +178,28 @@ TEST(ResultFile, D3plotKeepsItsStatesWhenTheDiskFillsUp) {
   {
     FileSizeLimit limit(good.size() + 512);
     EXPECT_THROW(file.write(s), WriteError);
+  }
+  const std::string left = content(scratch / "d3plot01");
+  const std::size_t state_and_mark = 4 * (1 + 6 + 900 + 1);
+  EXPECT_EQ(left.substr(0, state_and_mark), good.substr(0, state_and_mark));
+  EXPECT_EQ(left.size(), good.size());
+}
+
+TEST(ResultFile, D3plotKeepsItsStatesWhenAPieceDoesNotFit) {
+  Scratch scratch;
+  D3plotGeometry g;
+  for (int id = 1; id <= 100; ++id) g.node_ids.push_back(id);
+  g.x.resize(100);
+  D3plotState s;
+  s.x.resize(100), s.v.resize(100), s.a.resize(100);
+  D3plot file(scratch.path(), g);
+  file.write(s);
+  const std::string good = content(scratch / "d3plot01");
+  {
+    FileSizeLimit limit(good.size() + 512);
+    file.begin_state();
+    file.put_piece(std::string(600, 'x'));  // fits
+    EXPECT_THROW(file.put_piece(std::string(2000, 'x')), WriteError);
   }
   const std::string left = content(scratch / "d3plot01");
   const std::size_t state_and_mark = 4 * (1 + 6 + 900 + 1);

@@ -147,6 +147,56 @@ TEST(Elout, StandsInBinoutKindByKind) {
   EXPECT_THAT(lsda.reals("/elout/beam/d000001/sigma_31"), ElementsAre(30.0));
 }
 
+/// Each row a state of its own.
+std::vector<EloutState> row_by_row(const EloutState& s) {
+  EloutState head = s;
+  head.solids.clear(), head.beams.clear(), head.shells.clear(), head.thick_shells.clear();
+  std::vector<EloutState> rows;
+  for (const auto list : {&EloutState::shells, &EloutState::thick_shells})
+    for (const EloutShell& row : s.*list) (rows.emplace_back(head).*list).push_back(row);
+  for (const EloutSolid& row : s.solids) rows.emplace_back(head).solids.push_back(row);
+  for (const EloutBeam& row : s.beams) rows.emplace_back(head).beams.push_back(row);
+  return rows;
+}
+
+// Sabotage: a row at the place of the one before it, or of another branch.
+TEST(Elout, RowsOneByOneGiveTheBytesOfAll) {
+  EloutState s = elements();
+  s.solids.push_back({4, 1, {{1, 2, 3, 4, 5, 6}, 0.5}, {6, 5, 4, 3, 2, 1}});
+  s.beams.push_back({12, 5, 100, 7, 8, 9, 10, 11, 12, {}});
+  s.beams.push_back({13, 6, 1, 1, 1, 1, 1, 1, 1, {{1, 2, 3, 4}, {5, 6, 7, 8}}});
+  s.shells.push_back({22, 3, {{{9, 8, 7, 6, 5, 4}, 1.0}}, {1, 2, 3, 4, 5, 6}, {}});
+  s.thick_shells = {{31, 4, {{{1, 1, 2, 3, 5, 8}, 0.0}}, {}, {}}};
+  Scratch whole, pieces;
+  Binout one(whole.path(), header), some(pieces.path(), header);
+  HistoryShape<EloutState> shape(elout());
+  std::vector<EloutState> first(elout().branches.size());
+  for (const EloutState& row : row_by_row(s)) {
+    shape.add(elout(), row);
+    for (std::size_t b = 0; b < first.size(); ++b)
+      if (elout().branches[b].is_in(row)) first[b] = row;
+  }
+  for (int state = 0; state < 2; ++state) {
+    one.write(elout(), s);
+    some.begin_pieces(elout(), shape, first);
+    for (const EloutState& row : row_by_row(s)) some.put_piece(elout(), row);
+    some.end_pieces();
+    EXPECT_EQ(content(pieces / "binout0000"), content(whole / "binout0000"));
+  }
+  some.begin_pieces(elout(), shape, first);
+  EXPECT_THROW(some.end_pieces(), std::logic_error);
+
+  AsciiHistory(elout(), whole / "elout", header).write(s);
+  AsciiHistory(elout(), pieces / "elout", header).write_by([&](AsciiFile& file) {
+    for (const EloutTable table : elout_tables) {
+      print_elout_head(file, table, s);
+      for (const EloutState& row : row_by_row(s)) print_elout_rows(file, table, row);
+      file.end_part();
+    }
+  });
+  EXPECT_EQ(content(pieces / "elout"), content(whole / "elout"));
+}
+
 TEST(Elout, EffectiveStressOfShear) {
   EXPECT_DOUBLE_EQ(effective({0, 0, 0, 1, 0, 0}), std::sqrt(3.0));
   EXPECT_DOUBLE_EQ(effective({5, 5, 5, 0, 0, 0}), 0.0);

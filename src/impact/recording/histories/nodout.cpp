@@ -6,8 +6,11 @@
 
 #include "base/index.hpp"
 #include "impact/recording/histories.hpp"
+#include "impact/recording/history_by_rows.hpp"
 #include "impact/recording/node_motion.hpp"
+#include "impact/recording/nodout_rows.hpp"
 #include "model/axes.hpp"
+#include "model/history_files.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -79,35 +82,94 @@ void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity,
 
 }  // namespace
 
-output::NodoutState nodout_state(const Snapshot& now) {
+namespace {
+
+/// What is known of a node where its motion is: the first rank makes its row of it.
+struct Motion {
+  Vec3d place, rotation;
+  NodeMotion motion;
+};
+
+Motion motion_of(const Snapshot& now, std::size_t i) {
+  const auto k = at(now.system.node_of[now.system.model.requests.history_nodes[i].index]);
+  return {vec(now.state.x[k]), now.history_rotation[i], node_motion(now, k)};
+}
+
+output::NodoutRow row_of(const Snapshot& now, std::size_t i, const Motion& of) {
   const model::Model& model = now.system.model;
-  output::NodoutState s;
+  const model::NamedEntity& entity = model.requests.history_nodes[i];
+  output::NodoutRow row;
+  row.node = model.nodes.id[entity.index];
+  row.coordinate = of.place;
+  row.displacement = row.coordinate - model.nodes.x[entity.index];
+  row.velocity = of.motion.velocity;
+  row.acceleration = of.motion.acceleration;
+  row.rotational_velocity = of.motion.rotational_velocity;
+  row.rotational_acceleration = of.motion.rotational_acceleration;
+  row.rotation = of.rotation;
+  turn_into_local_axes(now, entity, row);
+  turn_into_accelerometer(now, entity.index, row);
+  return row;
+}
+
+}  // namespace
+
+void NodoutRows::set_head(State& s, const Snapshot& now) {
+  const model::Model& model = now.system.model;
   s.cycle = now.state.cycle + 1;
   s.time = now.state.time;
   s.rotations = model.shells.size() > 0 || model.beams.size() > 0;
-  for (std::size_t i = 0; i < model.requests.history_nodes.size(); ++i) {
-    const model::NamedEntity& entity = model.requests.history_nodes[i];
-    const auto k = at(now.system.node_of[entity.index]);
-    output::NodoutRow row;
-    row.node = model.nodes.id[entity.index];
-    row.coordinate = vec(now.state.x[k]);
-    row.displacement = row.coordinate - model.nodes.x[entity.index];
-    const NodeMotion motion = node_motion(now, k);
-    row.velocity = motion.velocity;
-    row.acceleration = motion.acceleration;
-    row.rotational_velocity = motion.rotational_velocity;
-    row.rotational_acceleration = motion.rotational_acceleration;
-    row.rotation = now.history_rotation[i];
-    turn_into_local_axes(now, entity, row);
-    turn_into_accelerometer(now, entity.index, row);
-    s.rows.push_back(row);
+}
+
+std::vector<output::NodoutTable> NodoutRows::tables(const model::Model& model) {
+  constexpr model::HistoryName nodout("nodout");
+  std::vector<Table> tables{Table::translations};
+  const bool rotations = model.shells.size() > 0 || model.beams.size() > 0;
+  if (rotations && model.requests[nodout].ascii()) tables.push_back(Table::rotations);
+  return tables;
+}
+
+void NodoutRows::blank(const system::System& system, const Take& take) {
+  const model::Model& model = system.model;
+  State state;
+  state.rotations = model.shells.size() > 0 || model.beams.size() > 0;
+  const std::vector<model::NamedEntity>& asked = model.requests.history_nodes;
+  for (std::size_t begin = 0; begin < asked.size(); begin += ResultParcels::rows_at_a_time) {
+    state.rows.resize(std::min(ResultParcels::rows_at_a_time, asked.size() - begin));
+    for (std::size_t i = 0; i < state.rows.size(); ++i) state.rows[i].node = model.nodes.id[asked[begin + i].index];
+    take(state);
   }
-  return s;
+}
+
+void NodoutRows::pass(const Snapshot& now, Table, ResultParcels& parcels, const Take& take) {
+  const std::vector<model::NamedEntity>& asked = now.system.model.requests.history_nodes;
+  std::size_t done = 0;
+  pass_rows<Motion>(
+      &parcels, asked.size(),
+      [&](std::size_t i) { return parcels.owner_of_node(at(now.system.node_of[asked[i].index])); },
+      [](std::size_t) { return Motion(); }, [&](std::size_t i, Motion& motion) { motion = motion_of(now, i); },
+      [](Motion& motion, system::Parcel& parcel) { parcel(&motion, 1); },
+      [&](const std::vector<Motion>& motions) {
+        State piece;
+        set_head(piece, now);
+        for (const Motion& motion : motions) piece.rows.push_back(row_of(now, done++, motion));
+        take(piece);
+      });
+}
+
+output::NodoutState nodout_state(const Snapshot& now) {
+  output::NodoutState all;
+  NodoutRows::set_head(all, now);
+  ResultParcels parcels(now.system);
+  NodoutRows::pass(now, output::NodoutTable::translations, parcels, [&](const output::NodoutState& piece) {
+    all.rows.insert(all.rows.end(), piece.rows.begin(), piece.rows.end());
+  });
+  return all;
 }
 
 template <>
 HistoryFile history<"nodout">() {
-  return make_history(
+  HistoryFile file = make_history(
       output::nodout(), nodout_state,
       {.concerns = [](const system::System& system) { return !system.model.requests.history_nodes.empty(); },
        .legends =
@@ -117,6 +179,8 @@ HistoryFile history<"nodout">() {
                if (!n.heading.empty()) headings.push_back({model.nodes.id[n.index], n.heading});
              return std::vector<Legend>{{"nodout", headings}};
            }});
+  file.open = HistoryByRows<NodoutRows>::open;
+  return file;
 }
 
 }  // namespace nugget::impact
