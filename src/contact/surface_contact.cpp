@@ -298,6 +298,7 @@ void SurfaceContact::project(const Block& block, Work& work, const Step& step) c
   };
   for (std::size_t first = 0; first < std::min(count, ahead); first += width) ask_for_corners(first);
   work.feet.resize((count + width - 1) / width);
+  work.clear.resize(work.feet.size());
   for (std::size_t first = 0; first < count; first += width) {
     ask_for_corners(first + ahead);
     std::array<std::array<int, width>, 4> id;
@@ -314,6 +315,7 @@ void SurfaceContact::project(const Block& block, Work& work, const Step& step) c
     kernel::CornersOf<R> corners;
     for (std::size_t c = 0; c < 4; ++c) corners[c] = gather<R>(step.x.data(), id[c].data());
     const Vec3<R> x = gather<R>(step.x.data(), node.data());
+    work.clear[first / width] = kernel::least_distance(corners, x);
     work.feet[first / width] = kernel::closest_points(corners, x, real_load<R>(xi.data()), real_load<R>(eta.data()));
   }
 }
@@ -376,13 +378,21 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
       block.release(pair);
       continue;
     }
+    const std::size_t batch = at(turn) / Work::width;
     const int l = static_cast<int>(at(turn) % Work::width);
-    kernel::Feet<NativeBatch>& feet = work.feet[at(turn) / Work::width];
+    const double far = widest + (face.inner + deep), least = kernel::stored_lane(work.clear[batch], l);
+    if (least >= far && !pressed) {
+      block.release(pair);
+      pair.next_check_travel = travelled_ + (least - far);
+      first_check_travel = std::min(first_check_travel, pair.next_check_travel);
+      continue;
+    }
+    kernel::Feet<NativeBatch>& feet = work.feet[batch];
     if (face.triangle()) feet.set(l, kernel::closest_point(corners_of(face, step.x), true, vec(step.x[node_of])));
     const double distance = kernel::stored_lane(feet.distance, l);
     pair.xi = kernel::stored_lane(feet.xi, l);
     pair.eta = kernel::stored_lane(feet.eta, l);
-    pair.next_check_travel = travelled_ + (distance - (widest + (face.inner + deep)));
+    pair.next_check_travel = travelled_ + (distance - far);
     first_check_travel = std::min(first_check_travel, pair.next_check_travel);
     if (pair.next_check_travel > travelled_ && !pressed) {
       block.release(pair);

@@ -23,6 +23,7 @@ struct SurfaceContact::Work {
 
   Awake awake, next;                            ///< of the block, and of the one after it
   std::vector<kernel::Feet<NativeBatch>> feet;  ///< of the pairs that are awake
+  std::vector<NativeBatch> clear;               ///< least_distance()
   std::vector<int> close;                       ///< of the pairs of a node that are awake: those close enough
   std::vector<Candidate> candidates;            ///< of a node, and of earlier ones
   std::vector<Pair> listed;                     ///< the new lists of a block, in a search
