@@ -66,9 +66,9 @@ bool has_boundary_at(const Facet& segment, unsigned boundary, int node) {
 
 }  // namespace
 
-/// Whether of the close pairs of a node, of shells all, those that touched in the cycle before (`touching`) press as
-/// they would without the others: these are out of reach, or hidden by one that touched, and hide none. Then they need
-/// not be looked at any more: so it is with most nodes of a flange.
+/// Whether the other close pairs of a node, of shells all, matter beside those that touched in the cycle before
+/// (`touching`). They do not where each is out of reach, or hidden by one that touched, and hides none: so it is with
+/// most nodes of a flange, and only those that touched need be looked at.
 bool SurfaceContact::others_matter(Candidates touching, const Block& block, const Work& work, std::size_t count,
                                    int tracked, const Step& step) const {
   double ahead = 0.0;  // see check_node()
