@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "kernel/law/law_components.hpp"
+
 namespace nugget::model {
 
 double Material::young() const {
