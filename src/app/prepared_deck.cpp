@@ -127,8 +127,15 @@ void check_end_time(const model::Model& model, Findings& findings) {
   const bool timeless = model.implicit.active && (model.implicit.modes != 0 || response);
   const model::Control& control = model.control;
   if (timeless || control.end_time > 0.0) return;
-  findings.error(control.end_time_place.line > 0 ? control.end_time_place : Place{model.deck, 0, 0},
-                 "*CONTROL_TERMINATION", "no end time is given", "give ENDTIM, the time up to which is to be computed");
+  const Place& place = control.end_time_place;
+  // One that is given, but cannot be read or is out of its range, is refused as that.
+  const auto refuses_it = [&place](const Finding& f) {
+    return f.severity == Severity::error && place.line > 0 && f.place.file == place.file &&
+           f.place.line == place.line && f.place.column == place.column;
+  };
+  if (std::ranges::any_of(findings.all(), refuses_it)) return;
+  findings.error(place.line > 0 ? place : Place{model.deck, 0, 0}, "*CONTROL_TERMINATION", "no end time is given",
+                 "give ENDTIM, the time up to which is to be computed");
 }
 
 }  // namespace

@@ -169,14 +169,14 @@ bool has_rows(EloutTable table, const EloutState& s) {
 void print(AsciiFile& file, const EloutState& state) {
   for (const EloutTable table : elout_tables) {
     if (!has_rows(table, state)) continue;
-    print_elout_head(file, table, state);
-    print_elout_rows(file, table, state);
+    print_head(file, table, state);
+    print_rows(file, table, state);
   }
 }
 
 }  // namespace
 
-void print_elout_head(AsciiFile& file, EloutTable table, const EloutState& state) {
+void print_head(AsciiFile& file, EloutTable table, const EloutState& state) {
   switch (table) {
     case EloutTable::solids: return head_of_solids(file, state);
     case EloutTable::strains_of_solids: return head_of_solid_strains(file, state);
@@ -188,7 +188,7 @@ void print_elout_head(AsciiFile& file, EloutTable table, const EloutState& state
   }
 }
 
-void print_elout_rows(AsciiFile& file, EloutTable table, const EloutState& rows) {
+void print_rows(AsciiFile& file, EloutTable table, const EloutState& rows) {
   switch (table) {
     case EloutTable::solids: return rows_of_solids(file, rows);
     case EloutTable::strains_of_solids: return rows_of_solid_strains(file, rows);

@@ -67,8 +67,8 @@ constexpr bool shows_strains(EloutTable table) {
          table == EloutTable::strains_of_thick;
 }
 /// `state`: what it says besides elements.
-void print_elout_head(AsciiFile& file, EloutTable table, const EloutState& state);
-void print_elout_rows(AsciiFile& file, EloutTable table, const EloutState& rows);
+void print_head(AsciiFile& file, EloutTable table, const EloutState& state);
+void print_rows(AsciiFile& file, EloutTable table, const EloutState& rows);
 
 /// The file `elout`; the legend holds the headings of *DATABASE_HISTORY_..._ID. The state of a point is `plastic`
 /// once it has a plastic strain.

@@ -20,14 +20,14 @@ void table_head(AsciiFile& file, const NodoutState& state) {
 void print(AsciiFile& file, const NodoutState& state) {
   for (const NodoutTable table : {NodoutTable::translations, NodoutTable::rotations}) {
     if (table == NodoutTable::rotations && !state.rotations) continue;
-    print_nodout_head(file, table, state);
-    print_nodout_rows(file, table, state);
+    print_head(file, table, state);
+    print_rows(file, table, state);
   }
 }
 
 }  // namespace
 
-void print_nodout_head(AsciiFile& file, NodoutTable table, const NodoutState& state) {
+void print_head(AsciiFile& file, NodoutTable table, const NodoutState& state) {
   table_head(file, state);
   if (table == NodoutTable::translations)
     file.print(
@@ -40,7 +40,7 @@ void print_nodout_head(AsciiFile& file, NodoutTable table, const NodoutState& st
         "z-rot acc\n");
 }
 
-void print_nodout_rows(AsciiFile& file, NodoutTable table, const NodoutState& rows) {
+void print_rows(AsciiFile& file, NodoutTable table, const NodoutState& rows) {
   for (const NodoutRow& row : rows.rows) {
     if (table == NodoutTable::translations) {
       node_and_vector(file, row.node, row.displacement);

@@ -25,8 +25,8 @@ struct NodoutState {
 /// The tables of `nodout` as text: each has its head, then rows, all at once or some at a time. That of rotations is
 /// there where NodoutState::rotations is set.
 enum class NodoutTable { translations, rotations };
-void print_nodout_head(AsciiFile& file, NodoutTable table, const NodoutState& state);
-void print_nodout_rows(AsciiFile& file, NodoutTable table, const NodoutState& rows);
+void print_head(AsciiFile& file, NodoutTable table, const NodoutState& state);
+void print_rows(AsciiFile& file, NodoutTable table, const NodoutState& rows);
 
 /// The file `nodout`; the legend holds the headings of *DATABASE_HISTORY_NODE_ID.
 const HistoryFormat<NodoutState>& nodout();

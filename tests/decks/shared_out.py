@@ -1,11 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """Decks for runs over several ranks: what is deformable, and supports, motions, loads; no contact, so that nodes are shared out too."""
 import random
+import subprocess
+import sys
 
 from few_elements import CORNERS, card, curve, nodes, part
+from nugget_command import SOURCE
 
 STEEL = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n" + card(1, 7.85e-9, 2.1e5, 0.3, 250.0, 1000.0, "{fail}") + card(40.0, 5.0) + card(0.0) + card(0.0)
 FILES = ("GLSTAT", "MATSUM", "NODOUT", "ELOUT", "SPCFORC", "SECFORC", "BNDOUT")
+
+
+def weak_double_hat(folder):
+    """The double hat of the examples with welds that fail soon."""
+    subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(folder)], check=True)
+    text = (folder / "double_hat.k").read_text(encoding="ascii")
+    strong = "    6000.0    9000.0    9000.0       0.0   20000.0   20000.0       0.0\n"
+    assert strong in text
+    return text.replace(strong, "     300.0     400.0     400.0       0.0   20000.0   20000.0      10.0\n")
 
 
 def databases(interval, states, strains=True):

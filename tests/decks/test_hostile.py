@@ -173,6 +173,12 @@ class EdgesOfNumbers(CommandTest):
         self.assertEqual(len(errors), 1, errors)
         self.assertIn("model.k:5:8: error: *CONTROL_TERMINATION: no end time is given", errors[0])
 
+    def test_an_end_time_that_is_no_number_is_refused_once(self):
+        """Sabotage: that none is given, which is not so, beside it."""
+        errors = self.refusals((END, "  x.00e-04"))
+        self.assertEqual(len(errors), 1, errors)
+        self.assertIn("*CONTROL_TERMINATION endtim = x.00e-04: is not a number", errors[0])
+
     def test_a_tie_that_begins_later_is_told_beside_the_step(self):
         """Both at once, each with its field; the tie was told when all else was mended."""
         errors = self.refusals(("       0.0       0.9\n", "       0.0       0.9         0    1.0e-7\n"),

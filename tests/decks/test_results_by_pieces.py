@@ -5,14 +5,13 @@ import random
 import re
 import shutil
 import subprocess
-import sys
 import time
 import unittest
 
 from few_elements import card, curve
-from nugget_command import NUGGET, SOURCE
+from nugget_command import NUGGET
 from repeated_runs import DATE, FOREVER, RepeatedRuns, with_lanes
-from shared_out import block, tube
+from shared_out import block, tube, weak_double_hat
 from test_restart_by_pieces import sheets
 from test_thick_shells import plate
 from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
@@ -93,12 +92,8 @@ class ResultsByPieces(RepeatedRuns):
 
     def double_hat(self):
         """With welds of bricks that fail, and shells that do."""
-        subprocess.run([sys.executable, str(SOURCE / "examples" / "double_hat" / "make.py"), str(self.folder)], check=True)
-        text = (self.folder / "double_hat.k").read_text(encoding="ascii")
-        strength, steel = "    6000.0    9000.0    9000.0       0.0   20000.0   20000.0       0.0\n", "         1  7.85e-09  210000.0       0.3\n"
-        self.assertIn(strength, text)
+        text, steel = weak_double_hat(self.folder), "         1  7.85e-09  210000.0       0.3\n"
         self.assertIn(steel, text)
-        text = text.replace(strength, "     300.0     400.0     400.0       0.0   20000.0   20000.0      10.0\n")
         text = text.replace(steel, steel[:-1] + "       0.0       0.0      0.02\n")
         bricks = "*CONTROL_SPOTWELD_BEAM\n         0         0         0         0         0         4\n*DATABASE_ELOUT\n" + card(2.0e-5, 3)
         return of_all(text.replace("*CONTROL_TERMINATION\n", bricks + "*CONTROL_TERMINATION\n"), "SHELL", "SOLID")

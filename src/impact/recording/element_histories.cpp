@@ -123,38 +123,30 @@ void of_table(const system::System& system, EloutTable table, const Visit& visit
   const model::Requests& ask = model.requests;
   using Group = const system::ElementGroup&;
   using output::EloutState;
+  const auto fill_row = [](const Snapshot& now, model::Index i, Group group, std::size_t e, auto& row) {
+    fill(now, i, group, e, row);
+  };
   switch (table) {
     case EloutTable::solids:
     case EloutTable::strains_of_solids:
       return visit(
           ask.history_solids, system.solid_location, &EloutState::solids,
-          [&model](model::Index i, Group group) { return blank_solid(model, i, group); },
-          [](const Snapshot& now, model::Index i, Group group, std::size_t e, auto& row) {
-            fill(now, i, group, e, row);
-          });
+          [&model](model::Index i, Group group) { return blank_solid(model, i, group); }, fill_row);
     case EloutTable::beams:
       return visit(
           ask.history_beams, system.beam_location, &EloutState::beams,
-          [&model](model::Index i, Group group) { return blank_beam(model, i, group); },
-          [](const Snapshot& now, model::Index i, Group group, std::size_t e, auto& row) {
-            fill(now, i, group, e, row);
-          });
+          [&model](model::Index i, Group group) { return blank_beam(model, i, group); }, fill_row);
     case EloutTable::shells:
     case EloutTable::strains_of_shells:
       return visit(
           ask.history_shells, system.shell_location, &EloutState::shells,
-          [&model](model::Index i, Group group) { return blank_shell(model, model.shells.id[i], group); },
-          [](const Snapshot& now, model::Index i, Group group, std::size_t e, auto& row) {
-            fill_shell(now, i, group, e, row);
-          });
+          [&model](model::Index i, Group group) { return blank_shell(model, model.shells.id[i], group); }, fill_shell);
     case EloutTable::thick_shells:
     case EloutTable::strains_of_thick:
       return visit(
           ask.history_thick_shells, system.solid_location, &EloutState::thick_shells,
           [&model](model::Index i, Group group) { return blank_shell(model, model.solids.id[i], group); },
-          [](const Snapshot& now, model::Index i, Group group, std::size_t e, auto& row) {
-            fill_thick_shell(now, i, group, e, row);
-          });
+          fill_thick_shell);
   }
 }
 

@@ -25,12 +25,6 @@ struct EloutRows {
   static void set_head(State& state, const Snapshot& now);
   static void blank(const system::System& system, const Take& take);
   static void pass(const Snapshot& now, Table table, ResultParcels& parcels, const Take& take);
-  static void print_head(output::AsciiFile& file, Table table, const State& state) {
-    output::print_elout_head(file, table, state);
-  }
-  static void print_rows(output::AsciiFile& file, Table table, const State& state) {
-    output::print_elout_rows(file, table, state);
-  }
 };
 
 /// LS-DYNA's number of the laws that beams can have; 0 where it is not known.

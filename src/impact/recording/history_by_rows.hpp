@@ -21,6 +21,7 @@ namespace nugget::impact {
 ///   set_head(state, snapshot)               what a state says besides rows
 ///   blank(system, take)                     all rows some at a time, without what is computed
 ///   pass(snapshot, table, parcels, take)    likewise, as they are now
+/// beside which stand, with its table and state in `output`,
 ///   print_head(file, table, state), print_rows(file, table, state)
 template <class Rows>
 class HistoryByRows {
@@ -75,9 +76,9 @@ class HistoryByRows {
       bool has_head = false;
       Rows::pass(now, table, parcels, [&](const State& piece) {
         if (text != nullptr) {
-          if (!has_head) Rows::print_head(*text, table, piece);
+          if (!has_head) print_head(*text, table, piece);
           has_head = true;
-          Rows::print_rows(*text, table, piece);
+          print_rows(*text, table, piece);
           text->end_part();
         }
         if (binout_ && !Rows::text_only(table)) binout_->put_piece(Rows::format(), piece);

@@ -21,12 +21,6 @@ struct NodoutRows {
   static void set_head(State& state, const Snapshot& now);
   static void blank(const system::System& system, const Take& take);
   static void pass(const Snapshot& now, Table table, ResultParcels& parcels, const Take& take);
-  static void print_head(output::AsciiFile& file, Table table, const State& state) {
-    output::print_nodout_head(file, table, state);
-  }
-  static void print_rows(output::AsciiFile& file, Table table, const State& state) {
-    output::print_nodout_rows(file, table, state);
-  }
 };
 
 }  // namespace nugget::impact

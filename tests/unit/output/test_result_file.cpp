@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <functional>
+#include <string>
 
 #include "output/binout.hpp"
 #include "output/d3plot.hpp"
@@ -165,7 +167,8 @@ TEST(ResultFile, AFileThatIsRemovedIsAWriteError) {
   EXPECT_THROW(file.commit(), WriteError);
 }
 
-TEST(ResultFile, D3plotKeepsItsStatesWhenTheDiskFillsUp) {
+/// A d3plot of one state; what `more` writes does not fit, and leaves that state as it was.
+void expect_a_state_is_kept(const std::function<void(D3plot&, const D3plotState&)>& more) {
   Scratch scratch;
   D3plotGeometry g;
   for (int id = 1; id <= 100; ++id) g.node_ids.push_back(id);
@@ -177,7 +180,7 @@ TEST(ResultFile, D3plotKeepsItsStatesWhenTheDiskFillsUp) {
   const std::string good = content(scratch / "d3plot01");
   {
     FileSizeLimit limit(good.size() + 512);
-    EXPECT_THROW(file.write(s), WriteError);
+    EXPECT_THROW(more(file, s), WriteError);
   }
   const std::string left = content(scratch / "d3plot01");
   const std::size_t state_and_mark = 4 * (1 + 6 + 900 + 1);
@@ -185,26 +188,18 @@ TEST(ResultFile, D3plotKeepsItsStatesWhenTheDiskFillsUp) {
   EXPECT_EQ(left.size(), good.size());
 }
 
+TEST(ResultFile, D3plotKeepsItsStatesWhenTheDiskFillsUp) {
+  expect_a_state_is_kept([](D3plot& file, const D3plotState& s) { file.write(s); });
+}
+
 TEST(ResultFile, D3plotKeepsItsStatesWhenAPieceDoesNotFit) {
-  Scratch scratch;
-  D3plotGeometry g;
-  for (int id = 1; id <= 100; ++id) g.node_ids.push_back(id);
-  g.x.resize(100);
-  D3plotState s;
-  s.x.resize(100), s.v.resize(100), s.a.resize(100);
-  D3plot file(scratch.path(), g);
-  file.write(s);
-  const std::string good = content(scratch / "d3plot01");
-  {
-    FileSizeLimit limit(good.size() + 512);
-    file.begin_state();
-    file.put_piece(std::string(600, 'x'));  // fits
-    EXPECT_THROW(file.put_piece(std::string(2000, 'x')), WriteError);
-  }
-  const std::string left = content(scratch / "d3plot01");
-  const std::size_t state_and_mark = 4 * (1 + 6 + 900 + 1);
-  EXPECT_EQ(left.substr(0, state_and_mark), good.substr(0, state_and_mark));
-  EXPECT_EQ(left.size(), good.size());
+  expect_a_state_is_kept([](D3plot& file, const D3plotState&) {
+    EXPECT_NO_THROW({
+      file.begin_state();
+      file.put_piece(std::string(600, 'x'));  // fits
+    });
+    file.put_piece(std::string(2000, 'x'));
+  });
 }
 
 TEST(ResultFile, NoPermissionIsAWriteError) {

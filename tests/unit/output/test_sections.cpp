@@ -189,8 +189,8 @@ TEST(Elout, RowsOneByOneGiveTheBytesOfAll) {
   AsciiHistory(elout(), whole / "elout", header).write(s);
   AsciiHistory(elout(), pieces / "elout", header).write_by([&](AsciiFile& file) {
     for (const EloutTable table : elout_tables) {
-      print_elout_head(file, table, s);
-      for (const EloutState& row : row_by_row(s)) print_elout_rows(file, table, row);
+      print_head(file, table, s);
+      for (const EloutState& row : row_by_row(s)) print_rows(file, table, row);
       file.end_part();
     }
   });
