@@ -96,7 +96,7 @@ class NodeSegments {
         for (int c = 0; c < all[s].corners(); ++c) visit(all[s].node[c], s);
     };
     each_corner([&](int n, int) { highest = n > highest ? n : highest; });
-    first_.assign(static_cast<std::size_t>(highest + 3), 0);
+    first_.assign(static_cast<std::size_t>(highest) + 3, 0);
     // Counted two places on, so that in the end each place holds where its node's segments begin.
     each_corner([&](int n, int) { ++first_[n + 2]; });
     for (std::size_t n = 1; n < first_.size(); ++n) first_[n] += first_[n - 1];

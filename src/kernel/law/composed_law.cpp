@@ -184,7 +184,7 @@ ThicknessStrain<R> LawKernel<ComposedLaw>::layer(LayerTensor<R>& s, const LayerT
   double* failure = history + lost_ * lanes<R>;
   if (parts_->failure.softens()) parts_->failure.restore_undamaged(s, failure);
   const R before = load_field<R>(history, plastic_strain_field);
-  const ThicknessStrain<R> thickness = flow();
+  ThicknessStrain<R> thickness = flow();
   const R strain = load_field<R>(history, plastic_strain_field);
   const double over_dt = dt > 0.0 ? 1.0 / dt : 0.0;  // the first forces of a run are those of no step
   parts_->failure.advance(

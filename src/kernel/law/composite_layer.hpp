@@ -84,7 +84,7 @@ class LawKernel<CompositeLayer> {
 
     const R da = now.a - before.a, db = now.b - before.b, dab = now.ab - before.ab;
     const R az = law_.shear_ca * shear_az, bz = law_.shear_bc * shear_bz;
-    const ThicknessStrain<R> thickness{thinning_a_ * da + thinning_b_ * db, R(0.0)};
+    ThicknessStrain<R> thickness{thinning_a_ * da + thinning_b_ * db, R(0.0)};
     add_strains(strain, thickness.total, shear_az, shear_bz, history);
     s.xx += cc * da + tt * db - 2.0 * ct * dab;
     s.yy += tt * da + cc * db + 2.0 * ct * dab;

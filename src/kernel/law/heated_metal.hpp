@@ -26,7 +26,7 @@ class HeatedMetal : public J2<SmoothHardening<Formula>, false> {
   template <class R>
   ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt, double* history) const {
     const R before = load_field<R>(history, plastic_strain_field);
-    const ThicknessStrain<R> thickness = Base::layer(s, rate, dt, history);
+    ThicknessStrain<R> thickness = Base::layer(s, rate, dt, history);
     if (heats())
       heat(sqrt(s.xx * s.xx + s.yy * s.yy - s.xx * s.yy + 3.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz)), before,
            history);

@@ -61,7 +61,7 @@ class Ids {
   void give(int id, Index index) { given_[id] = index; }
 
   /// Remembers an id whose definition was refused; `by` says which keyword that was.
-  void mark_ignored(int id, std::string by) { ignored_.try_emplace(id, std::move(by)); }
+  void mark_ignored(int id, const std::string& by) { ignored_.try_emplace(id, by); }
   const std::string* left_out(int id) const;  ///< the `by` of such an id; null for others
 
  private:
