@@ -9,8 +9,12 @@ compared. Printed is by the clock what a cycle takes: what a run to the
 deck's number of cycles takes longer in its time loop than one to a fifth of it, the least of --repeat; processor time of all ranks
 likewise, as a share of that of one process; of the most loaded rank what it sends in a cycle, the share of its time that it waits and its
 memory. Results (d3plot, glstat) of all forms must have the same bytes. Run nothing else meanwhile.
+
+--beside N also runs N programs of one process and one thread beside each other, which share nothing but the machine: how many times as
+much they do together as one alone is what the machine has for N ranks.
 """
 import argparse
+import concurrent.futures
 import hashlib
 import json
 import os
@@ -100,6 +104,13 @@ def measure(nugget, deck, out, ranks, threads, cycles):
     return (long["seconds"]["solve"] - short["seconds"]["solve"]) / between, (user_long - user_short) / between, phases, long
 
 
+def beside(nugget, deck, folder, count, cycles):
+    """Seconds of a cycle of `count` programs at once, of which none knows of the others."""
+    with concurrent.futures.ThreadPoolExecutor(count) as pool:
+        found = list(pool.map(lambda i: measure(nugget, deck, folder / f"beside{i}", 1, 1, cycles)[0], range(count)))
+    return sum(found) / count
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("decks", nargs="*", metavar="DECK")
@@ -111,6 +122,7 @@ def main():
     parser.add_argument("--cycles", type=int, help="of the longer run, of every deck")
     parser.add_argument("--repeat", type=int, default=2)
     parser.add_argument("--forms", nargs="+", type=form, default=[form(text) for text in FORMS], metavar="RANKSxTHREADS")
+    parser.add_argument("--beside", type=int, metavar="N")
     arguments = parser.parse_args()
     nugget = str(arguments.nugget.resolve())
     decks = make(nugget, arguments.shared, arguments.work.resolve(), arguments.shells, arguments.welds)
@@ -120,8 +132,10 @@ def main():
     for name, deck in decks.items():
         if arguments.decks and name not in arguments.decks:
             continue
-        best, same = {}, None
+        best, same, others = {}, None, []
         for _ in range(arguments.repeat):
+            if arguments.beside:
+                others.append(beside(nugget, deck, arguments.work.resolve(), arguments.beside, arguments.cycles or CYCLES[name]))
             for ranks, threads in arguments.forms:
                 out = arguments.work.resolve() / "out"
                 found = measure(nugget, deck, out, ranks, threads, arguments.cycles or CYCLES[name])
@@ -133,6 +147,8 @@ def main():
         alone, user_alone = best[arguments.forms[0]][:2]
         for (ranks, threads), found in best.items():
             print(line_of(name, ranks, threads, found, alone, user_alone), flush=True)
+        if others:
+            print(f"{name:10}{arguments.beside} beside {1e3 * min(others):8.3f} ms a cycle of each ({arguments.beside * alone / min(others):.2f} x together)", flush=True)
     return 0
 
 
