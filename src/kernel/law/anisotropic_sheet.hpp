@@ -177,7 +177,7 @@ class LawKernel<AnisotropicSheet> {
     if constexpr (Unknown::is_increment) {
       return {R(0.0), most, R(0.0)};
     } else {
-      Range<R> range = unknown.range(trial_stress, start, most);
+      Range<R> range = unknown.range(BeyondYield<R>{trial_stress, start, most, R(elastic_.E), R(0.0)});
       range.first =
           select(range.first > range.low && range.first < range.high, range.first, 0.5 * (range.low + range.high));
       return range;

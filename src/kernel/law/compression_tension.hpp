@@ -34,8 +34,8 @@ class ByTwoTables {
   static constexpr bool is_increment = false;
   ByTwoTables(Table& one, Table& other, const R& share) : one_(one), other_(other), share_(share) {}
 
-  Range<R> range(const R& trial, const R& start, const R& most) {
-    const Range<R> a = one_.range(trial, start, most), b = other_.range(trial, start, most);
+  Range<R> range(const BeyondYield<R>& s) {
+    const Range<R> a = one_.range(s), b = other_.range(s);
     return {a.low, a.high, blend(a.first, b.first)};
   }
   Trial<R> operator()(const R& x) {

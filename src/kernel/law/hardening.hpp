@@ -79,7 +79,14 @@ class CurveHardening {
     static constexpr bool limited = false;
     At(const CurveHardening& hardening, const Number<R>* history)
         : hardening_(hardening), plastic_strain_(load_field<R>(history, plastic_strain_field)) {
-      if (hardening.straight_) {
+      if (hardening.table_.active()) {
+        rows_.find(hardening.table_, plastic_strain_);
+        const auto at_rest = [&](int) { return hardening.table_.at_first_curve(); };
+        x_ = rows_.begin();
+        end_ = rows_.end();
+        y_ = rows_.of_cells(&RateTable::Cell::y, at_rest);
+        slope_ = rows_.of_cells(&RateTable::Cell::slope, at_rest);
+      } else if (hardening.straight_) {
         const YieldCurve::Piece& line = hardening.curve_.last();
         x_ = R(line.x);
         y_ = R(line.y);
@@ -89,6 +96,8 @@ class CurveHardening {
       }
     }
     const R& plastic_strain() const { return plastic_strain_; }
+    /// Of the table, at plastic_strain().
+    const RateRows<R>& rows() const { return rows_; }
     YieldStress<R> operator()(const R& increment) {
       const R strain = plastic_strain_ + increment;
       if (!hardening_.straight_ && any(strain < x_ || strain >= end_)) fetch(strain);
@@ -108,6 +117,7 @@ class CurveHardening {
     const CurveHardening& hardening_;
     R plastic_strain_;
     R x_{}, end_{}, y_{}, slope_{};
+    RateRows<R> rows_;
   };
   template <class R, class Yield, class Function>
   [[gnu::always_inline]] inline auto with_unknown(Yield& yield, double dt, Function&& f) const {
@@ -148,6 +158,7 @@ class WeldHardening : public CurveHardening {
       limit_ = select(at > 0.0, at, R(std::numeric_limits<double>::infinity()));
     }
     const R& plastic_strain() const { return curve_.plastic_strain(); }
+    const RateRows<R>& rows() const { return curve_.rows(); }
     const R& limit() const { return limit_; }
     YieldStress<R> operator()(const R& increment) {
       const YieldStress<R> y = curve_(increment);

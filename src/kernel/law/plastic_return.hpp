@@ -22,6 +22,15 @@ struct Trial {
   R increment_bend{}, yield_bend{};
 };
 
+/// What a return begins with: the effective trial stress, which an increment e of plastic strain takes to
+/// trial - modulus e + bend e^2 - ..., and what e lies below.
+template <class R>
+struct BeyondYield {
+  R trial, start;   ///< start: the yield stress at e = 0 [stress]
+  R most;           ///< e cannot be larger [1]
+  R modulus, bend;  ///< [stress]
+};
+
 /// Where a return to the yield surface ends.
 template <class R>
 struct PlasticReturn {
@@ -29,6 +38,16 @@ struct PlasticReturn {
   R yield;           ///< yield stress Y reached [stress]
   R over_a, over_b;  ///< 1 / (Y + ka increment), 1 / (Y + kb increment) [1/stress]
 };
+template <class R>
+PlasticReturn<R> chosen(MaskOf<R> mask, const PlasticReturn<R>& yes, const PlasticReturn<R>& no) {
+  return {select(mask, yes.increment, no.increment), select(mask, yes.yield, no.yield),
+          select(mask, yes.over_a, no.over_a), select(mask, yes.over_b, no.over_b)};
+}
+
+/// Of a last step that is taken by series: share by which the stress, or the rate, changes. Its third power is an error
+/// that does not matter.
+template <class R>
+inline constexpr double small_step = is_single<R> ? 5e-3 : 3e-4;
 
 /// The unknown of a return where the yield stress does not depend on the rate: the increment itself. `Yield` gives the
 /// yield stress after an increment.
@@ -55,17 +74,22 @@ class ByIncrement {
 /// square of the effective trial stress.
 ///
 /// e and Y are functions of an unknown x in which both are smooth (ByIncrement; hardening.hpp has those of rate
-/// effects, which would need dozens of steps in e). Unless x is e itself, `Unknown` has range(trial, start,
-/// most), which says where x lies between e = 0 and e = `most`, and a first guess. Chebyshev's third-order step on
+/// effects, which would need dozens of steps in e). Unless x is e itself, `Unknown` has range(BeyondYield), which says
+/// where x lies, and a first guess. Chebyshev's third-order step on
 /// (A/.. + B/..)^(-1/2) = 1, kept inside a bracket; relative residual
-/// 2e-12, in single precision, which rounds the sum of squares to some 5e-7, 2e-6. A lane that has converged is frozen,
-/// so that a batch gives bit for bit what its elements give alone.
+/// 2e-12, in single precision, which rounds the sum of squares to some 5e-7, 2e-6. Where `Unknown` has smooth(x, next,
+/// increment), whether all is smooth between x and next, where the increment is that, a last step that is small is
+/// taken by the series of e and Y, without asking for them there once more. A lane that has converged is frozen, so
+/// that a batch gives bit for bit what its elements give alone.
 template <bool both, class R, class Unknown>
 [[gnu::always_inline]] inline PlasticReturn<R> plastic_return(const R& A, const R& B, const R& trial2, double ka,
                                                               double kb, Unknown& unknown, const YieldStress<R>& start,
                                                               MaskOf<R> active) {
   constexpr double tolerance = is_single<R> ? 2e-6 : 2e-12;
   constexpr int limit = 100;
+  constexpr bool ends_by_series = requires {
+    unknown.smooth(R(), R(), R());
+  };
   const R trial = sqrt(trial2), most = trial * (1.0 / (both ? std::min(ka, kb) : kb));
   R low, high, next;
   if constexpr (Unknown::is_increment) {
@@ -89,29 +113,36 @@ template <bool both, class R, class Unknown>
       next = over_by / (start.slope + kb);
     }
   } else {
-    const auto range = unknown.range(trial, start.value, most);
+    R modulus = R(kb), bend = R(0.0);
+    if constexpr (both) {
+      const R over = 1.0 / trial, a = A * (over * over), b = B * (over * over);
+      modulus = a * ka + b * kb;
+      bend = 1.5 * ((ka - kb) * (ka - kb)) * (a * b) * over;
+    }
+    const auto range = unknown.range(BeyondYield<R>{trial, start.value, most, modulus, bend});
     low = range.low;
     high = range.high;
     next = range.first;
   }
   next = select(next > low && next < high, next, 0.5 * (low + high));
-  R x = select(active, next, low);
-  PlasticReturn<R> r;
+  // Where a rate effect has the rest of the batch look is for its range() to say.
+  R x = Unknown::is_increment ? select(active, next, low) : next;
+  PlasticReturn<R> r{};
   for (int i = 0;; ++i) {
     const Trial<R> y = unknown(x);
-    r.increment = y.increment;
-    r.yield = y.yield;
     const R a = y.yield + ka * y.increment, b = y.yield + kb * y.increment;
+    PlasticReturn<R> at{y.increment, y.yield, R(0.0), R(0.0)};
     R a2 = R(0.0);
     if constexpr (both) {
       const R over = 1.0 / (a * b);
-      r.over_a = over * b;
-      r.over_b = over * a;
-      a2 = A * (r.over_a * r.over_a);
+      at.over_a = over * b;
+      at.over_b = over * a;
+      a2 = A * (at.over_a * at.over_a);
     } else {
-      r.over_b = 1.0 / b;
+      at.over_b = 1.0 / b;
     }
-    const R b2 = B * (r.over_b * r.over_b), s = both ? a2 + b2 : b2;
+    r = ends_by_series ? chosen<R>(active, at, r) : at;
+    const R b2 = B * (at.over_b * at.over_b), s = both ? a2 + b2 : b2;
     R excess = s - 1.0;
     if constexpr (is_single<R>) excess = select(b < 1e18, excess, R(-1.0));  // a rate so far off that a b is infinite
     active = active && abs(excess) > tolerance;
@@ -120,16 +151,16 @@ template <bool both, class R, class Unknown>
     const auto short_of = excess > 0.0;
     low = select(short_of, x, low);
     high = select(short_of, high, x);
-    const R gb = r.over_b * (y.yield_slope + kb * y.increment_slope);
+    const R gb = at.over_b * (y.yield_slope + kb * y.increment_slope);
     R first = b2 * gb, second = first * gb;  // -1/2 of the slope of s, 1/6 of its curvature
     if constexpr (!Unknown::is_increment)
-      second -= (1.0 / 3.0) * b2 * r.over_b * (y.yield_bend + kb * y.increment_bend);
+      second -= (1.0 / 3.0) * b2 * at.over_b * (y.yield_bend + kb * y.increment_bend);
     if constexpr (both) {
-      const R ga = r.over_a * (y.yield_slope + ka * y.increment_slope), part = a2 * ga;
+      const R ga = at.over_a * (y.yield_slope + ka * y.increment_slope), part = a2 * ga;
       first += part;
       second += part * ga;
       if constexpr (!Unknown::is_increment)
-        second -= (1.0 / 3.0) * a2 * r.over_a * (y.yield_bend + ka * y.increment_bend);
+        second -= (1.0 / 3.0) * a2 * at.over_a * (y.yield_bend + ka * y.increment_bend);
     }
     // Chebyshev's step. sqrt(s) - 1 by its series: exact enough near the end; farther off the bracket holds.
     const R root = excess * (0.5 - excess * (0.125 - 0.0625 * excess)), over = 1.0 / first;
@@ -139,6 +170,22 @@ template <bool both, class R, class Unknown>
       next = x + newton * (1.0 + bend);
     else
       next = x + newton * select(bend < 0.0, 1.0 / (1.0 - bend), 1.0 + bend);
+    if constexpr (ends_by_series) {
+      const R step = next - x;
+      const R increment = step * (y.increment_slope + 0.5 * step * y.increment_bend);
+      const R yield = step * (y.yield_slope + 0.5 * step * y.yield_bend);
+      const auto ends = active && abs(step * first) < small_step<R> && unknown.smooth(x, next, y.increment + increment);
+      const auto after = [](const R& of, const R& change) {
+        const R share = of * change;
+        return of * (1.0 - share * (1.0 - share * (1.0 - share)));
+      };
+      const PlasticReturn<R> end{y.increment + increment, y.yield + yield,
+                                 both ? after(at.over_a, yield + ka * increment) : R(0.0),
+                                 after(at.over_b, yield + kb * increment)};
+      r = chosen<R>(ends, end, r);
+      active = active && !ends;
+      if (!any(active)) return r;
+    }
     next = select(next > low && next < high, next, 0.5 * (low + high));
     if constexpr (is_single<R>) active = active && (next > x || next < x);  // no number is closer
     x = select(active, next, x);

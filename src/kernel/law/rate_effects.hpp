@@ -124,9 +124,9 @@ class ByRate {
   static constexpr bool is_increment = false;
   ByRate(Yield& yield, const Rate& rate, double dt) : yield_(yield), rate_(rate), dt_(dt) {}
 
-  Range<R> range(const R& trial, const R& start, const R& most) const {
-    const R raised = rate_.raised() > 0.0 ? R(rate_.raised()) : start;
-    return rate_.range(R((trial - start) / raised), R((1.0 / dt_) * most));
+  Range<R> range(const BeyondYield<R>& s) const {
+    const R raised = rate_.raised() > 0.0 ? R(rate_.raised()) : s.start;
+    return rate_.range(R((s.trial - s.start) / raised), R((1.0 / dt_) * s.most));
   }
   [[gnu::always_inline]] inline Trial<R> operator()(const R& x) {
     const RateAt<R> at = rate_(x);

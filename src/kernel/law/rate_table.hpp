@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -25,160 +24,219 @@ class RateTable {
   /// One curve a rate, at least two of them.
   RateTable(const std::vector<YieldCurve>& curves, const std::vector<double>& rates, bool log_rates);
 
-  bool active() const { return !lines_.empty(); }
+  bool active() const { return !cells_.empty(); }
   /// The least place: that of rate 0.
   double first() const { return stretches_.front().place; }
   double last() const { return stretches_.back().place; }
 
-  /// The rates of a stretch of the table and its curves: rate = start exp(log_span w) + span w at place + w, 0 <= w
-  /// <= 1.
+  /// The rates of a stretch of the table: start exp(log_span w) + span w at place + w, 0 <= w <= 1.
   struct Stretch {
     double place;
     double start, span, log_span;
-    double log_start = 0.0;  ///< where log_span is not 0
   };
   const std::vector<Stretch>& stretches() const { return stretches_; }
+  /// The number of the stretch that begins at place 0.
+  int at_first_curve() const { return first() < 0.0 ? 1 : 0; }
 
-  /// Plastic strains between which no curve has a corner, and the piece of each curve there.
+  /// Yield stress in one stretch, at plastic strains between which no curve has a corner:
+  /// y + rise w + (slope + bend w) (strain - begin).
+  struct Cell {
+    double y, rise, slope, bend;
+  };
   struct Row {
     double begin, end;
-    const YieldCurve::Piece* lines;
+    const Cell* cells;  ///< one a stretch
   };
   Row row(double plastic_strain) const {
     const std::size_t i = corners_.at(plastic_strain);
-    return {begins_[i], begins_[i + 1], &lines_[i * static_cast<std::size_t>(curves_)]};
+    return {begins_[i], begins_[i + 1], &cells_[i * stretches_.size()]};
   }
-  int curves() const { return curves_; }
 
  private:
   Intervals corners_;           // those of all curves
   std::vector<double> begins_;  // and infinity
-  std::vector<YieldCurve::Piece> lines_;
+  std::vector<Cell> cells_;
   std::vector<Stretch> stretches_;  // the last, beyond the rates, has span 0
-  int curves_ = 0;
 };
 
-/// The unknown of a return by a table over the rate: the place in it. `Yield` has plastic_strain() at the start of the
-/// step, and may have a limit() that no rate exceeds.
-template <class R, class Yield>
-class ByTable {
+/// The rows in which the plastic strains of a batch lie.
+template <class R>
+class RateRows {
  public:
-  static constexpr bool is_increment = false;
-  ByTable(Yield& yield, const RateTable& table, double dt) : yield_(yield), table_(table), dt_(dt) {}
-
-  /// The first guess is the lesser of two places that are too high: where the yield stress is that of the trial, and
-  /// the rate of what plastic strain there were without a rate effect.
-  Range<R> range(const R& trial, const R& start, const R& most) {
-    most_ = most;
-    find_rows(yield_.plastic_strain());
-    const R of_stress = place_of_stress(trial), of_increment = place_of_increment(most * (1.0 - start / trial));
-    return {R(table_.first()), R(table_.last() + 1.0), min(of_stress, of_increment)};
-  }
-
-  Trial<R> operator()(const R& x) {
-    const auto elsewhere = x < place_ || x > place_ + 1.0;
-    const bool other_stretch = any(elsewhere);
-    if (other_stretch) step_to(x, elsewhere);
-    const R w = x - place_, grown = start_ * exponential_of(log_span_ * w);
-    const R e = grown + span_ * w, e1 = log_span_ * grown + span_, e2 = log_span_ * log_span_ * grown;
-    const R strain = yield_.plastic_strain() + e;
-    const bool other_row = any(strain < begin_ || strain >= end_);
-    if (other_row) find_rows(strain);
-    if (other_stretch || other_row) fetch();
-    const R low = low_y_ + low_slope_ * (strain - low_x_), high = high_y_ + high_slope_ * (strain - high_x_);
-    const R slope = low_slope_ + w * (high_slope_ - low_slope_);
-    Trial<R> t{e,  low + w * (high - low),
-               e1, (high - low) + slope * e1,
-               e2, 2.0 * (high_slope_ - low_slope_) * e1 + slope * e2};
-    if constexpr (Yield::limited) t = limited(t, yield_.limit());
-    return t;
-  }
-
- private:
-  R exponential_of(const R& a) const { return any(a > 0.0 || a < 0.0) ? exponential(a) : R(1.0); }
-
-  /// Where the yield stress is `stress` after the plastic strain of the rows; first() or last() where it lies outside.
-  R place_of_stress(const R& stress) const {
-    R low = stress_of(0), place = R(table_.last()), above = R(0.0), span = R(1.0);
-    auto found = stress <= low;
-    place = select(found, R(table_.first()), place);
-    for (int i = 1; i < table_.curves(); ++i) {
-      const R high = stress_of(i);
-      const auto here = stress < high && !found;
-      place = select(here, R(i - 1.0), place);
-      above = select(here, stress - low, above);
-      span = select(here, high - low, span);
-      found = found || here;
-      low = high;
-    }
-    return place + above / span;
-  }
-  R stress_of(int curve) const {
-    const R x = each_lane<R>([&](int l) { return lines_[l][curve].x; });
-    const R y = each_lane<R>([&](int l) { return lines_[l][curve].y; });
-    const R slope = each_lane<R>([&](int l) { return lines_[l][curve].slope; });
-    return y + slope * (yield_.plastic_strain() - x);
-  }
-  /// The place of the rate at which the plastic strain grows by `increment` > 0.
-  R place_of_increment(const R& increment) const {
-    const R rate = (1.0 / dt_) * increment, log_rate = logarithm(rate);
-    R place = R(table_.first());
-    for (const RateTable::Stretch& s : table_.stretches()) {
-      const auto here = rate >= s.start;
-      if (!any(here)) break;
-      R w;
-      if (s.log_span > 0.0)
-        w = (1.0 / s.log_span) * (log_rate - s.log_start);
-      else
-        w = s.place < table_.last() ? R((1.0 / s.span) * (rate - s.start)) : R((increment - dt_ * s.start) / most_);
-      place = select(here, s.place + w, place);
-    }
-    return place;
-  }
-
-  void step_to(const R& x, MaskOf<R> elsewhere) {
-    R place = place_;
-    for (const RateTable::Stretch& s : table_.stretches()) {
-      const auto here = elsewhere && x >= s.place;
-      place = select(here, R(s.place), place);
-      start_ = select(here, R(dt_ * s.start), start_);
-      span_ = select(here, s.place < table_.last() ? R(dt_ * s.span) : most_, span_);
-      log_span_ = select(here, R(s.log_span), log_span_);
-    }
-    place_ = place;
-  }
-  void find_rows(const R& strain) {
+  void find(const RateTable& table, const R& strain) {
     RateTable::Row rows[lanes<R>];
     for (int l = 0; l < lanes<R>; ++l) {
-      rows[l] = table_.row(lane(strain, l));
-      lines_[l] = rows[l].lines;
+      rows[l] = table.row(lane(strain, l));
+      cells_[l] = rows[l].cells;
     }
     begin_ = each_lane<R>([&](int l) { return rows[l].begin; });
     end_ = each_lane<R>([&](int l) { return rows[l].end; });
   }
-  void fetch() {
-    const YieldCurve::Piece *low[lanes<R>], *high[lanes<R>];
-    const int last = table_.curves() - 1;
-    for (int l = 0; l < lanes<R>; ++l) {
-      const int place = static_cast<int>(lane(place_, l));
-      low[l] = lines_[l] + std::max(place, 0);
-      high[l] = lines_[l] + std::clamp(place + 1, 0, last);
-    }
-    low_x_ = each_lane<R>([&](int l) { return low[l]->x; });
-    low_y_ = each_lane<R>([&](int l) { return low[l]->y; });
-    low_slope_ = each_lane<R>([&](int l) { return low[l]->slope; });
-    high_x_ = each_lane<R>([&](int l) { return high[l]->x; });
-    high_y_ = each_lane<R>([&](int l) { return high[l]->y; });
-    high_slope_ = each_lane<R>([&](int l) { return high[l]->slope; });
+  const R& begin() const { return begin_; }
+  const R& end() const { return end_; }
+  MaskOf<R> left_by(const R& strain) const { return strain < begin_ || strain >= end_; }
+  /// A number of the cells in the stretches that `stretch` gives for each lane.
+  template <class Stretch>
+  R of_cells(double RateTable::Cell::*number, Stretch&& stretch) const {
+    return each_lane<R>([&](int l) { return cells_[l][stretch(l)].*number; });
   }
 
-  Yield& yield_;
+ private:
+  R begin_{}, end_{};
+  const RateTable::Cell* cells_[lanes<R>]{};
+};
+
+/// The unknown of a return by a table over the rate: the place in it. `Yield` has plastic_strain() at the start of the
+/// step and the rows() of it, and may have a limit() that no rate exceeds.
+template <class R, class Yield>
+class ByTable {
+ public:
+  static constexpr bool is_increment = false;
+  ByTable(const Yield& yield, const RateTable& table, double dt) : yield_(yield), table_(table), dt_(dt) {}
+
+  /// The first guess solves, with the slopes at the strain p of the start,
+  ///   Y(p) + rise w + (modulus + slope) e(w) + (bend w - s.bend e) e = trial
+  /// in the stretch where the yield stress is that of the trial: without the products by Wright's function, or where e
+  /// is straight by a division, then by one step of Newton's with them; where the place lies in another stretch, by
+  /// steps of Halley's from the end of this one.
+  Range<R> range(const BeyondYield<R>& s) {
+    most_ = s.most;
+    rows_ = yield_.rows();
+    const R p = yield_.plastic_strain();
+    find_stretch(s.trial, p - rows_.begin());
+    const R above = s.trial - low_at(p), rise = rise_at(p), modulus = s.modulus + slope_;
+    const auto curved = log_span_ > 0.0 && rise > 0.0;
+    R w, e, fall;  // fall: slope of the left side over w
+    if (any(curved)) {
+      const R steep = modulus * log_span_, over = 1.0 / (steep * rise), over_rise = over * steep;
+      const R at = above * over_rise;  // where the yield stress is that of the trial
+      const R t = omega(log_span_ * at + logarithm(start_ * (steep * over_rise)));
+      e = over * (rise * rise) * t;
+      w = at - over_rise * modulus * e;
+      fall = rise * (1.0 + t);
+    }
+    if (any(!curved)) {
+      const R straight = rise + modulus * span_, there = (above - modulus * start_) / straight;
+      w = select(curved, w, there);
+      e = select(curved, e, start_ + span_ * there);
+      fall = select(curved, fall, straight);
+    }
+    w -= e * (bend_ * w - s.bend * e) / fall;
+    R x = place_ + max(min(w, R(1.0)), R(0.0));
+    auto elsewhere = (w < 0.0 || w > 1.0) && s.trial > s.start;
+    for (int i = 0; i < 4 && any(elsewhere); ++i) {
+      x = select(elsewhere, closer(x, s), x);
+      elsewhere = elsewhere && outside(x);
+    }
+    // Lanes that do not yield stay in their stretch.
+    return {R(table_.first()), R(table_.last() + 1.0), select(s.trial > s.start, x, place_ + 0.5)};
+  }
+
+  Trial<R> operator()(const R& x) {
+    move_to(x);
+    const R w = x - place_;
+    const Increment at = increment(w);
+    const R strain = yield_.plastic_strain() + at.value;
+    if (any(rows_.left_by(strain))) {
+      rows_.find(table_, strain);
+      take(place_);
+    }
+    const R rise = rise_at(strain), slope = slope_ + w * bend_;
+    Trial<R> t{at.value, low_at(strain) + w * rise,
+               at.slope, rise + slope * at.slope,
+               at.bend,  2.0 * bend_ * at.slope + slope * at.bend};
+    if constexpr (Yield::limited) t = limited(t, yield_.limit());
+    return t;
+  }
+  /// Whether the table has no corner between places x and next, at whose end the increment is that.
+  MaskOf<R> smooth(const R& x, const R& next, const R& increment) const requires(!Yield::limited) {
+    const auto corner = outside(next) || rows_.left_by(yield_.plastic_strain() + increment);
+    return abs(log_span_ * (next - x)) < small_step<R> && !corner;
+  }
+
+ private:
+  /// Plastic strain of the step and its derivatives over w.
+  struct Increment {
+    R value, slope, bend;
+  };
+  Increment increment(const R& w) const {
+    const R exponent = log_span_ * w;
+    const R grown = start_ * (any(exponent > 0.0 || exponent < 0.0) ? exponential(exponent) : R(1.0));
+    return {grown + span_ * w, log_span_ * grown + span_, log_span_ * log_span_ * grown};
+  }
+  R low_at(const R& strain) const { return y_ + slope_ * (strain - rows_.begin()); }
+  R rise_at(const R& strain) const { return rise_ + bend_ * (strain - rows_.begin()); }
+  MaskOf<R> outside(const R& x) const { return x < place_ || x > place_ + 1.0; }
+
+  /// Wright's function: the t of t + ln t = l, to 1.2e-4 in -10 <= l <= 31, by a quotient of polynomials fitted to it.
+  /// Below that of -10, above straight on.
+  static R omega(const R& l) {
+    const R x = max(min(0.1 * l, R(3.1)), R(-1.0)), x2 = x * x, x4 = x2 * x2;
+    const R t =
+        (((0.5672435 + 5.201755 * x) + x2 * (22.30573 + 56.26242 * x)) +
+         x4 * ((87.8526 + 83.29546 * x) + x2 * (43.82447 + 9.790592 * x))) /
+        (((1.0 + 2.792157 * x) + x2 * (8.55912 + 10.63032 * x)) + x4 * ((10.24261 + 4.760522 * x) + x2 * 0.9966119));
+    return t + 0.97 * max(l - 31.0, R(0.0));
+  }
+
+  /// A step of Halley's from x, in the stretch where that lies.
+  R closer(const R& x, const BeyondYield<R>& s) {
+    move_to(x);
+    const R w = x - place_, p = yield_.plastic_strain(), rise = rise_at(p);
+    const Increment e = increment(w);
+    const R modulus = s.modulus + slope_ + bend_ * w - s.bend * e.value, steep = modulus - s.bend * e.value;
+    const R excess = low_at(p) + rise * w + modulus * e.value - s.trial;
+    const R first = rise + steep * e.slope, second = steep * e.bend;
+    return x - 2.0 * excess * first / (2.0 * first * first - excess * second);
+  }
+
+  /// Takes the stretch between two curves in which the yield stress is `stress` at the strain `from` the rows' begin,
+  /// the first or the last of them where it is outside.
+  void find_stretch(const R& stress, const R& from) {
+    const int end = static_cast<int>(table_.stretches().size()) - 1;
+    R place = R(0.0), more = R(1.0);
+    for (int i = table_.at_first_curve() + 1; i < end; ++i) {
+      const auto of_curve = [&](int) { return i; };
+      const R y = rows_.of_cells(&RateTable::Cell::y, of_curve),
+              slope = rows_.of_cells(&RateTable::Cell::slope, of_curve);
+      more = select(stress >= y + slope * from, more, R(0.0));
+      if (!any(more > 0.0)) break;
+      place += more;
+    }
+    take(place);
+  }
+  void move_to(const R& x) {
+    const auto elsewhere = outside(x);
+    if (!any(elsewhere)) return;
+    R place = place_;
+    for (const RateTable::Stretch& s : table_.stretches()) place = select(elsewhere && x >= s.place, R(s.place), place);
+    take(place);
+  }
+  void take(const R& place) {
+    place_ = place;
+    int numbers[lanes<R>];
+    const RateTable::Stretch* stretches[lanes<R>];
+    for (int l = 0; l < lanes<R>; ++l) {
+      numbers[l] = static_cast<int>(lane(place, l)) + table_.at_first_curve();
+      stretches[l] = &table_.stretches()[static_cast<std::size_t>(numbers[l])];
+    }
+    start_ = dt_ * each_lane<R>([&](int l) { return stretches[l]->start; });
+    span_ = select(place < table_.last(), dt_ * each_lane<R>([&](int l) { return stretches[l]->span; }), most_);
+    log_span_ = each_lane<R>([&](int l) { return stretches[l]->log_span; });
+    const auto number = [&](int l) { return numbers[l]; };
+    y_ = rows_.of_cells(&RateTable::Cell::y, number);
+    rise_ = rows_.of_cells(&RateTable::Cell::rise, number);
+    slope_ = rows_.of_cells(&RateTable::Cell::slope, number);
+    bend_ = rows_.of_cells(&RateTable::Cell::bend, number);
+  }
+
+  const Yield& yield_;
   const RateTable& table_;
   double dt_;
+  RateRows<R> rows_;
   R most_{};
-  R place_{R(-3.0)}, start_{}, span_{}, log_span_{};
-  R begin_{}, end_{R(-1.0)}, low_x_{}, low_y_{}, low_slope_{}, high_x_{}, high_y_{}, high_slope_{};
-  const YieldCurve::Piece* lines_[lanes<R>]{};
+  R place_{}, start_{}, span_{}, log_span_{};  // start, span: of the plastic strain of the step
+  R y_{}, rise_{}, slope_{}, bend_{};
 };
 
 }  // namespace nugget::kernel
