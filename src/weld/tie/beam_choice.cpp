@@ -24,7 +24,9 @@ bool on_two_layers(const PlaceOnPart& from, const PlaceOnPart& to, const Vec3d& 
 
 PlaceOnPart place_of(const Candidate& candidate, const std::vector<Vec3d>& x) {
   const model::Segment& n = candidate.segment.node;
-  return {candidate.segment.part, candidate.foot.point, normal({x[n[0]], x[n[1]], x[n[2]], x[n[3]]})};
+  // Opposite faces of a brick are no two layers.
+  const Vec3d of_shell = candidate.segment.shell == none ? Vec3d{} : normal({x[n[0]], x[n[1]], x[n[2]], x[n[3]]});
+  return {candidate.segment.part, candidate.foot.point, of_shell};
 }
 
 const Candidate* best_beside(const std::vector<Candidate>& offers, const PlaceOnPart& other, const Vec3d& axis,

@@ -11,7 +11,7 @@ namespace nugget::weld {
 /// What a weld's end is tied to: a place on a sheet.
 struct PlaceOnPart {
   Index part = none;
-  Vec3d point, normal;  ///< of the sheet there; zero where it is not known
+  Vec3d point, normal;  ///< of the shell there; zero where there is none
 };
 
 PlaceOnPart place_of(const Candidate& candidate, const std::vector<Vec3d>& x);

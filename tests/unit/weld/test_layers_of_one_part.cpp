@@ -95,5 +95,22 @@ TEST(LayersOfOnePart, OneLayerIsNotTwoSheets) {
   EXPECT_FALSE(weld::tie(a.model, findings).welds.at(0).tied) << text(findings);
 }
 
+// Two layers of bricks, of two parts; both ends lie in the middle of a brick, and as far from the faces of the lower
+// part. Sabotage: faces of bricks are layers.
+TEST(LayersOfOnePart, OppositeFacesOfABrickAreNot) {
+  Assembly a;
+  Findings findings;
+  std::array<Index, 2> parts{};
+  for (const std::size_t k : {0u, 1u}) {
+    parts[k] = a.part(model::ElementKind::solid, kernel::Elastic{210000.0, 0.3});
+    const double z = k == 0 ? 0.0 : 1.5;
+    a.brick(parts[k], 0, 0, z, z + 1.5, 10.0);
+  }
+  const Index welds = a.beam_part(5.0);
+  a.beam(welds, {0, 0, 0.75}, {0, 0, 2.25});
+  a.tie({welds}, {parts[0], parts[1]});
+  EXPECT_EQ(weld::tie(a.model, findings).welds.at(0).sheets, parts) << text(findings);
+}
+
 }  // namespace
 }  // namespace nugget::weld
