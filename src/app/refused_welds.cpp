@@ -37,7 +37,7 @@ std::string several(std::size_t n, std::string_view what) {
 /// What the welds are like, counted.
 struct WeldSummary {
   std::size_t inferred = 0;
-  std::array<std::size_t, 3> on_sheets{};   ///< on none, one, two different sheets
+  std::array<std::size_t, 3> on_sheets{};   ///< on none, one, two sheets
   std::map<double, std::size_t> diameters;  ///< rounded to three digits; 0: not known
   std::map<std::string, std::size_t>
       reasons;  ///< of ends that are tied to nothing, without the numbers of their elements
@@ -62,7 +62,8 @@ WeldSummary summarize(const model::Model& model, const weld::Ties& ties) {
       ++summary.inferred;
       (w.of_bricks() ? summary.other_bricks : summary.other_beams) += w.elements.size();
     }
-    const bool one = w.sheets[0] != model::none, other = w.sheets[1] != model::none && w.sheets[1] != w.sheets[0];
+    const bool one = w.sheets[0] != model::none;
+    const bool other = w.sheets[1] != model::none && (w.tied || w.sheets[1] != w.sheets[0]);
     ++summary.on_sheets[at(one) + at(other)];
     if (w.part != model::none) parts.insert(w.part);
     if (w.kind != weld::Weld::Kind::rigid && w.kind != weld::Weld::Kind::connector)

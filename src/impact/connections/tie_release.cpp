@@ -192,17 +192,18 @@ void TieReleases::delete_welds_without_sheet(const system::State& state) {
   for (std::size_t t = 0; t < ended_.size(); ++t) tie_of[system_.ties.ties[t].node] = t;
   for (std::size_t i = 0; i < system_.ties.welds.size(); ++i) {
     const weld::Weld& w = system_.ties.welds[i];
-    const auto without = [&](model::Index sheet) {
+    // By end: both may be on two layers of one part.
+    const auto without = [&](std::size_t end) {
       int ties = 0, lost = 0;
-      for (const weld::Projection& p : w.ends) {
-        const std::size_t t = tie_of[p.node];
-        if (t == ended_.size() || system_.ties.ties[t].part != sheet) continue;
+      for (const model::Index node : w.face[end]) {
+        const std::size_t t = tie_of[node];
+        if (t == ended_.size() || system_.ties.ties[t].part != w.sheets[end]) continue;
         ++ties;
         lost += lost_[t];
       }
       return ties > 0 && lost == ties;
     };
-    if (without(w.sheets[0]) || without(w.sheets[1])) welds_.delete_without_sheet(i, state);
+    if (without(0) || without(1)) welds_.delete_without_sheet(i, state);
   }
 }
 

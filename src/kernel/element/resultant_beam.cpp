@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/axis_across.hpp"
+
 namespace nugget::kernel {
 namespace {
 
@@ -34,20 +36,14 @@ void start_resultant_beam(const Vec3d& x1, const Vec3d& x2, const Vec3d& towards
   const auto put = [&](int i, double value) { state[i * width + lane] = value; };
   const auto put_vector = [&](int i, const Vec3d& v) { put(i, v.x), put(i + 1, v.y), put(i + 2, v.z); };
   for (int i = 0; i < L::count; ++i) put(i, 0.0);
-  const Vec3d along = x2 - x1, r = unit(along);
-  Vec3d side = towards - dot(towards, r) * r;
-  if (dot(side, side) <= 1e-12 * dot(towards, towards)) {
-    const double x = std::abs(r.x), y = std::abs(r.y), z = std::abs(r.z);
-    const Vec3d axis = x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-    side = axis - dot(axis, r) * r;
-  }
+  const Vec3d along = x2 - x1, r = unit(along), side = beam_side(r, towards);
   put(L::alive, 1.0);
   put(L::density_scale, 1.0);
   put(L::length, norm(along));
   put(L::first_length, norm(along));
   for (int node = 0; node < 2; ++node) {
     put_vector(L::axes + 6 * node, r);
-    put_vector(L::axes + 6 * node + 3, unit(side));
+    put_vector(L::axes + 6 * node + 3, side);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "base/axis_across.hpp"
 #include "base/index.hpp"
 #include "kernel/element/gyration.hpp"
 #include "kernel/law/composed_law_kernel.hpp"
@@ -245,13 +246,7 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
   using L = WeldBeamLayout;
   for (int i = 0; i < layout.size(); ++i) state[i * width + lane] = 0.0;
   const Vec3d along = x2 - x1, r = unit(along);
-  Vec3d side = towards - dot(towards, r) * r;
-  if (dot(side, side) <= 1e-12 * dot(towards, towards)) {
-    const double x = std::abs(r.x), y = std::abs(r.y), z = std::abs(r.z);
-    const Vec3d axis = x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-    side = axis - dot(axis, r) * r;
-  }
-  const Vec3d s = unit(side);
+  const Vec3d s = beam_side(r, towards);
   state[L::alive * width + lane] = 1.0;
   state[L::density_scale * width + lane] = 1.0;
   state[L::integrity * width + lane] = 1.0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/axis_across.hpp"
 #include "base/index.hpp"
 #include "model/circular_motion.hpp"
 #include "nvh/matrices/nodal.hpp"
@@ -68,16 +69,19 @@ std::vector<double> element_force(const Matrices& m, const system::ElementGroup&
   return f;
 }
 
-/// Of a weld beam, by equilibrium from the forces at its second end: moments about its middle.
-weld::Resultants of_beam(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
+/// Of a weld beam, by equilibrium from the forces at its second end: moments about its middle. s and t are those with
+/// which a run begins: strengths may differ between them.
+weld::Resultants of_beam(const Matrices& m, const weld::Weld& weld, const Nodal& u) {
+  const system::System::ElementLocation location = m.system.location_of(weld, weld.element);
+  const system::ElementGroup& group = *m.system.groups[location.group];
+  const std::size_t e = at(location.element);
   const std::vector<double> f = element_force(m, group, e, u);
   const system::ElementNodes node = group.nodes(e);
   const Vec3d line = vec(m.rest.x[node[1]]) - vec(m.rest.x[node[0]]);
   const Vec3d r = unit(line), force{f[6], f[7], f[8]};
   const Vec3d moment = Vec3d{f[9], f[10], f[11]} + cross(0.5 * line, force);
-  // s and t: any two normals of the axis; only magnitudes in that plane are written.
-  const Vec3d least = std::abs(r.x) < 0.6 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-  const Vec3d s = unit(least - dot(least, r) * r), t = cross(r, s);
+  const Vec3d s = beam_side(r, m.system.model.beams.side(at(weld.element), m.system.ties.x));
+  const Vec3d t = cross(r, s);
   return {dot(r, force), dot(s, force), dot(t, force), dot(r, moment), dot(s, moment), dot(t, moment)};
 }
 
@@ -107,13 +111,12 @@ std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, c
   if (weld.interpolated) {
     const auto none = std::numeric_limits<double>::quiet_NaN();
     if (!(weld.length > 0.0)) return {};  // no axis
-    return WeldForce{of_beam(m, *m.system.groups[location.group], at(location.element), u), none};
+    return WeldForce{of_beam(m, weld, u), none};
   }
   const model::Model& model = m.system.model;
   weld::failure::Load load;
   load.time = model.control.end_time;
-  load.resultants = weld.of_bricks() ? of_bricks(m, weld, u, load.area)
-                                     : of_beam(m, *m.system.groups[location.group], at(location.element), u);
+  load.resultants = weld.of_bricks() ? of_bricks(m, weld, u, load.area) : of_beam(m, weld, u);
   const auto function = weld::failure::make_function(model, weld::law_of(model, weld),
                                                      weld::failure::geometry_of(model, weld), weld.place, findings);
   return WeldForce{load.resultants, (*function)(load).value};

@@ -473,6 +473,10 @@ void read_weld_damage(Builder& b, Cursor& cursor, WeldLaw& law, const RowOf<Weld
     scale_rupture(cursor.block(), damage);
     return check_damage(b, row, row, damage, failure_strain);
   }
+  if (!cursor.more())
+    row[&WeldCards::dmgopt].report(b.findings, Severity::warning,
+                                   "the next card, which is to give DMGOPT, is missing or blank: damage as with 0",
+                                   "write DMGOPT there, or here in place of -1");
   const auto more = cursor.read(weld_damage_card);
   damage.option = static_cast<int>(more->dmgopt);
   scale_rupture(cursor.block(), damage);

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/axis_across.hpp"
 #include "model/weld_section.hpp"
 
 namespace nugget::reading {
@@ -19,12 +20,7 @@ constexpr double pi = std::numbers::pi;
 Frame3d beam_axes(const Model& m, std::size_t e) {
   const Vec3d &x1 = m.nodes.x[m.beams.node[e][0]], &x2 = m.nodes.x[m.beams.node[e][1]];
   const Vec3d r = unit(x2 - x1);
-  const auto across = [&](const Vec3d& a) { return a - dot(a, r) * r; };
-  const Vec3d side = m.beams.side(e, m.nodes.x);
-  if (const Vec3d s = across(side); norm(s) > 1e-9 * norm(side)) return {r, unit(s), cross(r, unit(s))};
-  const double x = std::abs(r.x), y = std::abs(r.y), z = std::abs(r.z);
-  const Vec3d axis = x <= y && x <= z ? Vec3d{1, 0, 0} : y <= z ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-  const Vec3d s = unit(across(axis));
+  const Vec3d s = beam_side(r, m.beams.side(e, m.nodes.x));
   return {r, s, cross(r, s)};
 }
 

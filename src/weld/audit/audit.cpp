@@ -47,12 +47,23 @@ CheckResult worse_end(Measure measure) {
   return std::isnan(first.value) || second.excess > first.excess ? second : first;
 }
 
+/// Of one part: a section that is closed by its own welds.
+bool joins_two_layers(const Inspection& in, const Weld& weld) {
+  constexpr double steepest = 30.0;  // degrees to the normal: a weld that lies along its sheet has 90
+  const auto across = [&](int end) {
+    const auto angle = in.angle_to_normal(weld, end);
+    return angle && *angle <= steepest;
+  };
+  return weld.tied && across(0) && across(1);
+}
+
 CheckResult check_two_sheets(const Inspection& in, const Weld& weld) {
   const auto [first, second] = weld.sheets;
   const auto wrong = [](std::string text) { return CheckResult{nothing, 2.0, std::move(text)}; };
   if (first == none && second == none) return {};   // reported as an untied weld
   if (weld.tied && weld.held_by_bricks) return {};  // the bricks between it and the other sheet hold it
-  if (first == second) return wrong(fmt::format("both ends on {}", part_name(in, first)));
+  if (first == second && !joins_two_layers(in, weld))
+    return wrong(fmt::format("both ends on {}", part_name(in, first)));
   if (first == none || second == none)
     return wrong(fmt::format("on one sheet only, {}", part_name(in, first == none ? second : first)));
   return {};

@@ -4,15 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/axis_across.hpp"
+
 namespace nugget::weld {
 namespace {
-
-/// The global axis that is farthest from r, as weld beams choose it.
-Vec3d axis_away_from(const Vec3d& r) {
-  const double x = std::abs(r.x), y = std::abs(r.y), z = std::abs(r.z);
-  if (x <= y && x <= z) return {1.0, 0.0, 0.0};
-  return y <= z ? Vec3d{0.0, 1.0, 0.0} : Vec3d{0.0, 0.0, 1.0};
-}
 
 Vec3d across(const Vec3d& r, const Vec3d& a) {
   return a - dot(a, r) * r;
@@ -35,7 +30,7 @@ BrickSection::BrickSection(const Weld& weld, const std::vector<Vec3d>& x) {
   for (Index n : nodes_) start.push_back(x[n]);
   const Frame3d edges = shape(start).axes;
   const bool given = norm(across(edges.e1, weld.orientation)) > 0.0;
-  const Vec3d s = unit(across(edges.e1, given ? weld.orientation : axis_away_from(edges.e1)));
+  const Vec3d s = unit(across(edges.e1, given ? weld.orientation : global_axis_across(edges.e1)));
   cosine_ = dot(s, edges.e2);
   sine_ = dot(s, edges.e3);
 }

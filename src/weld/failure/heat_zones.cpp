@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -49,16 +51,20 @@ bool in(const std::vector<Index>& parts, Index part) {
 
 Heat heat_of(const model::Model& model, const Ties& ties, Index part) {
   Heat heat;
+  std::vector<char> of_part(model.nodes.size(), 0);
+  for (std::size_t e = 0; e < model.shells.size(); ++e)
+    if (model.shells.part[e] == part)
+      for (const Index n : model.shells.node[e]) of_part[n] = 1;
   for (const Weld& weld : ties.welds) {
     if (weld.deleted || weld.kind == Weld::Kind::connector) continue;
     std::vector<Spot>& spots = heat.spots[kind_of(weld)];
-    for (int end = 0; end < 2; ++end) {
-      if (weld.sheets[end] != part) continue;
-      if (weld.kind != Weld::Kind::rigid)
+    // A rigid weld may go through more than two sheets.
+    if (weld.kind == Weld::Kind::rigid)
+      for (const Projection& p : weld.ends)
+        if (of_part[p.node]) spots.push_back({ties.x[p.node], 0.0});
+    for (int end = 0; end < 2; ++end)
+      if (weld.kind != Weld::Kind::rigid && weld.sheets[end] == part)
         spots.push_back({face_centre(weld, end, ties.x), weld.diameter});
-      else
-        for (const Projection& p : weld.ends) spots.push_back({ties.x[p.node], 0.0});
-    }
   }
   for (const model::WeldSeam& seam : model.weld_seams) {
     if (!seam.parts.empty() && !in(seam.parts, part)) continue;
@@ -143,7 +149,14 @@ model::Law softened(const model::Law& law, const Softening& by) {
 
 void note_heat_zones(const model::Model& model, const Ties& ties, Findings& findings) {
   const std::vector<Softening> all = softening(model, ties);
+  std::map<Index, const Zone*> zone_of;
   for (const Zone& zone : model.heat_zones) {
+    for (const Index part : zone.parts)
+      if (const auto [before, is_new] = zone_of.try_emplace(part, &zone); !is_new)
+        findings.warning(zone.place, "*DEFINE_HAZ_PROPERTIES",
+                         fmt::format("part {} is of zone {} already: this one holds for it", model.parts[part].id,
+                                     std::exchange(before->second, &zone)->id),
+                         "name each part in one zone");
     int count = 0;
     Softening least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     for (std::size_t e = 0; e < model.shells.size(); ++e) {

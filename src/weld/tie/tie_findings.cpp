@@ -11,6 +11,7 @@
 
 #include "kernel/law/cohesive_bond.hpp"
 #include "model/bond.hpp"
+#include "weld/tie/cut_welds.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -527,6 +528,7 @@ void report_welds(const model::Model& model, const Ties& ties, Findings& finding
   report_untracked_welds(model, ties, findings);
   report_untied_welds(model, untied, findings);
   note_distances(model, ties, findings);
+  report_cut_welds(model, ties, findings);
 }
 
 }  // namespace nugget::weld

@@ -10,6 +10,7 @@
 
 #include "base/parallel.hpp"
 #include "weld/tie/assembly.hpp"
+#include "weld/tie/beam_choice.hpp"
 #include "weld/tie/beam_clusters.hpp"
 #include "weld/tie/disc.hpp"
 #include "weld/tie/reference.hpp"
@@ -131,6 +132,7 @@ class Tying {
   std::vector<Tracked> tracked_nodes(Index contact);
   void collect_candidates(Index contact, const std::vector<Tracked>& tracked, std::vector<NearbySegments> offers);
   void choose_beam_segments(const Weld& weld);
+  PlaceOnPart held_at(Index node) const;
   static const Candidate* best(const Record& record, Index part_to_avoid);
   static void choose_segment(Record& record, const Candidate* candidate);
   void free_inner_nodes();
@@ -281,38 +283,31 @@ void Tying::collect_candidates(Index contact, const std::vector<Tracked>& tracke
   }
 }
 
-/// Ties the two ends to different parts: of two on the same part the farther one takes its next best; if that would
-/// turn the weld over and the other way round would not, the nearer one does.
+/// Ties the two ends to two sheets.
 void Tying::choose_beam_segments(const Weld& weld) {
   const std::array<Record*, 2> r{record(weld.ends[0].node), record(weld.ends[1].node)};
   const auto is_open = [](const Record* record) {
     return record && !record->tied && !record->within_tolerance.empty();
   };
   const std::array<bool, 2> open{is_open(r[0]), is_open(r[1])};
+  const Vec3d axis = x_[weld.ends[1].node] - x_[weld.ends[0].node];
   if (open[0] != open[1]) {
     const int end = open[0] ? 0 : 1;
-    choose_segment(*r[end], best(*r[end], sheet_at(weld.ends[1 - end].node)));
+    const Vec3d to_it = end == 1 ? axis : -1.0 * axis;
+    choose_segment(*r[end], best_beside(r[end]->within_tolerance, held_at(weld.ends[1 - end].node), to_it, x_));
   }
   if (!open[0] || !open[1]) return;
-
-  using Choice = std::array<const Candidate*, 2>;
-  const auto choose = [&](int first) {
-    Choice choice{};
-    choice[first] = best(*r[first], none);
-    choice[1 - first] = best(*r[1 - first], choice[first]->segment.part);
-    return choice;
-  };
-  const Vec3d axis = x_[r[1]->node] - x_[r[0]->node];
-  const auto turns_over = [&](const Choice& c) {
-    return c[0] && c[1] && dot(c[1]->foot.point - c[0]->foot.point, axis) <= 0.0;
-  };
-  const int nearer = r[0]->within_tolerance.front().distance > r[1]->within_tolerance.front().distance ? 1 : 0;
-  Choice choice = choose(nearer);
-  if (turns_over(choice)) {
-    const Choice other = choose(1 - nearer);
-    if (other[0] && other[1] && !turns_over(other)) choice = other;
-  }
+  const auto choice = choose_two_sheets({&r[0]->within_tolerance, &r[1]->within_tolerance}, axis, x_);
   for (int end = 0; end < 2; ++end) choose_segment(*r[end], choice[end]);
+}
+
+/// Where a sheet or a body holds a node.
+PlaceOnPart Tying::held_at(Index node) const {
+  if (const Record* r = record(node); r && r->tied) return place_of(r->closest, x_);
+  const Index shell = around_.shell[node];
+  if (shell == none) return {sheet_at(node), x_[node], {}};
+  const std::array<Index, 4>& n = model_.shells.node[shell];
+  return {sheet_at(node), x_[node], normal({x_[n[0]], x_[n[1]], x_[n[2]], x_[n[3]]})};
 }
 
 /// The best that a node is offered elsewhere than on one part; null if there is nothing.

@@ -153,6 +153,7 @@ TEST(WeldCards, DamageOfPoints) {
   EXPECT_TRUE(with("0.3,,,,,,,5\n").error("DMGOPT 5 is not", "dmgopt"));
   EXPECT_TRUE(with(",,,,,,,1\n").warning("without RS", "rs"));
   EXPECT_TRUE(with("0.3,,,,,,,-1\n1,0.5\n").warning("counts for DMGOPT 10", "fmode"));
+  EXPECT_TRUE(with("0.3,,,,,,,-1\n").warning("the next card, which is to give DMGOPT, is missing", "dmgopt"));
 }
 
 TEST(WeldCards, TablesOfStrengths) {

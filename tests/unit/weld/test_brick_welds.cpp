@@ -271,6 +271,19 @@ TEST(BrickSection, AxesLengthAndArea) {
   EXPECT_NEAR(shape.centre[1].x - shape.centre[0].x, 0.2, 1e-12);
 }
 
+// Sabotage: the axes most across r are compared to the last digit.
+TEST(BrickSection, AxesOfAClusterHaveNothingToDoWithRoundOff) {
+  for (const double lost : {1e-15, -1e-12}) {
+    Stack a({0.0, 1.0}, 2);
+    const Ties ties = a.tied();
+    std::vector<Vec3d> start = ties.x, x;
+    for (Vec3d& p : start) p.z += lost * p.x;
+    const BrickSection section(ties.welds[0], start);
+    for (Index n : section.nodes()) x.push_back(start[n]);
+    EXPECT_NEAR(section.shape(x).axes.e2.x, 1.0, 1e-9);
+  }
+}
+
 TEST(BrickSection, AShearForceHasItsMomentAtTheEnds) {
   Stack a({0.0, 2.0}, 1);
   const Ties ties = a.tied();

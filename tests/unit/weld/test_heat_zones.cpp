@@ -96,6 +96,39 @@ TEST(HeatZones, SeamsAreLines) {
   EXPECT_EQ(a.factors()[11].yield, 1.0);  // 10 from the weld
 }
 
+// Node (20, 20) of each of three sheets. Sabotage: the first two sheets of a rigid weld only.
+TEST(HeatZones, ARigidWeldHeatsAllItsSheets) {
+  Welded a;
+  const Index top = a.sheet(1.0, {0, 0, 2}, 5, 5);
+  model::RigidWeld weld;
+  weld.kind = model::RigidWeld::Kind::generalized;
+  weld.nodes = {14, 36 + 14, 72 + 2 + 14};  // the weld beam has nodes of its own before the third sheet
+  weld.body = 0;
+  a.model.rigid_bodies.emplace_back().nodes = weld.nodes;
+  a.model.rigid_welds.push_back(weld);
+  ASSERT_EQ(a.model.nodes.x[weld.nodes[2]].z, 2.0);
+  ASSERT_EQ(a.model.nodes.x[weld.nodes[2]].x, 20.0);
+  a.zone().parts = {a.lower, a.upper, top};
+  a.model.heat_zones[0].yield[HeatZone::constrained] = {line(20.0, 1.0), false};
+  const std::vector<Softening> all = a.factors();
+  for (const std::size_t sheet : {0u, 1u, 2u})
+    for (const std::size_t shell : {6u, 7u, 11u, 12u})
+      EXPECT_EQ(all[25 * sheet + shell].yield, rounded(0.5 + 0.5 * std::hypot(5.0, 5.0) / 20.0)) << sheet;
+}
+
+// Sabotage: the later zone holds in silence.
+TEST(HeatZones, APartInTwoZonesIsSaid) {
+  Welded a;
+  for (const int id : {7, 8}) {
+    a.zone().id = id;
+    a.model.heat_zones.back().yield[HeatZone::beams] = {line(20.0, 1.0), false};
+  }
+  Findings findings, of_ties;
+  const Ties ties = tie(a.model, of_ties);
+  note_heat_zones(a.model, ties, findings);
+  EXPECT_THAT(text(findings), HasSubstr("part 1 is of zone 7 already: this one holds for it"));
+}
+
 TEST(HeatZones, TheWholeYieldCurveIsScaled) {
   kernel::PiecewiseLinear curves;
   curves.yield.emplace_back();

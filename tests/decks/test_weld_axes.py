@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Welds whose strengths differ between s and t, in linear statics; welds between two layers of one part."""
+import csv
+import unittest
+
+import lsda
+from nugget_command import CommandTest
+from welded_sheets import Sheets, weld_material
+
+NRS, NRT = 8000.0, 2000.0
+LINEAR = "*CONTROL_IMPLICIT_GENERAL\n1,1.0\n*CONTROL_IMPLICIT_SOLUTION\n1\n*CONTROL_TERMINATION\n1.0"
+AXES = {"third node": (1.0, 2.0, 0.0), "none": None}
+
+
+def pulled(direction, towards, cards=(LINEAR,)):
+    """The left edge of a sheet is held, a node of the one on it is pulled by 100 along x or y. `towards`: from the weld to its third node."""
+    s = Sheets(16)
+    s.cards += [*cards, weld_material(2, card=f"0.0,0.0,{NRS},{NRT}")]
+    sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
+    welds = s.beam_part(6.0, 2)
+    s.beam(welds, (15.0, 15.0, 0.0), (15.0, 15.0, 1.2))
+    if towards:
+        s.beams[-1] += f",{s.add_node(15.0 + towards[0], 15.0 + towards[1], towards[2])}"
+    s.tie([welds], sheets)
+    s.node_set(1, s.row(sheets[0], 0) + s.row(sheets[0], -1))
+    s.cards.append("*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1")
+    s.cards.append("*DEFINE_CURVE\n1\n0.0,1.0\n1.0,1.0")
+    s.cards.append(f"*LOAD_NODE_POINT\n{s.row(sheets[1], 3)[3]},{direction},1,100.0")
+    return s
+
+
+def thrown(one_part):
+    """A sheet is thrown off another one, to which a weld beam holds it: two parts, or one."""
+    s = Sheets()
+    s.cards += ["*CONTROL_TERMINATION\n2.0e-5", "*DATABASE_SWFORC\n1.0e-6,2", weld_material(2)]
+    sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
+    if one_part:
+        s.shells = [f"{e},{sheets[0]},{nodes}" for e, part, nodes in (shell.split(",", 2) for shell in s.shells)]
+    welds = s.beam_part(6.0, 2)
+    s.beam(welds, (14.0, 16.0, 0.2), (14.0, 16.0, 0.9))
+    s.tie([welds], sheets[:1] if one_part else sheets)
+    s.node_set(1, [n for j in range(6) for n in s.row(sheets[1], j)])
+    s.cards.append("*INITIAL_VELOCITY\n1\n300.0,200.0,900.0")
+    return s.text()
+
+
+class WeldAxes(CommandTest):
+    def failure_value(self, s, name):
+        self.write(s.text(), f"{name}.k")
+        self.nugget("run", f"{name}.k", "-o", name, "--quiet")
+        with open(self.folder / name / "welds.csv", encoding="utf-8", newline="") as file:
+            weld, = csv.DictReader(file)
+        return float(weld["peak_failure"]), float(weld["peak_shear"])
+
+    def test_statics_judge_a_weld_in_its_own_axes(self):
+        """The weld alone carries the 100. Without a third node s is x; with one it is towards that. Sabotage: any two normals of the axis."""
+        for direction, along in ((1, (1.0, 0.0)), (2, (0.0, 1.0))):
+            for name, towards in AXES.items():
+                with self.subTest(direction=direction, axes=name):
+                    s = (towards[0] / 5**0.5, towards[1] / 5**0.5) if towards else (1.0, 0.0)
+                    of_s, of_t = 100.0 * (along[0] * s[0] + along[1] * s[1]), 100.0 * (along[1] * s[0] - along[0] * s[1])
+                    value, shear = self.failure_value(pulled(direction, towards), f"x{direction}{name[0]}")
+                    self.assertAlmostEqual(shear, 100.0, delta=1e-6)
+                    self.assertAlmostEqual(value / ((of_s / NRS)**2 + (of_t / NRT)**2), 1.0, delta=1e-6)
+
+
+class LayersOfOnePart(CommandTest):
+    def test_a_weld_between_them_carries_what_one_between_two_parts_does(self):
+        """Sabotage: two places of one part are never two sheets."""
+        forces = []
+        for name, one_part in (("two", False), ("one", True)):
+            self.write(thrown(one_part), f"{name}.k")
+            run = self.nugget("run", f"{name}.k", "-o", name, "--quiet", "-j1")
+            self.assertNotIn("not tied", run.stderr)
+            states = lsda.states(lsda.read(self.folder / name / "binout0000"), "swforc")
+            forces.append([(s["axial"], s["shear"], s["resultant_moment"]) for s in states])
+        self.assertGreater(max(axial[0] for axial, _, _ in forces[0]), 100.0)
+        self.assertEqual(forces[0], forces[1])
+
+    def test_a_weld_goes_with_the_shell_of_either_layer(self):
+        """SPOTDEL 1. Sabotage: a weld goes when all its ties into a part are gone."""
+        for shell in (13, 38):  # in the middle of the lower and of the upper layer
+            with self.subTest(shell=shell):
+                cards = (f"*SET_SHELL_LIST\n7\n{shell}\n*DEFINE_ELEMENT_DEATH_SHELL_SET\n7,1.0e-5\n"
+                         "*CONTROL_CONTACT\n\n\n\n0,0,0,0,0,1\n*END")
+                self.write(thrown(True).replace("*END", cards))
+                self.nugget("run", "model.k", "-o", "out", "--quiet")
+                self.assertIn("by deleted sheet", self.read("out/run.log"))
+
+
+class SectionsBesideWelds(CommandTest):
+    def test_a_plane_that_welds_cross_only_on_their_sheets_says_so(self):
+        """Two welds are drawn from z = 0.2 to 0.9 and moved to 0 and 1.2, one is drawn across all of it. Sabotage: planes go by welds as drawn in
+        silence; a plane through all of them as drawn is warned of."""
+        for height, said in ((1.0, "between the ends of 2 welds"), (0.5, "")):
+            with self.subTest(height=height):
+                s = Sheets()
+                s.cards += ["*CONTROL_TERMINATION\n2.0e-5", weld_material(2),
+                            f"*DATABASE_CROSS_SECTION_PLANE\n0,0.0,0.0,{height},0.0,0.0,9.0\n", "*DATABASE_SECFORC\n1.0e-6"]
+                sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
+                welds = s.beam_part(6.0, 2)
+                for x, low, high in ((8.0, 0.2, 0.9), (15.0, 0.0, 1.2), (22.0, 0.2, 0.9)):
+                    s.beam(welds, (x, 15.0, low), (x, 15.0, high))
+                s.tie([welds], sheets)
+                self.write(s.text())
+                text = self.nugget("check", "model.k").stderr
+                self.assertIn(said, text)
+                self.assertEqual("secforc lacks their forces" in text, bool(said), text)
+
+
+if __name__ == "__main__":
+    unittest.main()
