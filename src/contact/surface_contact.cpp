@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/cleared.hpp"
@@ -22,6 +23,11 @@ double mean_edge(const std::vector<Segment>& segments, std::span<const Row> x) {
   double sum = 0.0;
   for (const Segment& s : segments) sum += std::sqrt(area(s, x));
   return segments.empty() ? 0.0 : sum / static_cast<double>(segments.size());
+}
+
+/// Area of a segment where friction asks for it.
+double area_for(const kernel::Friction& law, const Facet& segment, const Step& step) {
+  return law.shear_strength > 0.0 ? area(segment, step.x) : 0.0;
 }
 
 }  // namespace
@@ -219,105 +225,13 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
     const Awake::Node& node = work.awake.nodes[n];
     if (n + 1 < work.awake.nodes.size())
       ask_for_touching(block, work.awake, node.end, work.awake.nodes[n + 1].end, step);
-    check_node(block, gather_candidates(block, work, node, first, step), node.tracked, step);
+    const Candidates candidates = gather_candidates(block, work, node, first, step);
+    if (!candidates.empty() || block.depth_of(node.tracked) > 0.0) check_node(block, candidates, node.tracked, step);
     first = node.end;
   }
   block.asleep_until = *std::min_element(block.next_check_travel.begin(), block.next_check_travel.end());
   sum_up(block);
   share_out(block, work.shares);
-}
-
-void SurfaceContact::ask_for(const Block& block) const {
-  if (block.asleep_until > travelled_) return;
-  const auto lines = [](const auto& list) { ask_for_lines(list.data(), list.size() * sizeof list[0]); };
-  lines(block.next_check_travel);
-  lines(block.first);
-  lines(block.pairs);
-  lines(block.touches);
-}
-
-/// Asks for what a pair of those that are awake needs to press, where it did so in the cycle before.
-void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, std::size_t begin, std::size_t end,
-                                      const Step& step) const {
-  for (std::size_t i = begin; i < end; ++i) {
-    const Pair& pair = block.pairs[awake.pairs[i].pair];
-    if (pair.touch == none) continue;
-    ask_for_lines(&block.touches[pair.touch], sizeof(Touch));
-    for (const int n : faces_[pair.segment].node) {
-      __builtin_prefetch(&step.v[n]);
-      step.mass.ask_for(n);
-      forces_.ask_for_place(n);
-    }
-  }
-}
-
-/// Lists the pairs that can touch in this cycle.
-void SurfaceContact::wake(const Block& block, Awake& awake) const {
-  awake.nodes.clear();
-  awake.pairs.clear();
-  awake.pairs.reserve(block.pairs.size());
-  if (block.asleep_until > travelled_) return;
-  for (int t = block.begin; t < block.end; ++t) {
-    if (block.next_check_travel[t - block.begin] > travelled_) continue;
-    if (excluded_ != nullptr && (*excluded_)[t]) continue;
-    double asleep_until = Box::infinity;
-    const int node = nodes_[t].node;
-    for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
-      const Pair& pair = block.pairs[i];
-      if (pair.next_check_travel > travelled_) {
-        asleep_until = std::min(asleep_until, pair.next_check_travel);
-        continue;
-      }
-      __builtin_prefetch(&faces_[pair.segment]);
-      awake.pairs.push_back({i, node, 0});
-    }
-    awake.nodes.push_back({t, awake.pairs.size(), asleep_until});
-  }
-}
-
-/// Projects the nodes of the pairs that are awake onto their segments, as many pairs at a time as a register has lanes.
-void SurfaceContact::project(const Block& block, Work& work, const Step& step) const {
-  using R = NativeBatch;
-  constexpr std::size_t width = Work::width, ahead = 3 * width;
-  Awake& awake = work.awake;
-  const std::size_t count = awake.pairs.size();
-  awake.order.resize(count);
-  // Lanes whose feet stay inside need no look at edges: together they save it.
-  std::size_t inside = 0, on_border = count;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Pair& pair = block.pairs[awake.pairs[i].pair];
-    const bool border = std::max(std::abs(pair.xi), std::abs(pair.eta)) >= 1.0;
-    const std::size_t turn = border ? --on_border : inside++;
-    awake.order[turn] = static_cast<int>(i);
-    awake.pairs[i].turn = static_cast<int>(turn);
-  }
-  const auto ask_for_corners = [&](std::size_t first) {
-    for (std::size_t k = first; k < std::min(count, first + width); ++k)
-      for (const int n : faces_[block.pairs[awake.pairs[awake.order[k]].pair].segment].node)
-        __builtin_prefetch(&step.x[n]);
-  };
-  for (std::size_t first = 0; first < std::min(count, ahead); first += width) ask_for_corners(first);
-  work.feet.resize((count + width - 1) / width);
-  work.clear.resize(work.feet.size());
-  for (std::size_t first = 0; first < count; first += width) {
-    ask_for_corners(first + ahead);
-    std::array<std::array<int, width>, 4> id;
-    std::array<int, width> node;
-    std::array<double, width> xi, eta;
-    for (std::size_t l = 0; l < width; ++l) {
-      const Awake::One& candidate = awake.pairs[awake.order[std::min(first + l, count - 1)]];
-      const Pair& pair = block.pairs[candidate.pair];
-      for (std::size_t c = 0; c < 4; ++c) id[c][l] = faces_[pair.segment].node[c];
-      node[l] = candidate.node;
-      xi[l] = pair.xi;
-      eta[l] = pair.eta;
-    }
-    kernel::CornersOf<R> corners;
-    for (std::size_t c = 0; c < 4; ++c) corners[c] = gather<R>(step.x.data(), id[c].data());
-    const Vec3<R> x = gather<R>(step.x.data(), node.data());
-    work.clear[first / width] = kernel::least_distance(corners, x);
-    work.feet[first / width] = kernel::closest_points(corners, x, real_load<R>(xi.data()), real_load<R>(eta.data()));
-  }
 }
 
 void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked, const Step& step) const {
@@ -327,7 +241,8 @@ void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked
     go_over_edges(candidates, node, step);
     block.deep[tracked - block.begin] = 0.0;
   }
-  if (step.dt > 0.0) drop_stray_candidates(candidates, node, step);
+  if (step.dt > 0.0 && std::ranges::any_of(candidates, [](const Candidate& c) { return c.gap < 0.0; }))
+    drop_stray_candidates(candidates, node, step);
   double ahead = 0.0;  // a pair that became softer reaches beyond the contact distance
   bool matters = false;
   for (const Candidate& c : candidates) {
@@ -364,61 +279,89 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   const int tracked = node.tracked;
   const double widest = this->widest(tracked), deep = block.depth_of(tracked);
   const double thickness = nodes_[tracked].thickness;
+  const bool all_exposed = step.element_alive.empty() && !covers_;
+  // Closer than that a pair of shells is close, whatever else there is to know of it.
+  const double close_by = all_exposed && !(deep > 0.0) ? Work::surely_close * widest : -1.0;
   double first_check_travel = node.asleep_until;
-  if (work.close.size() < node.end - first) work.close.resize(node.end - first);
-  std::size_t count = 0;
+  if (work.close.size() < node.end - first) {
+    work.close.resize(node.end - first);
+    work.touching.resize(node.end - first);
+  }
+  std::size_t count = 0, touching = 0;
   bool inside = deep > 0.0, matters = inside;  // inside: or near a brick, in which it could be
+  const Awake::One* const ones = work.awake.pairs.data();
+  const Work::Found* const all_found = work.found.data();
+  Pair* const pairs = block.pairs.data();
+  const Face* const faces = faces_.data();
+  int* const close = work.close.data();
+  const double travelled = travelled_;
   for (std::size_t i = first; i < node.end; ++i) {
-    const auto [number, node_of, turn] = work.awake.pairs[i];
-    Pair& pair = block.pairs[number];
-    const Face& face = faces_[pair.segment];
-    const bool pressed = block.pressed(pair);
-    if (!is_exposed(face, step.element_alive)) {
-      if (pressed) block.energies.deleted += block.touch_of(pair)->held();
-      block.release(pair);
-      continue;
-    }
-    const std::size_t batch = at(turn) / Work::width;
-    const int l = static_cast<int>(at(turn) % Work::width);
-    const double far = widest + (face.inner + deep), least = kernel::stored_lane(work.clear[batch], l);
-    if (least >= far && !pressed) {
-      block.release(pair);
-      pair.next_check_travel = travelled_ + (least - far);
+    const Awake::One one = ones[i];
+    Pair& pair = pairs[one.pair];
+    const Face& face = faces[pair.segment];
+    const std::size_t batch = at(one.turn) / Work::width, l = at(one.turn) % Work::width;
+    const Work::Found& found = all_found[batch];
+    double distance = found.distance[l];
+    if (distance < close_by) {
+      pair.xi = found.xi[l];
+      pair.eta = found.eta[l];
+      first_check_travel = std::min(first_check_travel, travelled);
+    } else {
+      if (!all_exposed && !is_exposed(face, step.element_alive)) {
+        if (block.pressed(pair)) block.energies.deleted += block.touch_of(pair)->held();
+        block.release(pair);
+        continue;
+      }
+      const double far = widest + (face.inner + deep);
+      const bool pressed = block.pressed(pair);
+      const bool triangle = face.triangle();
+      kernel::Feet<NativeBatch>& feet = work.feet[batch];
+      const int lane = static_cast<int>(l);
+      if (!pressed && (triangle || !(kernel::stored_lane(feet.distance, lane) < Work::surely_close * far)) &&
+          found.least[l] >= far) {
+        block.release(pair);
+        pair.next_check_travel = travelled + (found.least[l] - far);
+        first_check_travel = std::min(first_check_travel, pair.next_check_travel);
+        continue;
+      }
+      if (triangle) feet.set(lane, kernel::closest_point(corners_of(face, step.x), true, vec(step.x[one.node])));
+      distance = kernel::stored_lane(feet.distance, lane);
+      pair.xi = kernel::stored_lane(feet.xi, lane);
+      pair.eta = kernel::stored_lane(feet.eta, lane);
+      pair.next_check_travel = travelled + (distance - far);
       first_check_travel = std::min(first_check_travel, pair.next_check_travel);
-      continue;
+      if (pair.next_check_travel > travelled && !pressed) {
+        block.release(pair);
+        continue;
+      }
+      inside = inside || face.inner > 0.0;
     }
-    kernel::Feet<NativeBatch>& feet = work.feet[batch];
-    if (face.triangle()) feet.set(l, kernel::closest_point(corners_of(face, step.x), true, vec(step.x[node_of])));
-    const double distance = kernel::stored_lane(feet.distance, l);
-    pair.xi = kernel::stored_lane(feet.xi, l);
-    pair.eta = kernel::stored_lane(feet.eta, l);
-    pair.next_check_travel = travelled_ + (distance - far);
-    first_check_travel = std::min(first_check_travel, pair.next_check_travel);
-    if (pair.next_check_travel > travelled_ && !pressed) {
-      block.release(pair);
-      continue;
-    }
-    work.close[count++] = static_cast<int>(i);
-    inside = inside || face.inner > 0.0;
-    matters = matters || inside || pressed || distance < 0.5 * (thickness + face.thickness);
+    close[count++] = static_cast<int>(i);
+    matters = matters || inside || distance < 0.5 * (thickness + face.thickness);
+    if (pair.touch == none) continue;
+    work.touching[touching++] = static_cast<int>(i);
+    matters = matters || block.pressed(pair);
   }
   block.next_check_travel[tracked - block.begin] = first_check_travel;
-  if (matters && work.candidates.size() < count) work.candidates.resize(count);
   std::size_t filled = 0;
-  const auto fill_those = [&](bool touching_only) {
-    filled = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const Awake::One& one = work.awake.pairs[work.close[k]];
-      Pair& pair = block.pairs[one.pair];
-      if (!touching_only || pair.touch != none)
-        fill(work.candidates[filled++], block, pair, work, at(one.turn), tracked, step);
-    }
-  };
-  if (matters && !inside) fill_those(true);
-  if (matters &&
-      (filled == 0 || others_matter(std::span(work.candidates).first(filled), block, work, count, tracked, step)))
-    fill_those(false);
-  for (std::size_t k = 0; k < count; ++k) block.release(block.pairs[work.awake.pairs[work.close[k]].pair]);
+  if (matters) {
+    if (work.candidates.size() < count) work.candidates.resize(count);
+    const auto fill_those = [&](const std::vector<int>& list, std::size_t size) {
+      for (filled = 0; filled < size; ++filled) {
+        const Awake::One& one = work.awake.pairs[list[filled]];
+        fill(work.candidates[filled], block, block.pairs[one.pair], work, at(one.turn), tracked, step);
+      }
+    };
+    using Resting = Work::Resting;
+    const bool known = !inside && all_exposed;
+    const Resting rests = known ? work.rest(*this, block, count, touching, tracked, step) : Resting::unknown;
+    if (rests == Resting::yes) return {};
+    if (!inside && rests != Resting::others_matter) fill_those(work.touching, touching);
+    if (filled == 0 || (rests == Resting::unknown && touching < count &&
+                        others_matter(std::span(work.candidates).first(filled), block, work, count, tracked, step)))
+      fill_those(work.close, count);
+  }
+  for (std::size_t k = 0; k < touching; ++k) block.release(block.pairs[work.awake.pairs[work.touching[k]].pair]);
   return std::span(work.candidates).first(filled);
 }
 
@@ -500,7 +443,11 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   const Face& segment = faces_[candidate.segment];
   const int node = nodes_[tracked].node;
   const Vec3d r = vec(step.x[node]) - candidate.foot.point;
-  const Vec3d velocity = vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v);
+  // Most that rest on each other need no velocity: it is looked for where one does.
+  std::optional<Vec3d> found;
+  const auto velocity = [&]() -> const Vec3d& {
+    return found ? *found : found.emplace(vec(step.v[node]) - interpolate(segment, candidate.foot.weight, step.v));
+  };
   const Candidate* from = candidate.before.touching ? nullptr : predecessor(candidates, candidate);
   if (!candidate.before.touching && from == nullptr && handled_by_edge_contact(candidate, node, step)) return;
 
@@ -511,11 +458,15 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   } else if (candidate.gap < 0.0) {
     side = 1;
   } else if (candidate.foot.boundary == 0) {
-    const bool from_behind = dot(r - step.dt * velocity, candidate.foot.normal) < 0.0;
-    if (side == 0) side = from_behind && segment.inner == 0.0 ? -1 : 1;  // a brick holds nothing inside
+    if (side == 0) {
+      const bool from_behind = dot(r - step.dt * velocity(), candidate.foot.normal) < 0.0;
+      side = from_behind && segment.inner == 0.0 ? -1 : 1;  // a brick holds nothing inside
+    }
     direction = static_cast<double>(side) * candidate.foot.normal;
   } else {
-    if (side == 0) side = side_over_edge(candidate, r - step.dt * velocity, step);
+    if (side == 0)
+      side = side_over_edge(candidate.segment, candidate.foot.normal, candidate.foot.boundary, r - step.dt * velocity(),
+                            step);
     const double up = side * dot(direction, candidate.foot.normal);
     if (segment.inner == 0.0 && up <= -side_change_cosine)
       direction = -direction;  // it came through
@@ -529,13 +480,13 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   // before, or comes from a change of the surface or of the foot (of a segment that is folded up there are several),
   // and is an offset too.
   const Touch* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
-  const double approach = -dot(velocity, direction);
   const bool inside =
       candidate.gap < 0.0 || candidate.over_an_edge || (candidate.foot.boundary == 0 && dot(r, direction) < 0.0);
-  const double offset = before != nullptr ? std::max(before->offset, overlap - before->depth - step.dt * norm(velocity))
-                                          : std::max(0.0, overlap - step.dt * std::max(0.0, approach));
+  double offset = before != nullptr ? before->offset
+                                    : std::max(0.0, overlap - step.dt * std::max(0.0, -dot(velocity(), direction)));
+  if (before != nullptr && overlap - before->depth > offset)
+    offset = std::max(offset, overlap - before->depth - step.dt * norm(velocity()));
 
-  const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
   Touch& pair = block.touch(*candidate.pair);
   if (before != nullptr) pair.memory = before->memory;
   pair.touching = true;
@@ -546,6 +497,12 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   pair.side = static_cast<signed char>(side);
   pair.offset = std::min(offset, overlap);
   pair.depth = overlap - pair.offset;
+  if (!(pair.depth > 0.0) && !(pair.memory.force > 0.0) && !(pair.memory.stiffness > 0.0)) {
+    pair.memory = {};  // as pair_force() would leave it: no force was, and none is
+    return;
+  }
+  const double approach = -dot(velocity(), direction);
+  const auto [inverse_mass, stiffness] = spring(candidate, tracked, step);
   if (const double depth = kernel::depth_of_same_energy(pair.memory, pair.depth, stiffness); depth != pair.depth) {
     pair.depth = depth;
     pair.offset = overlap - depth;
@@ -574,7 +531,7 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   Vec3d force = size * direction;
   const kernel::Friction& rough = law_.friction.between(segment.kind, nodes_[tracked].kind);
   if (rough.any()) {
-    const kernel::Touch touch{velocity, direction, pair.depth, stiffness, size, area(segment, step.x)};
+    const kernel::Touch touch{velocity(), direction, pair.depth, stiffness, size, area_for(rough, segment, step)};
     pair.friction = before != nullptr ? friction(rough, candidate, *before, direction, stiffness, size, step)
                                       : kernel::touch_friction(rough, touch);
     force += pair.friction;
@@ -609,7 +566,7 @@ Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& can
   const auto along = [&direction](const Vec3d& a) { return a - dot(a, direction) * direction; };
   const Vec3d slip = along(candidate.foot.point - was);
   const double speed = step.dt > 0.0 ? norm(slip) / step.dt : 0.0;
-  const double bound = law.bound(normal_force, speed, area(faces_[candidate.segment], step.x));
+  const double bound = law.bound(normal_force, speed, area_for(law, faces_[candidate.segment], step));
   return kernel::sliding_spring(along(before.friction), stiffness, slip, bound);
 }
 

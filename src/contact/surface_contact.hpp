@@ -463,7 +463,7 @@ class SurfaceContact {
   const Candidate* predecessor(Candidates candidates, const Candidate& candidate) const;
   int remembered_side(const Candidate& candidate, const Candidate* from) const;
   bool handled_by_edge_contact(const Candidate& candidate, int node, const Step& step) const;
-  int side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const;
+  int side_over_edge(int segment, const Vec3d& normal, unsigned boundary, const Vec3d& was_at, const Step& step) const;
   Vec3d friction(const kernel::Friction& law, const Candidate& candidate, const Touch& before, const Vec3d& direction,
                  double stiffness, double normal_force, const Step& step) const;
   bool too_deep(double overlap, int segment) const;

@@ -40,14 +40,12 @@ void shift(std::array<double, 4>& weight, const Facet& segment, const Vec3d& way
 }
 
 bool share_a_node(const Facet& a, const Facet& b) {
-  return b.has(a.node[0]) || b.has(a.node[1]) || b.has(a.node[2]) || b.has(a.node[3]);
+  return shared_corners(a, b) != 0;
 }
 
 /// Whether the edge or corner of `segment` that `boundary` names belongs to `other` too.
 bool has_boundary(const Facet& other, const Facet& segment, unsigned boundary) {
-  for (int c = 0; c < 4; ++c)
-    if ((boundary >> c & 1u) && !other.has(segment.node[c])) return false;
-  return boundary != 0;
+  return boundary != 0 && (boundary & ~shared_corners(other, segment)) == 0;
 }
 
 /// Two feet, by their distances from the node and their points, are one point but for round-off of the `thickness`.
@@ -105,6 +103,30 @@ bool SurfaceContact::others_matter(Candidates touching, const Block& block, cons
     if (!hidden && distance < reach + ahead) return true;
   }
   return false;
+}
+
+/// The same of one of them, before candidates are made of those that touched.
+bool SurfaceContact::Work::matter(const SurfaceContact& contact, std::span<const Rest> known, int segment,
+                                  const Awake::One& one, int tracked, const Step& step) const {
+  const Lane foot(*this, one.turn);
+  const unsigned boundary = foot.boundary();
+  const double distance = foot.distance(), reach = contact.contact_distance(tracked, segment);
+  bool hidden = false;
+  for (const Rest& at_rest : known) {
+    const unsigned shared = shared_corners(contact.faces_[at_rest.segment], contact.faces_[segment]);
+    const bool closer = at_rest.distance < distance || (at_rest.distance == distance && at_rest.segment < segment);
+    if (closer && (hidden || (boundary != 0 && (boundary & ~shared) == 0))) {
+      hidden = true;
+      continue;
+    }
+    if (shared == 0) continue;
+    const Vec3d point = foot.point();
+    const double thinner = std::min(reach, at_rest.contact_distance);
+    const bool in_place = are_in_one_place(distance, point, at_rest.distance, at_rest.point, thinner);
+    if (!in_place && !closer) return true;
+    hidden = hidden || in_place || dot(vec(step.x[one.node]) - point, at_rest.away) > 0.5 * distance;
+  }
+  return !hidden && distance < reach;
 }
 
 /// A node that is pressed stays so through the whole brick, and behind the mid-surface of a sheet, as long as it is
@@ -428,20 +450,20 @@ int SurfaceContact::remembered_side(const Candidate& candidate, const Candidate*
 /// On which side of a sheet a node came to a foot on an edge or corner, from `was_at` as seen from there; 0 where the
 /// sheet has no sides there: off the end of it, at the edge of a brick, and over a fold, where what is the outer side
 /// of the one segment can be the inner one of the next.
-int SurfaceContact::side_over_edge(const Candidate& candidate, const Vec3d& was_at, const Step& step) const {
-  const Face& segment = faces_[candidate.segment];
+int SurfaceContact::side_over_edge(int number, const Vec3d& normal, unsigned boundary, const Vec3d& was_at,
+                                   const Step& step) const {
+  const Face& segment = faces_[number];
   const double distance = norm(was_at);
-  if (faces_[candidate.segment].inner > 0.0 || !(distance > 0.0)) return 0;
-  const double up = dot(was_at, candidate.foot.normal) / distance;
+  if (segment.inner > 0.0 || !(distance > 0.0)) return 0;
+  const double up = dot(was_at, normal) / distance;
   if (std::abs(up) < side_change_cosine) return 0;
   const int side = up < 0.0 ? -1 : 1;
   for (int c = 0; c < segment.corners(); ++c) {
-    if (!(candidate.foot.boundary >> c & 1u)) continue;
+    if (!(boundary >> c & 1u)) continue;
     for (const int s : around_.at(segment.node[c])) {
       const Face& other = faces_[s];
       const int same = same_side(segment, other);
-      if (same == 0 || !has_boundary(other, segment, candidate.foot.boundary) || !alive(s, step.element_alive))
-        continue;
+      if (same == 0 || !has_boundary(other, segment, boundary) || !alive(s, step.element_alive)) continue;
       const kernel::Corners k = corners_of(other, step.x);
       const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
       if (same * side * dot(was_at, n) < side_change_cosine * distance * norm(n)) return 0;

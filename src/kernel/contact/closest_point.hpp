@@ -120,12 +120,10 @@ void to_edges(const CornersOf<R>& c, std::array<MaskOf<R>, 4> edges, const Vec3<
   R best(std::numeric_limits<double>::infinity()), edge(-1.0), along(0.0);
   const MaskOf<R> none = R(1.0) < R(0.0);
   std::array<MaskOf<R>, 4> done{none, none, none, none};
-  for (MaskOf<R> found = !none; any(found);) {
-    found = none;
+  for (MaskOf<R> left = !none; any(left);) {
     for (int i = 0; i < corners; ++i) {
       const int before = i > 0 ? i - 1 : corners - 1;
-      const MaskOf<R> now = edges[i] && !done[i], better = now && !(d2[i] >= best);
-      found = found || now;
+      const MaskOf<R> better = edges[i] && !done[i] && !(d2[i] >= best);
       done[i] = edges[i];
       best = select(better, d2[i], best);
       edge = select(better, R(i), edge);
@@ -133,6 +131,8 @@ void to_edges(const CornersOf<R>& c, std::array<MaskOf<R>, 4> edges, const Vec3<
       edges[next(i)] = edges[next(i)] || (better && s[i] >= 1.0);
       edges[before] = edges[before] || (better && s[i] <= 0.0);
     }
+    left = none;
+    for (int i = 0; i < corners; ++i) left = left || (edges[i] && !done[i]);
   }
   for (int i = 0; i < corners; ++i) {
     const int j = next(i);
@@ -210,6 +210,7 @@ void on_quadrilateral(const CornersOf<R>& c, const Vec3<R>& x, Feet<R>& foot) {
 
 template <class R>
 void place(const CornersOf<R>& corners, const Vec3<R>& x, Feet<R>& foot) {
+  foot.point = {};
   for (int i = 0; i < 4; ++i) foot.point += foot.weight[i] * corners[i];
   foot.distance = norm(x - foot.point);
 }
@@ -219,12 +220,18 @@ void place(const CornersOf<R>& corners, const Vec3<R>& x, Feet<R>& foot) {
 /// The points of `lanes<R>` quadrilaterals that are closest to `x`, edges and corners included. A quadrilateral is the
 /// bilinear surface through its corners. `xi`, `eta`: where to start looking, e.g. the feet of the cycle before.
 template <class R>
-Feet<R> closest_points(const CornersOf<R>& corners, const Vec3<R>& x, const R& xi, const R& eta) {
-  Feet<R> feet;
+void closest_points(const CornersOf<R>& corners, const Vec3<R>& x, const R& xi, const R& eta, Feet<R>& feet) {
   feet.xi = xi;
   feet.eta = eta;
+  feet.weight = {};
+  feet.boundary = R(0.0);
   detail::on_quadrilateral(corners, x, feet);
   detail::place(corners, x, feet);
+}
+template <class R>
+Feet<R> closest_points(const CornersOf<R>& corners, const Vec3<R>& x, const R& xi, const R& eta) {
+  Feet<R> feet;
+  closest_points(corners, x, xi, eta, feet);
   return feet;
 }
 
