@@ -80,10 +80,8 @@ class CurveHardening {
     At(const CurveHardening& hardening, const Number<R>* history)
         : hardening_(hardening), plastic_strain_(load_field<R>(history, plastic_strain_field)) {
       if (hardening.table_.active()) {
-        rows_.find(hardening.table_, plastic_strain_);
+        rows_.find(hardening.table_, plastic_strain_, x_, end_);
         const auto at_rest = [&](int) { return hardening.table_.at_first_curve(); };
-        x_ = rows_.begin();
-        end_ = rows_.end();
         y_ = rows_.of_cells(&RateTable::Cell::y, at_rest);
         slope_ = rows_.of_cells(&RateTable::Cell::slope, at_rest);
       } else if (hardening.straight_) {
@@ -96,8 +94,10 @@ class CurveHardening {
       }
     }
     const R& plastic_strain() const { return plastic_strain_; }
-    /// Of the table, at plastic_strain().
+    /// Of the table, at plastic_strain(), and where they begin and end.
     const RateRows<R>& rows() const { return rows_; }
+    const R& begin() const { return x_; }
+    const R& end() const { return end_; }
     YieldStress<R> operator()(const R& increment) {
       const R strain = plastic_strain_ + increment;
       if (!hardening_.straight_ && any(strain < x_ || strain >= end_)) fetch(strain);
@@ -159,6 +159,8 @@ class WeldHardening : public CurveHardening {
     }
     const R& plastic_strain() const { return curve_.plastic_strain(); }
     const RateRows<R>& rows() const { return curve_.rows(); }
+    const R& begin() const { return curve_.begin(); }
+    const R& end() const { return curve_.end(); }
     const R& limit() const { return limit_; }
     YieldStress<R> operator()(const R& increment) {
       const YieldStress<R> y = curve_(increment);

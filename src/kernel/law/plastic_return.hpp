@@ -127,7 +127,7 @@ template <bool both, class R, class Unknown>
   next = select(next > low && next < high, next, 0.5 * (low + high));
   // Where a rate effect has the rest of the batch look is for its range() to say.
   R x = Unknown::is_increment ? select(active, next, low) : next;
-  PlasticReturn<R> r{};
+  PlasticReturn<R> r;
   for (int i = 0;; ++i) {
     const Trial<R> y = unknown(x);
     const R a = y.yield + ka * y.increment, b = y.yield + kb * y.increment;

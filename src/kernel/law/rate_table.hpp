@@ -59,22 +59,20 @@ class RateTable {
   std::vector<Stretch> stretches_;  // the last, beyond the rates, has span 0
 };
 
-/// The rows in which the plastic strains of a batch lie.
+/// The rows in which the plastic strains of a batch lie. Nothing before find().
 template <class R>
 class RateRows {
  public:
-  void find(const RateTable& table, const R& strain) {
+  /// Gives where the rows begin and end, too.
+  void find(const RateTable& table, const R& strain, R& begin, R& end) {
     RateTable::Row rows[lanes<R>];
     for (int l = 0; l < lanes<R>; ++l) {
       rows[l] = table.row(lane(strain, l));
       cells_[l] = rows[l].cells;
     }
-    begin_ = each_lane<R>([&](int l) { return rows[l].begin; });
-    end_ = each_lane<R>([&](int l) { return rows[l].end; });
+    begin = each_lane<R>([&](int l) { return rows[l].begin; });
+    end = each_lane<R>([&](int l) { return rows[l].end; });
   }
-  const R& begin() const { return begin_; }
-  const R& end() const { return end_; }
-  MaskOf<R> left_by(const R& strain) const { return strain < begin_ || strain >= end_; }
   /// A number of the cells in the stretches that `stretch` gives for each lane.
   template <class Stretch>
   R of_cells(double RateTable::Cell::*number, Stretch&& stretch) const {
@@ -82,12 +80,11 @@ class RateRows {
   }
 
  private:
-  R begin_{}, end_{};
-  const RateTable::Cell* cells_[lanes<R>]{};
+  const RateTable::Cell* cells_[lanes<R>];
 };
 
 /// The unknown of a return by a table over the rate: the place in it. `Yield` has plastic_strain() at the start of the
-/// step and the rows() of it, and may have a limit() that no rate exceeds.
+/// step, the rows() in which that lies and their begin() and end(), and may have a limit() that no rate exceeds.
 template <class R, class Yield>
 class ByTable {
  public:
@@ -102,8 +99,10 @@ class ByTable {
   Range<R> range(const BeyondYield<R>& s) {
     most_ = s.most;
     rows_ = yield_.rows();
+    begin_ = yield_.begin();
+    end_ = yield_.end();
     const R p = yield_.plastic_strain();
-    find_stretch(s.trial, p - rows_.begin());
+    find_stretch(s.trial, p - begin_);
     const R above = s.trial - low_at(p), rise = rise_at(p), modulus = s.modulus + slope_;
     const auto curved = log_span_ > 0.0 && rise > 0.0;
     R w, e, fall;  // fall: slope of the left side over w
@@ -137,8 +136,8 @@ class ByTable {
     const R w = x - place_;
     const Increment at = increment(w);
     const R strain = yield_.plastic_strain() + at.value;
-    if (any(rows_.left_by(strain))) {
-      rows_.find(table_, strain);
+    if (any(left_rows(strain))) {
+      rows_.find(table_, strain, begin_, end_);
       take(place_);
     }
     const R rise = rise_at(strain), slope = slope_ + w * bend_;
@@ -150,7 +149,7 @@ class ByTable {
   }
   /// Whether the table has no corner between places x and next, at whose end the increment is that.
   MaskOf<R> smooth(const R& x, const R& next, const R& increment) const requires(!Yield::limited) {
-    const auto corner = outside(next) || rows_.left_by(yield_.plastic_strain() + increment);
+    const auto corner = outside(next) || left_rows(yield_.plastic_strain() + increment);
     return abs(log_span_ * (next - x)) < small_step<R> && !corner;
   }
 
@@ -164,9 +163,10 @@ class ByTable {
     const R grown = start_ * (any(exponent > 0.0 || exponent < 0.0) ? exponential(exponent) : R(1.0));
     return {grown + span_ * w, log_span_ * grown + span_, log_span_ * log_span_ * grown};
   }
-  R low_at(const R& strain) const { return y_ + slope_ * (strain - rows_.begin()); }
-  R rise_at(const R& strain) const { return rise_ + bend_ * (strain - rows_.begin()); }
+  R low_at(const R& strain) const { return y_ + slope_ * (strain - begin_); }
+  R rise_at(const R& strain) const { return rise_ + bend_ * (strain - begin_); }
   MaskOf<R> outside(const R& x) const { return x < place_ || x > place_ + 1.0; }
+  MaskOf<R> left_rows(const R& strain) const { return strain < begin_ || strain >= end_; }
 
   /// Wright's function: the t of t + ln t = l, to 1.2e-4 in -10 <= l <= 31, by a quotient of polynomials fitted to it.
   /// Below that of -10, above straight on.
@@ -235,6 +235,7 @@ class ByTable {
   double dt_;
   RateRows<R> rows_;
   R most_{};
+  R begin_{}, end_{};
   R place_{}, start_{}, span_{}, log_span_{};  // start, span: of the plastic strain of the step
   R y_{}, rise_{}, slope_{}, bend_{};
 };

@@ -25,12 +25,14 @@ struct LinearYield {
 class AtStrain {
  public:
   static constexpr bool limited = false;
-  AtStrain(const RateTable& table, double strain) : strain_(strain) { rows_.find(table, strain); }
+  AtStrain(const RateTable& table, double strain) : strain_(strain) { rows_.find(table, strain, begin_, end_); }
   double plastic_strain() const { return strain_; }
   const RateRows<double>& rows() const { return rows_; }
+  const double& begin() const { return begin_; }
+  const double& end() const { return end_; }
 
  private:
-  double strain_;
+  double strain_, begin_, end_;
   RateRows<double> rows_;
 };
 
