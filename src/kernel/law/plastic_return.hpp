@@ -75,12 +75,11 @@ class ByIncrement {
 ///
 /// e and Y are functions of an unknown x in which both are smooth (ByIncrement; hardening.hpp has those of rate
 /// effects, which would need dozens of steps in e). Unless x is e itself, `Unknown` has range(BeyondYield), which says
-/// where x lies, and a first guess. Chebyshev's third-order step on
-/// (A/.. + B/..)^(-1/2) = 1, kept inside a bracket; relative residual
-/// 2e-12, in single precision, which rounds the sum of squares to some 5e-7, 2e-6. Where `Unknown` has smooth(x, next,
-/// increment), whether all is smooth between x and next, where the increment is that, a last step that is small is
-/// taken by the series of e and Y, without asking for them there once more. A lane that has converged is frozen, so
-/// that a batch gives bit for bit what its elements give alone.
+/// where x lies, and a first guess. Chebyshev's third-order step on (A/.. + B/..)^(-1/2) = 1, kept inside a bracket;
+/// relative residual 2e-12, in single precision, which rounds the sum of squares to some 5e-7, 2e-6. Where `Unknown`
+/// has smooth(x, next, increment), whether all is smooth from x to next, where the increment is that, a last step that
+/// is small is taken by the series of e and Y, without asking for them there once more. A lane that has converged is
+/// frozen, so that a batch gives bit for bit what its elements give alone.
 template <bool both, class R, class Unknown>
 [[gnu::always_inline]] inline PlasticReturn<R> plastic_return(const R& A, const R& B, const R& trial2, double ka,
                                                               double kb, Unknown& unknown, const YieldStress<R>& start,
@@ -125,7 +124,7 @@ template <bool both, class R, class Unknown>
     next = range.first;
   }
   next = select(next > low && next < high, next, 0.5 * (low + high));
-  // Where a rate effect has the rest of the batch look is for its range() to say.
+  // Lanes that do not yield stay where range() puts them: elsewhere they would be looked up for nothing.
   R x = Unknown::is_increment ? select(active, next, low) : next;
   PlasticReturn<R> r;
   for (int i = 0;; ++i) {
