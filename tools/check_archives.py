@@ -19,7 +19,7 @@ import sys
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)
 STRING = re.compile(r'"(?:[^"\\\n]|\\.)*"')
 CLASS = re.compile(r"\b(?:class|struct)\s+([\w:]+)(?:\s+final)?\s*(?::\s*((?:public\s+)?[\w:<>, ]+))?\s*\{")
-ARCHIVE = re.compile(r"\bvoid\s+(?:([\w:]+)::)?archive\s*\(\s*Archive\s*&\s*\w*\s*\)([^;{]*)(;|\{)")
+ARCHIVE = re.compile(r"\bvoid\s+(?:([\w:]+)(?:<\w+>)?::)?archive\s*\(\s*Archive\s*&\s*\w*\s*\)([^;{]*)(;|\{)")
 NOT_DATA = re.compile(r"^\s*(?:using|typedef|friend|static|enum|class|struct|union|template|public|private|protected|"
                       r"namespace|explicit|virtual|constexpr|return|requires|operator|\[\[)\b|^\s*~")
 

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/append.hpp"
 #include "base/vec3.hpp"
 #include "output/result_file.hpp"
 
@@ -56,7 +56,7 @@ class AsciiFile {
 
   template <class... Args>
   void print(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(file_.buffer()), format, std::forward<Args>(args)...);
+    append(file_.buffer(), format, std::forward<Args>(args)...);
   }
   void print_vector(const Vec3d& v) { print("{:12.4E}{:12.4E}{:12.4E}", column(v.x), column(v.y), column(v.z)); }
   void print_text(std::string_view text) { file_.buffer() += text; }

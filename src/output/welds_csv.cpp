@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
+#include "base/append.hpp"
 #include "output/result_file.hpp"
 #include "output/summary.hpp"
 
@@ -32,11 +32,11 @@ class CsvLine {
   }
   void cell(int value) {
     separate();
-    fmt::format_to(std::back_inserter(out_), "{}", value);
+    append(out_, "{}", value);
   }
   void cell(double value) {
     separate();
-    if (std::isfinite(value)) fmt::format_to(std::back_inserter(out_), "{}", value);
+    if (std::isfinite(value)) append(out_, "{}", value);
   }
   void flag(bool value) { cell(std::string_view(value ? "yes" : "no")); }
 

@@ -5,8 +5,8 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <iterator>
 
+#include "base/append.hpp"
 #include "model/units.hpp"
 #include "output/column_units.hpp"
 #include "output/history_reader.hpp"
@@ -115,10 +115,10 @@ std::string listed(const std::vector<ChannelCurve>& curves) {
       if (!c->entity.empty()) add_name(entities, c->entity);
       add_name(quantities, c->unit.empty() ? c->quantity : fmt::format("{} [{}]", c->quantity, c->unit.substr(1)));
     }
-    fmt::format_to(std::back_inserter(text), "{}: {} values over {}, {:.6g} to {:.6g}\n", begin->file, begin->x.size(),
-                   begin->abscissa, begin->x.front(), begin->x.back());
-    if (!entities.empty()) fmt::format_to(std::back_inserter(text), "    of          {}\n", first_and_last(entities));
-    fmt::format_to(std::back_inserter(text), "    quantities  {}\n", fmt::join(quantities, ", "));
+    append(text, "{}: {} values over {}, {:.6g} to {:.6g}\n", begin->file, begin->x.size(), begin->abscissa,
+           begin->x.front(), begin->x.back());
+    if (!entities.empty()) append(text, "    of          {}\n", first_and_last(entities));
+    append(text, "    quantities  {}\n", fmt::join(quantities, ", "));
     begin = end;
   }
   return text;

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <stdexcept>
 
+#include "base/append.hpp"
 #include "output/history_reader.hpp"
 #include "output/result_file.hpp"
 #include "report/quantity.hpp"
@@ -38,7 +38,7 @@ std::size_t write_tidy_table(const std::filesystem::path& directory, const std::
           fmt::format("{},{},{},{},{}", record.file, csv_cell(channel.entity), csv_cell(channel.title),
                       csv_cell(channel.quantity), csv_cell(unit.empty() ? unit : unit.substr(1)));
       for (std::size_t i = 0; i < record.times.size(); ++i, ++rows)
-        fmt::format_to(std::back_inserter(text), "{},{},{}\n", head, record.times[i], channel.values[i]);
+        append(text, "{},{},{}\n", head, record.times[i], channel.values[i]);
     }
   output::write_whole_file(file, text);
   return rows;

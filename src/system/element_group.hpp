@@ -18,6 +18,7 @@
 #include "model/lumped_mass.hpp"
 #include "system/parcel.hpp"
 #include "system/state.hpp"
+#include "system/strain_rule.hpp"
 
 namespace nugget::system {
 
@@ -198,6 +199,14 @@ class ElementGroup {
   virtual std::array<double, 6> displacements(std::size_t) const { return {}; }
   /// Effective strain rate of a weld element in the last cycle, sqrt(2/3 e:e) of the deviator [1/time]; 0 of others.
   virtual double strain_rate(std::size_t) const { return 0.0; }
+
+  /// From the next cycle on adds up these strains for results; groups without kernels have none.
+  virtual void add_up_strains(StrainRule) {}
+  /// Which strains are added up; null: none.
+  virtual const StrainRule* strain_rule() const { return nullptr; }
+  /// Number i of the strains of element e, as StrainRule::Of lists them; where there is a rule.
+  virtual double strain(std::size_t, std::size_t) const { return 0.0; }
+  virtual void set_strain(std::size_t, std::size_t, double) {}
 
   /// How many elements were deleted so far; of elements and not of blocks, so that ranks count alike.
   std::atomic<int> deletions{0};

@@ -29,18 +29,6 @@ template <class R, std::size_t corners>
   }
 }
 
-/// Lane l stands for component first + l of three: that component is 1 in its lane, everything else is 0.
-template <class R, int width>
-Vec3<R> unit_motion(int first) {
-  Vec3<R> v;
-  for (int l = 0; l < width; ++l) {
-    if (first + l == 0) set_lane(v.x, l, 1.0);
-    if (first + l == 1) set_lane(v.y, l, 1.0);
-    if (first + l == 2) set_lane(v.z, l, 1.0);
-  }
-  return v;
-}
-
 template <class R>
 void copy_lane(const Vec3<R>& from, Vec3<R>& to, int l) {
   set_lane(to.x, l, nugget::lane(from.x, l));

@@ -1,31 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <span>
 #include <type_traits>
-
-#include "base/batch.hpp"
-#include "base/vec3.hpp"
 
 namespace nugget::system {
 
-/// The steps by which the stiffness of an element is found: to both sides, of which the mean counts, where its law may
-/// pull with another slope than it pushes (docs/decisions/0145).
+/// Whether its law may pull with another slope than it pushes, so that its stiffness is the mean of steps to both sides
+/// (docs/decisions/0145).
 template <class Element>
-constexpr auto signs_of_steps() {
-  if constexpr (requires(const Element& kernel) {
-                  requires std::remove_cvref_t<decltype(kernel.law)>::may_pull_otherwise;
-                })
-    return std::array{1.0, -1.0};
-  else
-    return std::array{1.0};
-}
-
-/// Adds a share of a lane of `f` to three rows of a column of the square matrix k.
-template <class R>
-void add_to_column(std::span<double> k, int size, int row, int column, const Vec3<R>& f, int lane, double share) {
-  for (const R* c : {&f.x, &f.y, &f.z}) k[row++ * size + column] += share * nugget::lane(*c, lane);
+constexpr bool pulls_otherwise() {
+  return requires(const Element& kernel) {
+    requires std::remove_cvref_t<decltype(kernel.law)>::may_pull_otherwise;
+  };
 }
 
 /// An element for motions so small that its forces are linear in them: its law without the pressure that an equation of

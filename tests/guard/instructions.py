@@ -5,7 +5,7 @@
     tests/guard/instructions.py NUGGET COMPILER --renew    writes counts.json anew
 
 Per element and cycle: two runs of a deck, of few and of more cycles, divided by the cycles and elements between; what is written and read once drops out.
-`contact` is a deck with it less the same without. A welded rail of 9,536 shells is checked (reading, ties, contact, audit) and run for one cycle (the same,
+`contact` and `strains` (STRFLG) are a deck with it less the same without. A welded rail of 9,536 shells is checked (reading, ties, contact, audit) and run for one cycle (the same,
 with its files and its page). One thread, four lanes. COMPILER, e.g. `GNU 12`, must be that of the counts: others count otherwise. Exit code 77: nothing to count with.
 """
 import json
@@ -30,8 +30,11 @@ FEW, MORE = 10, 40
 SIDE, BRICKS, EDGE = 30, 10, 5.0  # shells along a plate, bricks along a block, their size [mm]
 
 
-def head(deck):
+def head(deck, strains=False):
     deck.keyword("KEYWORD")
+    if strains:
+        deck.keyword("DATABASE_EXTENT_BINARY")
+        deck.card(neiph=0, neips=0, maxint=3, strflg=1)
     deck.keyword("CONTROL_TERMINATION")
     deck.card(endtim=1.0)
     deck.keyword("CONTROL_TIMESTEP")
@@ -50,10 +53,10 @@ def motion(deck, nodes):
         deck.card(nid=n, vx=4e4 * (n * 37 % 19 / 9 - 1), vy=4e4 * (n * 53 % 23 / 11 - 1), vz=4e4 * (n * 71 % 29 / 14 - 1))
 
 
-def plates(elform, layers=1, contact=False):
+def plates(elform, layers=1, contact=False, strains=False):
     """`layers` plates above each other, 1.2 thick and 1.21 apart: contact has each node near the other plate."""
     deck = Deck()
-    head(deck)
+    head(deck, strains)
     deck.part("plates", pid=1, secid=1, mid=1)
     deck.keyword("SECTION_SHELL")
     deck.card(secid=1, elform=elform, shrf=0.8333, nip=3)
@@ -72,9 +75,9 @@ def plates(elform, layers=1, contact=False):
     return deck, len(first)
 
 
-def block(ihq):
+def block(ihq, strains=False):
     deck = Deck()
-    head(deck)
+    head(deck, strains)
     deck.part("block", pid=1, secid=1, mid=1, eosid=0, hgid=1)
     deck.keyword("SECTION_SOLID")
     deck.card(secid=1, elform=1)
@@ -113,6 +116,9 @@ def count(nugget, folder):
               "shell, ELFORM 16": per_element_and_cycle(nugget, plates(16), folder),
               "brick, hourglass 2": per_element_and_cycle(nugget, block(2), folder),
               "brick, hourglass 6": per_element_and_cycle(nugget, block(6), folder)}
+    with_strains = {"shell": ("shell, ELFORM 2", plates(2, strains=True)), "brick": ("brick, hourglass 2", block(2, strains=True))}
+    for kind, (without, made) in with_strains.items():
+        counts[f"strains of a {kind}"] = per_element_and_cycle(nugget, made, folder) - counts[without]
     free, touching = (per_element_and_cycle(nugget, plates(2, 2, contact), folder) for contact in (False, True))
     counts["contact, of a shell"] = touching - free
     sys.path.insert(0, str(ROOT / "examples" / "double_hat"))

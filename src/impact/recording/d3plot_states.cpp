@@ -10,6 +10,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "impact/recording/node_motion.hpp"
+#include "impact/simulation/strains.hpp"
 #include "output/element_stresses.hpp"
 
 namespace nugget::impact {
@@ -49,8 +50,8 @@ void put_shell(const Snapshot& now, const Layout& layout, std::size_t e, char* t
     shell.internal_energy = group->mass(i) > 0.0 ? group->internal_energy(i) * density / group->mass(i) : 0.0;
   }
   if (group != nullptr && model.requests.strains) {
-    const Strains::Faces faces = now.components.strains.shell(e, now.state);
-    const auto axes = [&](int layer, const Strains::Tensor& strain) {
+    const FaceStrains faces = shell_strains(now.system, *group, i, now.state);
+    const auto axes = [&](int layer, const Strain& strain) {
       return output::by_cmpflg(model, *group, i, layer, now.state, strain);
     };
     shell.inner_strain = axes(0, faces.lower);
@@ -65,8 +66,8 @@ void put_thick_shell(const Snapshot& now, const Layout& layout, std::size_t e, c
   const system::System::ElementLocation location = now.system.solid_location[e];
   output::thick_shell_stresses(now.system, now.state, location, layers);
   const system::ElementGroup* group = group_of(now, location);
-  const Strains::Faces faces = now.components.strains.thick_shell(e);
   const std::size_t i = at(location.element);
+  const FaceStrains faces = group != nullptr ? thick_shell_strains(*group, i) : FaceStrains{};
   output::ThickShellRecord record{faces.lower, faces.upper, 0.0};
   if (group != nullptr && group->mass(i) > 0.0)
     record.internal_energy = group->internal_energy(i) *
@@ -80,7 +81,7 @@ void put_solid(const Snapshot& now, const Layout& layout, std::size_t e, char* t
   output::SolidRecord solid{output::solid_stress(now.system, now.state, location), {}};
   if (const system::ElementGroup* group = group_of(now, location))
     solid.strain = output::by_cmpflg(now.system.model, *group, at(location.element), 0, now.state,
-                                     now.components.strains.solid(e));
+                                     solid_strain(*group, at(location.element)));
   layout.put(to, solid);
 }
 

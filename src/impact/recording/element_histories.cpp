@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "impact/simulation/strains.hpp"
 #include "model/history_files.hpp"
 #include "output/element_stresses.hpp"
 
@@ -30,14 +31,13 @@ output::EloutSolid blank_solid(const model::Model& model, model::Index index, co
   return row;
 }
 
-void fill(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e,
-          output::EloutSolid& row) {
+void fill(const Snapshot& now, const system::ElementGroup& group, std::size_t e, output::EloutSolid& row) {
   const auto turned = [&](const output::Tensor& t) {
     return output::by_cmpflg(now.system.model, group, e, 0, now.state, t);
   };
   row.point = point(group, e, 0, now);
   row.point.stress = turned(row.point.stress);
-  row.strain = turned(now.components.strains.solid(at(index)));
+  row.strain = turned(solid_strain(group, e));
 }
 
 output::EloutShell blank_shell(const model::Model& model, int id, const system::ElementGroup& group) {
@@ -48,8 +48,7 @@ output::EloutShell blank_shell(const model::Model& model, int id, const system::
   return row;
 }
 
-void fill_shell(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e,
-                output::EloutShell& row) {
+void fill_shell(const Snapshot& now, const system::ElementGroup& group, std::size_t e, output::EloutShell& row) {
   const auto turn = [&](output::Tensor& tensor, int layer) {
     if (const auto axes = output::axes_in_elout(now.system, group, e, layer, now.state))
       tensor = output::along(*axes, tensor);
@@ -59,7 +58,7 @@ void fill_shell(const Snapshot& now, model::Index index, const system::ElementGr
     row.layers[i] = point(group, e, order[i], now);
     turn(row.layers[i].stress, order[i]);
   }
-  const Strains::Faces faces = now.components.strains.shell(at(index), now.state);
+  const FaceStrains faces = shell_strains(now.system, group, e, now.state);
   row.lower_strain = faces.lower;
   row.upper_strain = faces.upper;
   turn(row.lower_strain, 0);
@@ -67,10 +66,9 @@ void fill_shell(const Snapshot& now, model::Index index, const system::ElementGr
 }
 
 /// Layers from the bottom up, in global axes.
-void fill_thick_shell(const Snapshot& now, model::Index index, const system::ElementGroup& group, std::size_t e,
-                      output::EloutShell& row) {
+void fill_thick_shell(const Snapshot& now, const system::ElementGroup& group, std::size_t e, output::EloutShell& row) {
   for (std::size_t k = 0; k < row.layers.size(); ++k) row.layers[k] = point(group, e, static_cast<int>(k), now);
-  const Strains::Faces faces = now.components.strains.thick_shell(at(index));
+  const FaceStrains faces = thick_shell_strains(group, e);
   row.lower_strain = faces.lower;
   row.upper_strain = faces.upper;
 }
@@ -85,7 +83,7 @@ output::EloutBeam blank_beam(const model::Model& model, model::Index index, cons
   return row;
 }
 
-void fill(const Snapshot& now, model::Index, const system::ElementGroup& group, std::size_t e, output::EloutBeam& row) {
+void fill(const Snapshot& now, const system::ElementGroup& group, std::size_t e, output::EloutBeam& row) {
   if (group.alive(e)) {
     const std::array<double, 8> r = group.resultants(e);
     row.axial = r[0];
@@ -123,9 +121,7 @@ void of_table(const system::System& system, EloutTable table, const Visit& visit
   const model::Requests& ask = model.requests;
   using Group = const system::ElementGroup&;
   using output::EloutState;
-  const auto fill_row = [](const Snapshot& now, model::Index i, Group group, std::size_t e, auto& row) {
-    fill(now, i, group, e, row);
-  };
+  const auto fill_row = [](const Snapshot& now, Group group, std::size_t e, auto& row) { fill(now, group, e, row); };
   switch (table) {
     case EloutTable::solids:
     case EloutTable::strains_of_solids:
@@ -171,7 +167,7 @@ void pass_table(const system::System& system, const Snapshot* now, EloutTable ta
                  [&](std::size_t i) { return blank(entities[places[i]].index, *system.groups[location(i).group]); },
                  [&](std::size_t i, Row& row) {
                    const system::System::ElementLocation here = location(i);
-                   fill_row(*now, entities[places[i]].index, *system.groups[here.group], at(here.element), row);
+                   fill_row(*now, *system.groups[here.group], at(here.element), row);
                  },
                  [](Row& row, system::Parcel& parcel) { carry(row, parcel); },
                  [&](std::vector<Row> rows) {

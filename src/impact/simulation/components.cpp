@@ -20,7 +20,6 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       element_alive(system.model),
       erosion(system),
       crash_fronts(system),
-      strains(system, system.model.requests.strains),
       nodal_forces(system),
       accelerometers(system),
       contacts(system, x, findings),

@@ -27,7 +27,6 @@
 #include "impact/simulation/crash_fronts.hpp"
 #include "impact/simulation/erosion.hpp"
 #include "impact/simulation/sensors.hpp"
-#include "impact/simulation/strains.hpp"
 
 namespace nugget::impact {
 
@@ -52,7 +51,6 @@ struct Components {
   ElementAlive element_alive;
   Erosion erosion;
   CrashFronts crash_fronts;
-  Strains strains;
   NodalForceGroups nodal_forces;
   Accelerometers accelerometers;
   Contacts contacts;
@@ -98,7 +96,7 @@ struct Components {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.linear_constraints,
         c.connectors, c.tie_forces, c.tie_releases, c.joints, c.belts, c.element_alive, c.erosion, c.crash_fronts,
-        c.strains, c.nodal_forces, c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
+        c.nodal_forces, c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
   }
 };
 

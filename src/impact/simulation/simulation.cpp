@@ -18,6 +18,7 @@
 #include "base/parallel.hpp"
 #include "impact/contact/contact_setup.hpp"
 #include "impact/simulation/ends.hpp"
+#include "impact/simulation/strains.hpp"
 #include "model/bond.hpp"
 #include "system/share.hpp"
 #include "weld/tie/welds.hpp"
@@ -75,6 +76,7 @@ Simulation::Simulation(system::System& system, Findings& findings, model::Model*
       state_(take_start(system, model)),
       components_(system, state_.x, findings),
       assembled_step_(system, components_.supports, state_.x) {
+  if (system.model.requests.strains) add_up_strains(system);
   history_rotation_.resize(system.model.requests.history_nodes.size() + system.bodies.size());
   for (const auto& group : system.groups)
     if (auto* springs = dynamic_cast<system::SpringGroup*>(group.get()); springs && springs->has_stops())
@@ -310,7 +312,6 @@ void Simulation::step() {
   components_.preloads.apply(state_);
   system_.internal_force(state_);
   components_.erosion.update(state_, first_step_);
-  components_.strains.update(state_);
   components_.nodal_forces.update(state_);
   components_.welds.update(state_);
   components_.connectors.update(state_);
@@ -336,7 +337,7 @@ void Simulation::start() {
   // Stable steps of the undeformed mesh: one pass without a step, then mass scaling, then a second pass with the new
   // masses.
   components_.preloads.start(state_);
-  components_.strains.start(state_);
+  if (system_.model.requests.strains) start_strains(system_, state_);
   components_.accelerometers.start(state_);
   components_.erosion.start(state_);
   if (!at_rest_) find_steps_at_rest();

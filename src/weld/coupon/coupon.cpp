@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <numbers>
 
+#include "base/append.hpp"
 #include "deck/text.hpp"
 #include "model/weld_section.hpp"
 #include "weld/placement/deck_text.hpp"
@@ -130,8 +130,8 @@ class CouponMesh {
         const bool held =
             grip(0.25 * (path[i] + path[i + 1] + path[i] + path[i + 1]) + 0.5 * (across[j] + across[j + 1]));
         const int part = held ? (moves ? coupon_moving_grip : coupon_held_grip) : moves ? coupon_upper : coupon_lower;
-        fmt::format_to(std::back_inserter(shells_), "{:8d}{:8d}{:8d}{:8d}{:8d}{:8d}\n", ++last_shell_, part, id(i, j),
-                       id(i + 1, j), id(i + 1, j + 1), id(i, j + 1));
+        append(shells_, "{:8d}{:8d}{:8d}{:8d}{:8d}{:8d}\n", ++last_shell_, part, id(i, j), id(i + 1, j),
+               id(i + 1, j + 1), id(i, j + 1));
         if (held && moves) of_grip_ = id(i, j);
       }
   }

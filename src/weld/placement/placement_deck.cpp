@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <set>
 
+#include "base/append.hpp"
 #include "deck/text.hpp"
 #include "model/history_files.hpp"
 #include "model/units.hpp"
@@ -117,7 +117,7 @@ class PlacementWriter {
   }
 
   int add_node(const Vec3d& x) {
-    fmt::format_to(std::back_inserter(nodes_), "{:8d}{:16.9g}{:16.9g}{:16.9g}\n", ++node_, x.x, x.y, x.z);
+    append(nodes_, "{:8d}{:16.9g}{:16.9g}{:16.9g}\n", ++node_, x.x, x.y, x.z);
     return node_;
   }
 
@@ -131,7 +131,7 @@ class PlacementWriter {
     int below = add_node(spot.sheets.front().point);
     for (std::size_t i = 1; i < spot.sheets.size(); ++i) {
       const int above = add_node(spot.sheets[i].point);
-      fmt::format_to(std::back_inserter(elements_), "{:8d}{:8d}{:8d}{:8d}{:8d}\n", ++element_, part, below, above, 0);
+      append(elements_, "{:8d}{:8d}{:8d}{:8d}{:8d}\n", ++element_, part, below, above, 0);
       ++count_;
       below = above;
     }
