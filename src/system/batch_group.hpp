@@ -159,7 +159,7 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
       store_as_doubles(&step_[b * width], out.stable_step);
       if constexpr (requires { out.volume; }) this->note_inverted(b, out.volume);
       this->find_block_step(b);
-      if (this->strains_.wanted()) this->add_strains(b, copy_of(motion), dt);
+      if (this->strains_.wanted()) add_strains_of(b, motion, dt);
       if (this->damped()) this->damp(b, copy_of(motion), dt, damping);
     }
   }
@@ -375,6 +375,12 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
       if constexpr (Element::rotational) forces.m[a] = out.m[a];
     }
     forces.stable_step = out.stable_step;
+  }
+  void add_strains_of(std::size_t b, const ElementMotion& motion, double dt) {
+    if constexpr (Element::rotational)
+      this->add_strains(b, motion.x, motion.v, motion.w, dt);
+    else
+      this->add_strains(b, motion.x, motion.v, {}, dt);
   }
   static Motion copy_of(const ElementMotion& motion) {
     Motion of;

@@ -354,11 +354,11 @@ void BlockGroup<N>::vibrate_by_kernel(std::size_t b, const State& now, std::span
 }
 
 template <class N>
-void BlockGroup<N>::add_strains(std::size_t b, Motion motion, double dt) {
+void BlockGroup<N>::add_strains(std::size_t b, std::span<const Vec3<R>> x, std::span<const Vec3<R>> v,
+                                std::span<const Vec3<R>> w, double dt) {
   const bool shells = strains_.rule().of == StrainRule::Of::shells;
   const R depth = shells ? each_lane<R>([&](int l) { return thickness(b * width + at(l)); }) : R(0.0);
-  strains_.add(b, std::span(motion.x).first(corners()), std::span(motion.v).first(corners()),
-               std::span(motion.w).first(corners()), real_load<R>(state(b * width) + fields_.alive * width), depth, dt);
+  strains_.add(b, x, v, w, real_load<R>(state(b * width) + fields_.alive * width), depth, dt);
 }
 
 template <class N>

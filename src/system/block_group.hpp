@@ -97,12 +97,12 @@ class BlockGroup : public ElementGroup {
  protected:
   /// Of a block: place, velocity and spin of the elements' nodes.
   struct Motion {
-    std::array<Vec3<R>, most_corners> x{}, v{}, w{};
+    std::array<Vec3<R>, most_corners> x, v, w;
   };
   /// Forces and moments on them, and the elements' stable steps.
   struct Forces {
-    std::array<Vec3<R>, most_corners> f{}, m{};
-    R stable_step{};
+    std::array<Vec3<R>, most_corners> f, m;
+    R stable_step;
   };
 
   /// `everywhere`: all ranks compute these elements.
@@ -130,8 +130,9 @@ class BlockGroup : public ElementGroup {
   /// compression only.
   void vibrate_by_kernel(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
                          std::span<Row> slots, double stiffer, bool compresses_viscously) const;
-  /// Adds the step to the strains of a block.
-  void add_strains(std::size_t b, Motion motion, double dt);
+  /// Adds the step to the strains of a block; places, velocities and spins of its nodes as in Motion.
+  void add_strains(std::size_t b, std::span<const Vec3<R>> x, std::span<const Vec3<R>> v, std::span<const Vec3<R>> w,
+                   double dt);
   /// Stiffness-proportional damping of a block. In the middle of the step the velocities, which are chords, of a steady
   /// turning strain nothing; at its end they would stretch, by dt/2 times the centripetal acceleration.
   void damp(std::size_t b, Motion motion, double dt, std::span<Row> slots) const;

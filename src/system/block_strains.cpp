@@ -14,31 +14,30 @@
 namespace nugget::system {
 namespace {
 
-/// Velocity gradient of a brick amid the surface of its natural coordinate zeta = `height` (0: its centre): rows are
-/// the gradients of the velocity's components.
+/// Derivatives of a field by a brick's natural coordinates xi, eta, zeta amid the surface zeta = `height`.
 template <class R>
-std::array<Vec3<R>, 3> velocity_gradient(const std::array<Vec3<R>, 8>& x, const std::array<Vec3<R>, 8>& v,
-                                         double height) {
-  static constexpr double xi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, eta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
-                          zeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
-  std::array<Vec3<R>, 3> along{}, rate{};  // derivatives of place and velocity by xi, eta, zeta
-  for (std::size_t a = 0; a < 8; ++a) {
-    const double near = 0.125 * (1.0 + zeta[a] * height);
-    const double d[3] = {near * xi[a], near * eta[a], 0.125 * zeta[a]};
-    for (std::size_t i = 0; i < 3; ++i) {
-      along[i] += R(d[i]) * x[a];
-      rate[i] += R(d[i]) * v[a];
-    }
-  }
-  const R volume = dot(along[0], cross(along[1], along[2])), over = 1.0 / volume;
-  const R scale = select(volume > R(0.0), over, R(0.0));
-  const std::array<Vec3<R>, 3> dual{scale * cross(along[1], along[2]), scale * cross(along[2], along[0]),
-                                    scale * cross(along[0], along[1])};
+std::array<Vec3<R>, 3> derivatives(std::span<const Vec3<R>> f, double height) {
+  // Of the lower and the upper face: differences along its diagonals.
+  const Vec3<R> low = f[2] - f[0], low_other = f[3] - f[1], high = f[6] - f[4], high_other = f[7] - f[5];
+  const R below(0.125 * (1.0 - height)), above(0.125 * (1.0 + height));
+  return {below * (low - low_other) + above * (high - high_other),
+          below * (low + low_other) + above * (high + high_other),
+          R(0.125) * (((f[4] + f[6]) + (f[5] + f[7])) - ((f[0] + f[2]) + (f[1] + f[3])))};
+}
+
+/// Velocity gradient there: rows are the gradients of the velocity's components.
+template <class R>
+std::array<Vec3<R>, 3> velocity_gradient(std::span<const Vec3<R>> x, std::span<const Vec3<R>> v, double height) {
+  const std::array<Vec3<R>, 3> along = derivatives(x, height), rate = derivatives(v, height);
+  const std::array<Vec3<R>, 3> area{cross(along[1], along[2]), cross(along[2], along[0]), cross(along[0], along[1])};
+  const R volume = dot(along[0], area[0]);
+  const R over = select(volume > R(0.0), 1.0 / volume, R(0.0));
   std::array<Vec3<R>, 3> gradient{};
   for (std::size_t i = 0; i < 3; ++i) {
-    gradient[0] += rate[i].x * dual[i];
-    gradient[1] += rate[i].y * dual[i];
-    gradient[2] += rate[i].z * dual[i];
+    const Vec3<R> dual = over * area[i];
+    gradient[0] += rate[i].x * dual;
+    gradient[1] += rate[i].y * dual;
+    gradient[2] += rate[i].z * dual;
   }
   return gradient;
 }
@@ -51,22 +50,48 @@ R load_doubles(const double* values) {
     return real_load<R>(values);
 }
 
+/// What a turn by the small angles `turn` about the axes adds to the tensor s, components xx yy zz xy yz zx: W s - s W.
+template <class R>
+std::array<R, 6> turned_by(const Vec3<R>& turn, const std::array<R, 6>& s) {
+  const auto [xx, yy, zz, xy, yz, zx] = s;
+  return {2.0 * (turn.y * zx - turn.z * xy),
+          2.0 * (turn.z * xy - turn.x * yz),
+          2.0 * (turn.x * yz - turn.y * zx),
+          turn.z * (xx - yy) + turn.y * yz - turn.x * zx,
+          turn.x * (yy - zz) + turn.z * zx - turn.y * xy,
+          turn.y * (zz - xx) + turn.x * xy - turn.z * yz};
+}
+
 /// Adds a step with the velocity gradient `g` to the tensors whose components xx yy zz xy yz zx stand at `values`.
 template <class R, class Active>
 void add_step(double* values, const std::array<Vec3<R>, 3>& g, double step, const Active& active) {
   constexpr std::size_t width = lanes<R>;
-  // Half the curl; the strain so far turns with the element (Jaumann).
+  // Half the curl; the strain so far turns with the element, by what it is in the middle of the turn.
   const R dt(step), half(0.5 * step);
-  const R wz = half * (g[1].x - g[0].y), wx = half * (g[2].y - g[1].z), wy = half * (g[0].z - g[2].x);
-  const auto so_far = [&](std::size_t c) { return load_doubles<R>(values + c * width); };
-  const R xx = so_far(0), yy = so_far(1), zz = so_far(2), xy = so_far(3), yz = so_far(4), zx = so_far(5);
-  const std::array<R, 6> more{dt * g[0].x + 2.0 * (wy * zx - wz * xy),
-                              dt * g[1].y + 2.0 * (wz * xy - wx * yz),
-                              dt * g[2].z + 2.0 * (wx * yz - wy * zx),
-                              half * (g[0].y + g[1].x) + wz * (xx - yy) + wy * yz - wx * zx,
-                              half * (g[1].z + g[2].y) + wx * (yy - zz) + wz * zx - wy * xy,
-                              half * (g[2].x + g[0].z) + wy * (zz - xx) + wx * xy - wz * yz};
+  const Vec3<R> turn{half * (g[2].y - g[1].z), half * (g[0].z - g[2].x), half * (g[1].x - g[0].y)};
+  std::array<R, 6> strain;
+  for (std::size_t c = 0; c < 6; ++c) strain[c] = load_doubles<R>(values + c * width);
+  const std::array<R, 6> first = turned_by(turn, strain);
+  for (std::size_t c = 0; c < 6; ++c) strain[c] += 0.5 * first[c];
+  std::array<R, 6> more = turned_by(turn, strain);
+  more[0] += dt * g[0].x;
+  more[1] += dt * g[1].y;
+  more[2] += dt * g[2].z;
+  more[3] += half * (g[0].y + g[1].x);
+  more[4] += half * (g[1].z + g[2].y);
+  more[5] += half * (g[2].x + g[0].z);
   for (std::size_t c = 0; c < 6; ++c) add_as_doubles(values + c * width, select(active, more[c], R(0.0)));
+}
+
+/// Places half a step dt before `x`, of `count` nodes: a tetrahedron of four repeats its last one.
+template <std::size_t count, class R>
+std::array<Vec3<R>, count> at_mid_step(std::span<const Vec3<R>> x, std::span<const Vec3<R>> v, double dt) {
+  std::array<Vec3<R>, count> mid;
+  for (std::size_t a = 0; a < count; ++a) {
+    const std::size_t own = std::min(a, x.size() - 1);
+    mid[a] = x[own] - R(0.5 * dt) * v[own];
+  }
+  return mid;
 }
 
 /// What a step adds to the strains of a flat shell, in its frame at mid-step: at its middle, and by its distance from
@@ -185,14 +210,14 @@ void BlockStrains<N>::start(StrainRule rule, std::size_t elements) {
 }
 
 template <class N>
-void BlockStrains<N>::add(std::size_t b, std::span<Vec3<R>> x, std::span<const Vec3<R>> v, std::span<const Vec3<R>> w,
-                          const R& active, const R& thickness, double dt) {
+void BlockStrains<N>::add(std::size_t b, std::span<const Vec3<R>> x, std::span<const Vec3<R>> v,
+                          std::span<const Vec3<R>> w, const R& active, const R& thickness, double dt) {
   const auto is_active = R(0.0) < active;
   double* const values = &values_[b * rule_.numbers() * width];
-  for (std::size_t a = 0; a < x.size(); ++a) x[a] = x[a] - R(0.5 * dt) * v[a];
   if (rule_.of == StrainRule::Of::shells) {
-    const FlatStep<R> d = x.size() == 4 ? step_of_quadrilateral<R>(x, v, w, R(dt))
-                                        : step_of_triangles<R>(x, v, w, dt, rule_.follows_bubbles);
+    const FlatStep<R> d = x.size() == 4
+                              ? step_of_quadrilateral<R>(at_mid_step<4>(x, v, dt), v, w, R(dt))
+                              : step_of_triangles<R>(at_mid_step<3>(x, v, dt), v, w, dt, rule_.follows_bubbles);
     const R offset = each_lane<R>([&](int l) { return rule_.offset[b * width + at(l)]; });
     for (const bool upper : {false, true}) {
       const R z = offset + (0.5 * thickness) * R(upper ? rule_.upper : rule_.lower);
@@ -202,14 +227,16 @@ void BlockStrains<N>::add(std::size_t b, std::span<Vec3<R>> x, std::span<const V
     }
     return;
   }
-  if (x.size() == 10) return add_step(values, gradient_of_quadratic_tetrahedra<R>(x, v), dt, is_active);
-  std::array<Vec3<R>, 8> places, velocities;
-  for (std::size_t a = 0; a < 8; ++a) {  // a tetrahedron repeats its fourth node
-    places[a] = x[std::min(a, x.size() - 1)];
-    velocities[a] = v[std::min(a, x.size() - 1)];
+  if (x.size() == 10)
+    return add_step(values, gradient_of_quadratic_tetrahedra<R>(at_mid_step<10>(x, v, dt), v), dt, is_active);
+  const std::array<Vec3<R>, 8> mid = at_mid_step<8>(x, v, dt);
+  std::array<Vec3<R>, 8> repeated;
+  if (v.size() < 8) {
+    for (std::size_t a = 0; a < 8; ++a) repeated[a] = v[std::min(a, v.size() - 1)];
+    v = repeated;
   }
   const auto add_at = [&](double height, std::size_t first) {
-    add_step(values + first * width, velocity_gradient(places, velocities, height), dt, is_active);
+    add_step(values + first * width, velocity_gradient<R>(mid, v, height), dt, is_active);
   };
   add_at(0.0, 0);
   if (rule_.of != StrainRule::Of::thick_shells) return;

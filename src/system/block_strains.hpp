@@ -29,8 +29,8 @@ class BlockStrains {
 
   /// Adds a step that ends at the places `x`, with the velocities and spins of mid-step, to the elements of block b
   /// that are active: 1, 0 otherwise. `thickness` [length]: of shells.
-  void add(std::size_t b, std::span<Vec3<R>> x, std::span<const Vec3<R>> v, std::span<const Vec3<R>> w, const R& active,
-           const R& thickness, double dt);
+  void add(std::size_t b, std::span<const Vec3<R>> x, std::span<const Vec3<R>> v, std::span<const Vec3<R>> w,
+           const R& active, const R& thickness, double dt);
 
   double number(std::size_t e, std::size_t i) const { return values_[place(e, i)]; }
   void set(std::size_t e, std::size_t i, double value) { values_[place(e, i)] = value; }

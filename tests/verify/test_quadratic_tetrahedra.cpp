@@ -12,6 +12,7 @@
 #include <set>
 
 #include "base/index.hpp"
+#include "impact/simulation/strains.hpp"
 #include "linear.hpp"
 #include "model/segments.hpp"
 #include "nvh/statics/statics.hpp"
@@ -280,8 +281,10 @@ TEST(QuadraticTetrahedra, PlasticBar) {
       plastic = layer.plastic_strain;
     }
     shown = 0.0;
-    for (std::size_t e = 0; e < experiment.model().solids.size(); ++e)
-      shown += now.components.strains.solid(e)[0] / static_cast<double>(experiment.model().solids.size());
+    const auto& places = now.system.solid_location;
+    for (const auto& place : places)
+      shown += impact::solid_strain(*now.system.groups[place.group], static_cast<std::size_t>(place.element))[0] /
+               static_cast<double>(places.size());
   });
   const double strain = std::log(1.0 + stretch / length);
   const double stress = yield + tangent * (strain - yield / young);
