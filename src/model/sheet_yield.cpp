@@ -2,60 +2,27 @@
 #include "model/sheet_yield.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <variant>
 
 #include "kernel/law/own_kernels.hpp"
+#include "kernel/law/shear_test.hpp"
 
 namespace nugget::model {
 namespace {
 
-using EndOfTest = std::function<bool(double plastic, double stress)>;
-
-/// Effective stress over plastic strain of a point under shear, by steps of strain at a rate [1/time].
-template <class Law>
-Curve shear_test(const Law& law, double strain_rate, double most_strain, const EndOfTest& enough) {
-  constexpr std::size_t most_history = 256;
-  constexpr double step = 5e-4;
-  const double dt = step / strain_rate;
-  const kernel::LawKernel<Law> kernel(law);
-  std::array<double, most_history> history{};
-  Curve curve;
-  if (static_cast<std::size_t>(kernel.layer_history()) > most_history) return curve;
-  kernel::LayerTensor<double> stress{}, rate{};
-  rate.xy = strain_rate;
-  double before = 0.0;
-  const auto steps = static_cast<std::size_t>(std::ceil(most_strain / step));
-  for (std::size_t i = 0; i < steps; ++i) {
-    kernel.template layer<double>(stress, rate, dt, history.data());
-    const double plastic = history[kernel::plastic_strain_field], effective = std::sqrt(3.0) * std::abs(stress.xy);
-    if (effective < 0.5 * before) break;  // the point has failed
-    before = effective;
-    if (!(plastic > (curve.empty() ? 0.0 : curve.x.back()))) continue;
-    curve.x.push_back(plastic);
-    curve.y.push_back(effective);
-    if (enough && enough(plastic, effective)) break;
-  }
-  if (curve.x.size() < 2) return {};
-  // Back to the first yield by the first slope.
-  curve.y.front() = curve.y[0] - curve.x[0] * (curve.y[1] - curve.y[0]) / (curve.x[1] - curve.x[0]);
-  curve.x.front() = 0.0;
-  return curve;
-}
-
 /// Of the laws with one yield stress in all directions that needs no element's size; empty of others.
-Curve shear_test(const Material& material, double strain_rate, double most_strain, const EndOfTest& enough = {}) {
+Curve shear_test(const Material& material, double strain_rate, double most_strain,
+                 const kernel::EndOfTest& enough = {}) {
   return std::visit(
       [&](const auto& law) -> Curve {
         using Law = std::decay_t<decltype(law)>;
         if constexpr (std::is_same_v<Law, kernel::PlasticKinematic> || std::is_same_v<Law, kernel::PiecewiseLinear>) {
-          return shear_test(law, strain_rate, most_strain, enough);
+          return kernel::shear_test(law, strain_rate, most_strain, enough);
         } else if constexpr (std::is_same_v<Law, kernel::ComposedLaw>) {
-          const kernel::LawKernel<Law> kernel(law);
-          const bool one = kernel.axes() == nullptr && kernel.size_field() == 0;
-          return one ? shear_test(law, strain_rate, most_strain, enough) : Curve{};
+          const kernel::LawKernel<Law> prepared(law);
+          const bool one = prepared.axes() == nullptr && prepared.size_field() == 0;
+          return one ? kernel::shear_test(law, strain_rate, most_strain, enough) : Curve{};
         } else {
           return {};
         }

@@ -9,6 +9,7 @@
 #include "kernel/element/belytschko_tsay.hpp"
 #include "kernel/element/full_shell.hpp"
 #include "kernel/law/elastic_kernel.hpp"
+#include "one_element.hpp"
 #include "system/shell_elements.hpp"
 
 namespace nugget::verify {
@@ -24,8 +25,10 @@ Eigen::Matrix<double, 24, 24> shell_stiffness(ShellKind kind, const kernel::Shel
   const std::vector<double> k = element_stiffness(rest, [&](const kernel::NodalMotion<double, 4>& motion, double step) {
     std::vector<double> state(static_cast<std::size_t>(layout.size()));
     kernel::start_shell(layout, thickness, state.data(), 1, 0);
-    return kind == ShellKind::full ? kernel::full_shell_cycle<double>(shell, law, motion, step, state.data())
-                                   : kernel::shell_cycle<double>(shell, law, motion, step, state.data());
+    return one_element(motion, state, [&](const auto& all, double* store) {
+      return kind == ShellKind::full ? kernel::full_shell_cycle(shell, law, all, step, store)
+                                     : kernel::shell_cycle(shell, law, all, step, store);
+    });
   });
   return Eigen::Map<const Eigen::Matrix<double, 24, 24, Eigen::RowMajor>>(k.data());
 }
@@ -90,10 +93,10 @@ std::vector<std::array<double, 6>> Statics::stresses(const Eigen::VectorXd& u, s
     nodes.v[a] = {u(first), u(first + 1), u(first + 2)};
     nodes.w[a] = {u(first + 3), u(first + 4), u(first + 5)};
   }
-  if (kind == ShellKind::full)
-    kernel::full_shell_cycle(shell, prepared, nodes, small, state.data());
-  else
-    kernel::shell_cycle(shell, prepared, nodes, small, state.data());
+  one_element(nodes, state, [&](const auto& all, double* store) {
+    return kind == ShellKind::full ? kernel::full_shell_cycle(shell, prepared, all, small, store)
+                                   : kernel::shell_cycle(shell, prepared, all, small, store);
+  });
   std::vector<std::array<double, 6>> all;
   for (int column = 0; column < layout.columns; ++column)
     for (int k = 0; k < layout.layers; ++k) {

@@ -16,6 +16,7 @@
 #include "kernel/law/elastic_kernel.hpp"
 #include "linear.hpp"
 #include "nvh/statics/statics.hpp"
+#include "one_element.hpp"
 #include "specimen.hpp"
 
 namespace nugget::verify {
@@ -167,7 +168,9 @@ Stiffness between_rigid_faces(const Corners& x, double poisson) {
       element_stiffness(rest, [&](const kernel::SolidMotion<double>& moved, double step) {
         std::vector<double> state(at(layout.size()));
         kernel::start_hexahedron(layout, x, state.data(), 1, 0);
-        return kernel::hexahedron_cycle<double>(brick, law, moved, step, state.data());
+        return one_element(moved, state, [&](const auto& all, double* store) {
+          return kernel::hexahedron_cycle(brick, law, all, step, store);
+        });
       });
   const Eigen::Map<const Eigen::Matrix<double, 24, 24, Eigen::RowMajor>> k(entries.data());
   Eigen::Matrix<double, 24, 6> motion = Eigen::Matrix<double, 24, 6>::Zero();

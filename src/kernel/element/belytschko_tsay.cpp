@@ -260,12 +260,6 @@ NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, doub
   return {mass, mass * gyration2};
 }
 
-template NodalForces<double, 4> shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
-                                            const NodalMotion<double, 4>&, double, double*);
-template NodalForces<double, 4> shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
-                                            const NodalMotion<double, 4>&, double, double*);
-template NodalForces<double, 4> shell_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
-                                            const NodalMotion<double, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                  const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,

@@ -21,8 +21,8 @@ namespace nugget::kernel {
 /// Internal energy is not computed here: it is the work of the nodal forces. Sources: Belytschko, Lin, Tsay, CMAME 42
 /// (1984); LS-DYNA Theory Manual; docs/theory/shell.md.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; SingleBatch with the
-/// first three; NativeBatch with ComposedLaw.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw, Laminate; SingleBatch
+/// with the first three.
 template <class R, class Law>
 NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,
                               double dt, Number<R>* state);

@@ -153,12 +153,6 @@ NodalMass triangle_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, d
   return {mass, mass * gyration2};
 }
 
-template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
-                                               const NodalMotion<double, 3>&, double, double*);
-template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
-                                               const NodalMotion<double, 3>&, double, double*);
-template NodalForces<double, 3> triangle_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
-                                               const NodalMotion<double, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                     const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> triangle_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,

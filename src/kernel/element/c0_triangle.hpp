@@ -13,8 +13,7 @@ namespace nugget::kernel {
 /// not see (Lee, Bathe, Computers and Structures 82 (2004), integrated exactly; elastic). Sources:
 /// docs/theory/shell.md#c0-triangle.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw, Laminate.
 template <class R, class Law>
 NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                  const NodalMotion<R, 3>& nodes, double dt, double* state);

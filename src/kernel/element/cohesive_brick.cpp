@@ -259,8 +259,6 @@ NodalForces<R, 8> cohesive_brick_cycle(const CohesiveBrickProperties& brick, con
   return out;
 }
 
-template NodalForces<double, 8> cohesive_brick_cycle(const CohesiveBrickProperties&, const CohesiveBond&,
-                                                     const NodalMotion<double, 8>&, double, double*);
 template NodalForces<NativeBatch, 8> cohesive_brick_cycle(const CohesiveBrickProperties&, const CohesiveBond&,
                                                           const NodalMotion<NativeBatch, 8>&, double, double*);
 

@@ -76,7 +76,7 @@ double cohesive_brick_nodal_inertia(const CohesiveBrickProperties& brick, const 
 /// A brick in which the law's number of points has failed is deleted: alive 0, no force, infinite stable step.
 /// `m` of the result and `w` of the motion are used between shells only.
 ///
-/// Instantiated for R = double and NativeBatch.
+/// Instantiated for R = NativeBatch.
 template <class R>
 NodalForces<R, 8> cohesive_brick_cycle(const CohesiveBrickProperties& brick, const CohesiveBond& bond,
                                        const NodalMotion<R, 8>& nodes, double dt, double* state);

@@ -284,8 +284,6 @@ NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const 
   return out;
 }
 
-template NodalForces<double, 2> discrete_beam_cycle(const DiscreteBeamProperties&, const DiscreteBeam&,
-                                                    const NodalMotion<double, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> discrete_beam_cycle(const DiscreteBeamProperties&, const DiscreteBeam&,
                                                          const NodalMotion<NativeBatch, 2>&, double, double*);
 

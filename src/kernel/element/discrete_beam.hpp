@@ -77,7 +77,7 @@ bool discrete_beam_viscosity(const DiscreteBeamProperties& beam, const DiscreteB
 /// infinite stable step. Source: docs/theory/time_step.md#beams and docs/theory/beam.md#discrete-beam; LS-DYNA Keyword
 /// Manual, *SECTION_BEAM, SCOOR.
 ///
-/// Instantiated for R = double and NativeBatch.
+/// Instantiated for R = NativeBatch.
 template <class R>
 NodalForces<R, 2> discrete_beam_cycle(const DiscreteBeamProperties& beam, const DiscreteBeam& law,
                                       const NodalMotion<R, 2>& nodes, double dt, double* state);

@@ -173,12 +173,6 @@ SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, con
   return out;
 }
 
-template SolidForces<double> extruded_shell_cycle(const ExtrudedShellProperties&, const LawKernel<Elastic>&,
-                                                  const SolidMotion<double>&, double, double*);
-template SolidForces<double> extruded_shell_cycle(const ExtrudedShellProperties&, const LawKernel<PlasticKinematic>&,
-                                                  const SolidMotion<double>&, double, double*);
-template SolidForces<double> extruded_shell_cycle(const ExtrudedShellProperties&, const LawKernel<PiecewiseLinear>&,
-                                                  const SolidMotion<double>&, double, double*);
 template SolidForces<NativeBatch> extruded_shell_cycle(const ExtrudedShellProperties&, const LawKernel<Elastic>&,
                                                        const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> extruded_shell_cycle(const ExtrudedShellProperties&,

@@ -69,8 +69,7 @@ void start_extruded_shell(const ExtrudedShellLayout& layout, const std::array<Ve
 /// The stable step is 1 / sqrt(1/a^2 + 1/b^2) of the shell's a and that across b, that length over sqrt(E / rho), with
 /// viscosity. Source: docs/theory/brick.md#extruded-shell.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw.
 template <class R, class Law>
 SolidForces<R> extruded_shell_cycle(const ExtrudedShellProperties& extruded, const LawKernel<Law>& law,
                                     const SolidMotion<R>& nodes, double dt, double* state);

@@ -232,17 +232,6 @@ void freeze_yield(const FullHexahedronLayout& layout, const LawKernel<Law>& law,
 }
 
 template void freeze_yield(const FullHexahedronLayout&, const LawKernel<Spotweld>&, double*, int, int);
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains, const LawKernel<Elastic>&,
-                                                   const SolidMotion<double>&, double, double*);
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                   const LawKernel<PlasticKinematic>&, const SolidMotion<double>&,
-                                                   double, double*);
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                   const LawKernel<PiecewiseLinear>&, const SolidMotion<double>&,
-                                                   double, double*);
-template SolidForces<double> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
-                                                   const LawKernel<Spotweld>&, const SolidMotion<double>&, double,
-                                                   double*);
 template SolidForces<NativeBatch> full_hexahedron_cycle(const HexahedronProperties&, BrickStrains,
                                                         const LawKernel<Elastic>&, const SolidMotion<NativeBatch>&,
                                                         double, double*);

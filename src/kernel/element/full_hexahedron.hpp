@@ -51,8 +51,7 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
 /// With assumed strains (ELFORM -1, -2) the velocity gradients are those of AssumedStrain, which bend without locking
 /// whatever the sides; all points then turn with the brick's spin, and each stands for an eighth of its volume.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; NativeBatch with
-/// ComposedLaw.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld, ComposedLaw.
 template <class R, class Law>
 SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStrains strains, const LawKernel<Law>& law,
                                      const SolidMotion<R>& nodes, double dt, double* state);

@@ -324,12 +324,6 @@ NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel
   return out;
 }
 
-template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
-                                                 const NodalMotion<double, 4>&, double, double*);
-template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
-                                                 const NodalMotion<double, 4>&, double, double*);
-template NodalForces<double, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
-                                                 const NodalMotion<double, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                       const NodalMotion<NativeBatch, 4>&, double, double*);
 template NodalForces<NativeBatch, 4> full_shell_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,

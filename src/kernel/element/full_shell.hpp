@@ -36,8 +36,8 @@ ShellLayout full_shell_layout(const ShellProperties& shell, const LawKernel<Law>
 /// the law's deletion step. Sources: Engelmann, Whirley, Goudreau 1989; Dvorkin, Bathe, Eng. Comput. 1 (1984);
 /// Belytschko, Bachrach, CMAME 54 (1986); Hughes, Brezzi, CMAME 72 (1989); docs/theory/shell.md#fully-integrated-shell.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; SingleBatch with the
-/// first three; NativeBatch with ComposedLaw.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw, Laminate; SingleBatch
+/// with the first three.
 template <class R, class Law>
 NodalForces<R, 4> full_shell_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                    const NodalMotion<R, 4>& nodes, double dt, Number<R>* state);

@@ -174,14 +174,6 @@ double hexahedron_nodal_mass(const std::array<Vec3d, 8>& x, double density) {
 }
 
 template void freeze_yield(const LawKernel<Spotweld>&, double*, int, int);
-template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
-                                              const SolidMotion<double>&, double, double*);
-template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PlasticKinematic>&,
-                                              const SolidMotion<double>&, double, double*);
-template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PiecewiseLinear>&,
-                                              const SolidMotion<double>&, double, double*);
-template SolidForces<double> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Spotweld>&,
-                                              const SolidMotion<double>&, double, double*);
 template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
                                                    const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> hexahedron_cycle(const HexahedronProperties&, const LawKernel<PlasticKinematic>&,

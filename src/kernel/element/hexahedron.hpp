@@ -80,8 +80,9 @@ struct SolidForces {
 /// IJNME 17 (1981); Hughes, Winget, IJNME 15 (1980); Belytschko, Bindeman, CMAME 105 (1993);
 /// docs/theory/brick.md.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld; SingleBatch with
-/// the first three; NativeBatch with ComposedLaw.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld, ComposedLaw, and for
+/// SingleBatch with the first three. Of one element alone: the same numbers in all lanes, as tests/one_element.hpp has
+/// it.
 template <class R, class Law>
 SolidForces<R> hexahedron_cycle(const HexahedronProperties& brick, const LawKernel<Law>& law,
                                 const SolidMotion<R>& nodes, double dt, Number<R>* state);

@@ -186,12 +186,6 @@ NodalMass kirchhoff_nodal_mass(const std::array<Vec3d, 3>& x, double thickness, 
   return {mass, mass * std::max(own2 + arm * arm, eccentric_gyration2(elastic_arm, own2))};
 }
 
-template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
-                                                         const NodalMotion<double, 3>&, double, double*);
-template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<PlasticKinematic>&,
-                                                         const NodalMotion<double, 3>&, double, double*);
-template NodalForces<double, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<PiecewiseLinear>&,
-                                                         const NodalMotion<double, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&, const LawKernel<Elastic>&,
                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
 template NodalForces<NativeBatch, 3> kirchhoff_triangle_cycle(const ShellProperties&,

@@ -30,8 +30,7 @@ ShellLayout kirchhoff_layout(const ShellProperties& shell, const LawKernel<Law>&
 /// where t > h/2 (by eigenvalues of elements of all shapes; ours). Source: J.-L. Batoz, K.-J. Bathe, L.-W. Ho, Int. J.
 /// Numer. Meth. Eng. 15 (1980).
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw, Laminate.
 template <class R, class Law>
 NodalForces<R, 3> kirchhoff_triangle_cycle(const ShellProperties& shell, const LawKernel<Law>& law,
                                            const NodalMotion<R, 3>& nodes, double dt, double* state);

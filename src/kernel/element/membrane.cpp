@@ -325,19 +325,17 @@ NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties& shell, const La
   return out;
 }
 
-#define NUGGET_MEMBRANE(R, Law)                                                                                      \
-  template NodalForces<R, 4> membrane_cycle(const ShellProperties&, const LawKernel<Law>&, const NodalMotion<R, 4>&, \
-                                            double, double*);                                                        \
-  template NodalForces<R, 4> full_membrane_cycle(const ShellProperties&, const LawKernel<Law>&,                      \
-                                                 const NodalMotion<R, 4>&, double, double*);                         \
-  template NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties&, const LawKernel<Law>&,                  \
-                                                     const NodalMotion<R, 3>&, double, double*);
-#define NUGGET_MEMBRANE_OF(Law) NUGGET_MEMBRANE(double, Law) NUGGET_MEMBRANE(NativeBatch, Law)
-NUGGET_MEMBRANE_OF(Elastic)
-NUGGET_MEMBRANE_OF(PlasticKinematic)
-NUGGET_MEMBRANE_OF(PiecewiseLinear)
-NUGGET_MEMBRANE_OF(ComposedLaw)
-#undef NUGGET_MEMBRANE_OF
+#define NUGGET_MEMBRANE(Law)                                                                                     \
+  template NodalForces<NativeBatch, 4> membrane_cycle(const ShellProperties&, const LawKernel<Law>&,             \
+                                                      const NodalMotion<NativeBatch, 4>&, double, double*);      \
+  template NodalForces<NativeBatch, 4> full_membrane_cycle(const ShellProperties&, const LawKernel<Law>&,        \
+                                                           const NodalMotion<NativeBatch, 4>&, double, double*); \
+  template NodalForces<NativeBatch, 3> membrane_triangle_cycle(const ShellProperties&, const LawKernel<Law>&,    \
+                                                               const NodalMotion<NativeBatch, 3>&, double, double*);
+NUGGET_MEMBRANE(Elastic)
+NUGGET_MEMBRANE(PlasticKinematic)
+NUGGET_MEMBRANE(PiecewiseLinear)
+NUGGET_MEMBRANE(ComposedLaw)
 #undef NUGGET_MEMBRANE
 
 }  // namespace nugget::kernel

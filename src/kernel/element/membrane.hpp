@@ -6,8 +6,8 @@
 
 // Membranes: sheets that carry forces in their plane and none by bending, such as fabric. Their nodes have no spins and
 // get no moments. Layers, thickness update, deletion and stable step are those of the shells (shell_cycle); with the
-// one layer that membranes have, the stress is constant through the thickness. Instantiated for R = double, NativeBatch
-// with Elastic, PlasticKinematic, PiecewiseLinear; both with ComposedLaw.
+// one layer that membranes have, the stress is constant through the thickness. Instantiated for R = NativeBatch with
+// Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw.
 namespace nugget::kernel {
 
 /// One cycle of the four-node Belytschko-Tsay membrane (ELFORM 5): the membrane part of shell_cycle, with its frame and

@@ -179,18 +179,6 @@ std::array<Vec3d, 3> quadratic_tetrahedron_gradient(const std::array<Vec3d, 10>&
   return mean;
 }
 
-template QuadraticTetrahedronForces<double> quadratic_tetrahedron_cycle(const HexahedronProperties&,
-                                                                        const LawKernel<Elastic>&,
-                                                                        const QuadraticTetrahedronMotion<double>&,
-                                                                        double, double*);
-template QuadraticTetrahedronForces<double> quadratic_tetrahedron_cycle(const HexahedronProperties&,
-                                                                        const LawKernel<PlasticKinematic>&,
-                                                                        const QuadraticTetrahedronMotion<double>&,
-                                                                        double, double*);
-template QuadraticTetrahedronForces<double> quadratic_tetrahedron_cycle(const HexahedronProperties&,
-                                                                        const LawKernel<PiecewiseLinear>&,
-                                                                        const QuadraticTetrahedronMotion<double>&,
-                                                                        double, double*);
 template QuadraticTetrahedronForces<NativeBatch> quadratic_tetrahedron_cycle(
     const HexahedronProperties&, const LawKernel<Elastic>&, const QuadraticTetrahedronMotion<NativeBatch>&, double,
     double*);

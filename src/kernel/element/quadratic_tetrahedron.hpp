@@ -76,9 +76,9 @@ struct QuadraticTetrahedronForces {
 /// mass. It follows from |grad u|^2 <= g |P D^T u|^2 at each point, whatever the shape; the true frequency is up to
 /// 1.8 times lower. The length of the bulk viscosity is the wave speed times this step.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw. Hourglass data of `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1,
-/// quadratic tetrahedron; points of P.C. Hammer, O.P. Marlowe, A.H. Stroud, Math. Tables Aids Comput. 10 (1956).
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw. Hourglass data of
+/// `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1, quadratic tetrahedron; points
+/// of P.C. Hammer, O.P. Marlowe, A.H. Stroud, Math. Tables Aids Comput. 10 (1956).
 template <class R, class Law>
 QuadraticTetrahedronForces<R> quadratic_tetrahedron_cycle(const HexahedronProperties& solid, const LawKernel<Law>& law,
                                                           const QuadraticTetrahedronMotion<R>& nodes, double dt,

@@ -108,8 +108,6 @@ NodalMass resultant_beam_nodal_mass(const ResultantBeamProperties& beam, double 
           std::max(physical, 3.0 * beam.density * I * length)};
 }
 
-template NodalForces<double, 2> resultant_beam_cycle(const ResultantBeamProperties&, double, double,
-                                                     const NodalMotion<double, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> resultant_beam_cycle(const ResultantBeamProperties&, double, double,
                                                           const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<Dual<12>, 2> resultant_beam_cycle(const ResultantBeamProperties&, double, double,

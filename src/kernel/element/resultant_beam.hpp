@@ -39,7 +39,7 @@ void start_resultant_beam(const Vec3d& x1, const Vec3d& x2, const Vec3d& towards
 /// Belytschko and L. Schwer, Comput. Struct. 7 (1977) 167-175.
 ///
 /// Step: that of the fastest of the axial and the two antisymmetric bending modes with the masses of
-/// resultant_beam_nodal_mass. Instantiated for R = double, NativeBatch, Dual<12>.
+/// resultant_beam_nodal_mass. Instantiated for R = NativeBatch, Dual<12>.
 template <class R>
 NodalForces<R, 2> resultant_beam_cycle(const ResultantBeamProperties& beam, double E, double shear,
                                        const NodalMotion<R, 2>& nodes, double dt, double* state);

@@ -253,18 +253,6 @@ double rotational_tetrahedron_inertia(const std::array<Vec3d, 4>& x, double dens
   return 0.25 * density * tetrahedron_volume(x) * mean_edge2(x) / 10.0;
 }
 
-template RotationalTetrahedronForces<double> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                          const LawKernel<Elastic>&,
-                                                                          const NodalMotion<double, 4>&, double,
-                                                                          double*);
-template RotationalTetrahedronForces<double> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                          const LawKernel<PlasticKinematic>&,
-                                                                          const NodalMotion<double, 4>&, double,
-                                                                          double*);
-template RotationalTetrahedronForces<double> rotational_tetrahedron_cycle(const HexahedronProperties&,
-                                                                          const LawKernel<PiecewiseLinear>&,
-                                                                          const NodalMotion<double, 4>&, double,
-                                                                          double*);
 template RotationalTetrahedronForces<NativeBatch> rotational_tetrahedron_cycle(const HexahedronProperties&,
                                                                                const LawKernel<Elastic>&,
                                                                                const NodalMotion<NativeBatch, 4>&,

@@ -62,8 +62,8 @@ struct RotationalTetrahedronForces {
 /// node with l0^2 / 10 of rotary inertia (by eigenvalues of elements of all shapes; ours). Bulk viscosity, deletion
 /// (all four points) and stable step otherwise as in tetrahedron_cycle.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw. Hourglass data of `solid` are not used.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw. Hourglass data of
+/// `solid` are not used.
 template <class R, class Law>
 RotationalTetrahedronForces<R> rotational_tetrahedron_cycle(const HexahedronProperties& solid,
                                                             const LawKernel<Law>& law, const NodalMotion<R, 4>& nodes,

@@ -79,15 +79,6 @@ double tetrahedron_volume(const std::array<Vec3d, 4>& x) {
   return dot(x[1] - x[0], cross(x[2] - x[0], x[3] - x[0])) / 6.0;
 }
 
-template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
-                                                     const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
-                                                     double*);
-template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<PlasticKinematic>&,
-                                                     const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
-                                                     double*);
-template TetrahedronForces<double> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<PiecewiseLinear>&,
-                                                     const TetrahedronLayout&, const TetrahedronMotion<double>&, double,
-                                                     double*);
 template TetrahedronForces<NativeBatch> tetrahedron_cycle(const HexahedronProperties&, const LawKernel<Elastic>&,
                                                           const TetrahedronLayout&,
                                                           const TetrahedronMotion<NativeBatch>&, double, double*);

@@ -59,9 +59,9 @@ struct TetrahedronForces {
 /// With nodal_pressure (ELFORM 13) the mean stress is that of the state, which the nodes agree on (NodalPressure): the
 /// law gives the deviator only, so it must be one whose mean stress is elastic.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw. Hourglass data of `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1,
-/// constant-strain tetrahedron; the bound follows from |sum u_I b_I^T|^2 <= g |u|^2.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw. Hourglass data of
+/// `solid` are not used. Source: Zienkiewicz, Taylor, The Finite Element Method, vol. 1, constant-strain tetrahedron;
+/// the bound follows from |sum u_I b_I^T|^2 <= g |u|^2.
 template <class R, class Law>
 TetrahedronForces<R> tetrahedron_cycle(const HexahedronProperties& solid, const LawKernel<Law>& law,
                                        const TetrahedronLayout& layout, const TetrahedronMotion<R>& nodes, double dt,

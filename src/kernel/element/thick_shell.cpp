@@ -225,12 +225,6 @@ Vec3d thick_shell_normal(const std::array<Vec3d, 8>& x) {
   return MidwaySurface<double>(patterns_of(x)).n;
 }
 
-template SolidForces<double> thick_shell_cycle(const ThickShellProperties&, const LawKernel<Elastic>&,
-                                               const SolidMotion<double>&, double, double*);
-template SolidForces<double> thick_shell_cycle(const ThickShellProperties&, const LawKernel<PlasticKinematic>&,
-                                               const SolidMotion<double>&, double, double*);
-template SolidForces<double> thick_shell_cycle(const ThickShellProperties&, const LawKernel<PiecewiseLinear>&,
-                                               const SolidMotion<double>&, double, double*);
 template SolidForces<NativeBatch> thick_shell_cycle(const ThickShellProperties&, const LawKernel<Elastic>&,
                                                     const SolidMotion<NativeBatch>&, double, double*);
 template SolidForces<NativeBatch> thick_shell_cycle(const ThickShellProperties&, const LawKernel<PlasticKinematic>&,

@@ -63,8 +63,7 @@ void start_thick_shell(const ThickShellLayout& layout, double* state, int width,
 /// points in a row through the thickness Abed-Meraim, Combescure, Comput. Struct. 80 (2002);
 /// docs/theory/brick.md#thick-shell.
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear; NativeBatch with
-/// ComposedLaw.
+/// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw.
 template <class R, class Law>
 SolidForces<R> thick_shell_cycle(const ThickShellProperties& shell, const LawKernel<Law>& law,
                                  const SolidMotion<R>& nodes, double dt, double* state);

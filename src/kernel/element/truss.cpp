@@ -39,21 +39,12 @@ NodalForces<R, 2> truss_cycle(double area, double density, const LawKernel<Law>&
   return out;
 }
 
-template NodalForces<double, 2> truss_cycle(double, double, const LawKernel<Elastic>&, const NodalMotion<double, 2>&,
-                                            double, double*);
-template NodalForces<double, 2> truss_cycle(double, double, const LawKernel<PlasticKinematic>&,
-                                            const NodalMotion<double, 2>&, double, double*);
-template NodalForces<double, 2> truss_cycle(double, double, const LawKernel<PiecewiseLinear>&,
-                                            const NodalMotion<double, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<Elastic>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<PlasticKinematic>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<PiecewiseLinear>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
-
-template NodalForces<double, 2> truss_cycle(double, double, const LawKernel<ComposedLaw>&,
-                                            const NodalMotion<double, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> truss_cycle(double, double, const LawKernel<ComposedLaw>&,
                                                  const NodalMotion<NativeBatch, 2>&, double, double*);
 

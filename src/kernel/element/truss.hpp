@@ -18,8 +18,8 @@ struct TrussLayout {
 };
 
 /// One cycle of a truss (ELFORM 3): uniaxial stress over the logarithmic strain, N = A sigma with the area of the
-/// start. A truss whose fibre has failed is deleted. Stable step L / sqrt(E / rho). Instantiated for R = double,
-/// NativeBatch with Elastic, PlasticKinematic and PiecewiseLinear.
+/// start. A truss whose fibre has failed is deleted. Stable step L / sqrt(E / rho). Instantiated for R =
+/// NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, ComposedLaw.
 template <class R, class Law>
 NodalForces<R, 2> truss_cycle(double area, double density, const LawKernel<Law>& law, const NodalMotion<R, 2>& nodes,
                               double dt, double* state);

@@ -389,25 +389,14 @@ NodalMass weld_beam_nodal_mass(const WeldBeamProperties& beam, double length, do
 }
 
 template void freeze_yield(const WeldBeamLayout&, const LawKernel<Spotweld>&, double*, int, int);
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Elastic>&,
-                                                const NodalMotion<double, 2>&, double, double*);
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Spotweld>&,
-                                                const NodalMotion<double, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Elastic>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<Spotweld>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PlasticKinematic>&,
-                                                const NodalMotion<double, 2>&, double, double*);
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PiecewiseLinear>&,
-                                                const NodalMotion<double, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PlasticKinematic>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<PiecewiseLinear>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
-
-template NodalForces<double, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<ComposedLaw>&,
-                                                const NodalMotion<double, 2>&, double, double*);
 template NodalForces<NativeBatch, 2> weld_beam_cycle(const WeldBeamProperties&, const LawKernel<ComposedLaw>&,
                                                      const NodalMotion<NativeBatch, 2>&, double, double*);
 

@@ -93,7 +93,7 @@ void start_weld_beam(const WeldBeamLayout& layout, const Vec3d& x1, const Vec3d&
 /// each other: the beam's length and direction are those of its halves, so that it neither stretches nor tilts by the
 /// slip, and forces have the arms of the nodes' line. Only welds have them (Spotweld).
 ///
-/// Instantiated for R = double, NativeBatch with Elastic, Spotweld, PlasticKinematic and PiecewiseLinear.
+/// Instantiated for R = NativeBatch with Elastic, Spotweld, PlasticKinematic, PiecewiseLinear, ComposedLaw.
 template <class R, class Law>
 NodalForces<R, 2> weld_beam_cycle(const WeldBeamProperties& beam, const LawKernel<Law>& law,
                                   const NodalMotion<R, 2>& nodes, double dt, double* state);

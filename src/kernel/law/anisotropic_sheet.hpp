@@ -143,7 +143,7 @@ class LawKernel<AnisotropicSheet> {
       return newton(unknown, trial, trial, at, range_of(unknown, at.effective, start.value), open);
     });
     for (int l = 0; l < lanes<R>; ++l)
-      if (lane_of(open, l)) by_continuation(hardening, lane_of(trial, l), lane(plastic_strain, l), dt, l, r);
+      if (open[l]) set_lane_of(r, l, by_continuation(hardening, lane_of(trial, l), lane(plastic_strain, l), dt));
 
     // What the return takes from the stress, in the element's axes.
     const R cc = c * c, tt = t * t, ct = c * t;
@@ -160,14 +160,21 @@ class LawKernel<AnisotropicSheet> {
     thickness.plastic -= in_plane;
   }
 
-  static bool lane_of(bool mask, int) { return mask; }
-  template <int W>
-  static bool lane_of(const Mask<W>& mask, int l) {
-    return mask[l];
-  }
   template <class R>
   static PlaneStress<double> lane_of(const PlaneStress<R>& s, int l) {
     return {lane(s.aa, l), lane(s.bb, l), lane(s.ab, l)};
+  }
+  template <class R>
+  static void set_lane_of(PlaneStress<R>& s, int l, const PlaneStress<double>& one) {
+    set_lane(s.aa, l, one.aa);
+    set_lane(s.bb, l, one.bb);
+    set_lane(s.ab, l, one.ab);
+  }
+  template <class R>
+  static void set_lane_of(Returned<R>& r, int l, const Returned<double>& one) {
+    set_lane(r.increment, l, one.increment);
+    set_lane_of(r.stress, l, one.stress);
+    set_lane_of(r.flow, l, one.flow);
   }
 
   /// Where the unknown x of a hardening lies, and a first value.
@@ -250,13 +257,13 @@ class LawKernel<AnisotropicSheet> {
   };
 
   /// One lane from which Newton's method ran away: the return of trial stresses on the way from the surface at rest to
-  /// this one, each from the return of the one before. `l`: where in `r` it stands.
-  template <class R, class Yield>
-  void by_continuation(const Yield& hardening, const PlaneStress<double>& trial, double plastic_strain, double dt,
-                       int l, Returned<R>& r) const {
+  /// this one, each from the return of the one before.
+  template <class Yield>
+  Returned<double> by_continuation(const Yield& hardening, const PlaneStress<double>& trial, double plastic_strain,
+                                   double dt) const {
     typename Yield::template At<double> yield(hardening, &plastic_strain);
     const double trial_stress = surface_(trial).effective, start = yield(0.0).value, share = start / trial_stress;
-    const Returned<double> one = hardening.template with_unknown<double>(yield, dt, [&](auto& unknown) {
+    return hardening.template with_unknown<double>(yield, dt, [&](auto& unknown) {
       Range<double> range = range_of(unknown, trial_stress, start);
       const auto on_the_way = [&](double t) {
         const double part = share + t * (1.0 - share);
@@ -281,13 +288,6 @@ class LawKernel<AnisotropicSheet> {
       }
       return found;
     });
-    set_lane(r.increment, l, one.increment);
-    set_lane(r.stress.aa, l, one.stress.aa);
-    set_lane(r.stress.bb, l, one.stress.bb);
-    set_lane(r.stress.ab, l, one.stress.ab);
-    set_lane(r.flow.aa, l, one.flow.aa);
-    set_lane(r.flow.bb, l, one.flow.bb);
-    set_lane(r.flow.ab, l, one.flow.ab);
   }
 
   ElasticConstants elastic_;

@@ -379,26 +379,17 @@ R LawKernel<ComposedLaw>::wave_modulus(const double* history) const {
       parts_->flow);
 }
 
-template ThicknessStrain<double> LawKernel<ComposedLaw>::layer(LayerTensor<double>&, const LayerTensor<double>&, double,
-                                                               double*) const;
 template ThicknessStrain<NativeBatch> LawKernel<ComposedLaw>::layer(LayerTensor<NativeBatch>&,
                                                                     const LayerTensor<NativeBatch>&, double,
                                                                     double*) const;
-template void LawKernel<ComposedLaw>::solid(SolidTensor<double>&, const SolidTensor<double>&, double, double*) const;
 template void LawKernel<ComposedLaw>::solid(SolidTensor<NativeBatch>&, const SolidTensor<NativeBatch>&, double,
                                             double*) const;
-template void LawKernel<ComposedLaw>::fibre(FibreTensor<double>&, const FibreTensor<double>&, double, double*) const;
 template void LawKernel<ComposedLaw>::fibre(FibreTensor<NativeBatch>&, const FibreTensor<NativeBatch>&, double,
                                             double*) const;
-template void LawKernel<ComposedLaw>::rotate(const Frame<double>&, double*) const;
 template void LawKernel<ComposedLaw>::rotate(const Frame<NativeBatch>&, double*) const;
-template void LawKernel<ComposedLaw>::add_viscous_work(const double&, double*) const;
 template void LawKernel<ComposedLaw>::add_viscous_work(const NativeBatch&, double*) const;
-template double LawKernel<ComposedLaw>::wave_modulus(const double*) const;
 template NativeBatch LawKernel<ComposedLaw>::wave_modulus(const double*) const;
-template double LawKernel<ComposedLaw>::layer_stiffening(const double*) const;
 template NativeBatch LawKernel<ComposedLaw>::layer_stiffening(const double*) const;
-template double LawKernel<ComposedLaw>::stiffness_share(const double*) const;
 template NativeBatch LawKernel<ComposedLaw>::stiffness_share(const double*) const;
 
 }  // namespace nugget::kernel

@@ -15,7 +15,7 @@ namespace nugget::kernel {
 /// A law put together at run time. History of a point: that of its flow, which begins with the effective plastic
 /// strain, then that of its failure (PointFailure): the share of its stress that it has lost, 1 once it has failed.
 ///
-/// What depends on the composition is compiled in composed_law.cpp, for R = double and NativeBatch.
+/// What depends on the composition is compiled in composed_law.cpp, for R = NativeBatch.
 template <>
 class LawKernel<ComposedLaw> {
  public:

@@ -96,7 +96,6 @@ R Gissmo::advance(const SolidTensor<R>& stress, const R& increment, MaskOf<R> ca
   return select(damage >= 1.0, R(1.0), lost);
 }
 
-template double Gissmo::advance(const SolidTensor<double>&, const double&, bool, double, double*) const;
 template NativeBatch Gissmo::advance(const SolidTensor<NativeBatch>&, const NativeBatch&, NativeBatch::Mask, double,
                                      double*) const;
 

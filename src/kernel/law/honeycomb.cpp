@@ -123,7 +123,6 @@ void LawKernel<Honeycomb>::solid(SolidTensor<R>& s, const SolidTensor<R>& rate, 
   s = out_of_axes(axes, now + tensor(viscous));
 }
 
-template void LawKernel<Honeycomb>::solid(SolidTensor<double>&, const SolidTensor<double>&, double, double*) const;
 template void LawKernel<Honeycomb>::solid(SolidTensor<NativeBatch>&, const SolidTensor<NativeBatch>&, double,
                                           double*) const;
 

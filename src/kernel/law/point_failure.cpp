@@ -346,11 +346,8 @@ void PointFailure::weaken(LayerTensor<R>& s, const double* history) const {
     set_layer_lane(s, l, Cracks::weakened(layer_lane(s, l), history + cracked_ * lanes<R> + l, lanes<R>));
 }
 
-template void PointFailure::advance(const PointStep<double>&, double*) const;
 template void PointFailure::advance(const PointStep<NativeBatch>&, double*) const;
-template void PointFailure::restore_undamaged(LayerTensor<double>&, const double*) const;
 template void PointFailure::restore_undamaged(LayerTensor<NativeBatch>&, const double*) const;
-template void PointFailure::weaken(LayerTensor<double>&, const double*) const;
 template void PointFailure::weaken(LayerTensor<NativeBatch>&, const double*) const;
 
 }  // namespace nugget::kernel

@@ -12,6 +12,7 @@
 #include "kernel/element/full_shell.hpp"
 #include "kernel/element/kirchhoff_triangle.hpp"
 #include "motion.hpp"
+#include "one_element.hpp"
 
 // One shell, of any formulation, driven by the velocities of its nodes, and what all of them must keep. A `Kind` has
 //   corners, columns         nodes, and points of integration in the plane
@@ -133,7 +134,8 @@ struct Driven {
   }
   /// A step to nodes that are already at its end.
   const NodalForces<double, Kind::corners>& cycle(double dt) {
-    return force = Kind::template cycle<double>(shell, law, nodes, dt, state.data());
+    return force = one_element(nodes, state,
+                               [&](const auto& all, double* store) { return Kind::cycle(shell, law, all, dt, store); });
   }
   void shake(Random& random, double speed, double turning) {
     for (int i = 0; i < Kind::corners; ++i) {
@@ -150,7 +152,7 @@ inline void expect_same(const Vec3d& a, const Vec3d& b) {
 }
 
 template <class Kind = OnePoint, class Law>
-void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& parameters, double speed) {
+void batch_gives_the_bits_of_each_alone(const ShellProperties& shell, const Law& parameters, double speed) {
   constexpr int W = native_width;
   const double dt = 1e-6;
   const LawKernel<Law> law(parameters);
@@ -181,7 +183,7 @@ void batch_gives_the_bits_of_double(const ShellProperties& shell, const Law& par
       one.step(dt);
       put(nodes, l, one.nodes);
     }
-    const auto force = Kind::template cycle<NativeBatch>(shell, law, nodes, dt, together.data());
+    const auto force = Kind::cycle(shell, law, nodes, dt, together.data());
     for (int l = 0; l < W; ++l) {
       const Driven<Law, Kind>& one = single[l];
       for (int i = 0; i < Kind::corners; ++i) {
@@ -278,7 +280,8 @@ std::vector<double> shell_stiffness(const ShellProperties& shell, const NodalMot
   return element_stiffness(m, [&](const auto& motion, double step) {
     std::vector<double> state(static_cast<std::size_t>(Kind::layout(shell, law).size()));
     start_shell(Kind::layout(shell, law), 1.2, state.data(), 1, 0);
-    return Kind::template cycle<double>(shell, law, motion, step, state.data());
+    return one_element(motion, state,
+                       [&](const auto& all, double* store) { return Kind::cycle(shell, law, all, step, store); });
   });
 }
 

@@ -11,6 +11,7 @@
 #include "base/index.hpp"
 #include "kernel/element/hexahedron.hpp"
 #include "motion.hpp"
+#include "one_element.hpp"
 
 // One solid element, driven by the velocities of its nodes, and what all of them must keep. `Element` has
 //   corners, Layout, Motion<R>, Forces<R>
@@ -38,7 +39,9 @@ struct DrivenSolid {
   }
   const Forces& step(double dt) {
     for (std::size_t i = 0; i < Element::corners; ++i) nodes.x[i] += dt * nodes.v[i];
-    return force = Element::template cycle<double>(properties, law, layout, nodes, dt, state.data());
+    return force = one_element(nodes, state, [&](const auto& all, double* store) {
+             return Element::cycle(properties, law, layout, all, dt, store);
+           });
   }
   double at(int field) const { return state[field]; }
 };
@@ -53,8 +56,8 @@ double largest(const Forces& f) {
 /// Elements of different shape and motion, one of them deleted, alone and as lanes of a batch. The first one
 /// must have flowed where its law can.
 template <class Element, class Law>
-void batch_gives_the_bits_of_double(const HexahedronProperties& properties, const Law& parameters,
-                                    const std::function<PlacesOf<Element>(Random&)>& places, int dead) {
+void batch_gives_the_bits_of_each_alone(const HexahedronProperties& properties, const Law& parameters,
+                                        const std::function<PlacesOf<Element>(Random&)>& places, int dead) {
   constexpr int W = native_width;
   using Layout = typename Element::Layout;
   const double dt = 1e-7;
@@ -86,8 +89,7 @@ void batch_gives_the_bits_of_double(const HexahedronProperties& properties, cons
         put(nodes.v[i], l, one.nodes.v[i]);
       }
     }
-    const auto force =
-        Element::template cycle<NativeBatch>(properties, single[0].law, single[0].layout, nodes, dt, together.data());
+    const auto force = Element::cycle(properties, single[0].law, single[0].layout, nodes, dt, together.data());
     for (int l = 0; l < W; ++l) {
       const DrivenSolid<Element, Law>& one = single[l];
       for (std::size_t i = 0; i < Element::corners; ++i) {

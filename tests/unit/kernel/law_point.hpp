@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernel/law/composed_law_kernel.hpp"
+#include "one_element.hpp"
 
 // One point of a law in one stress space, driven by strain increments.
 namespace nugget::kernel {
@@ -18,8 +19,12 @@ struct LayerPoint {
   double dt = 1.0;
 
   explicit LayerPoint(const Law& parameters) : law(parameters) {}
-  void strain(const LayerTensor<double>& increment) {
-    thickness = law.template layer<double>(s, (1.0 / dt) * increment, dt, history.data());
+  void strain(const LayerTensor<double>& increment) { step((1.0 / dt) * increment, dt); }
+  void step(const LayerTensor<double>& rate, double duration) {
+    StateInAllLanes lanes(history);
+    LayerTensor<NativeBatch> stress = in_all_lanes(s);
+    thickness = in_first_lane(law.layer(stress, in_all_lanes(rate), duration, lanes.data()));
+    s = in_first_lane(stress);
   }
   /// Axial strain with the transverse strain that leaves no transverse stress, found by secants on copies.
   void uniaxial(double axial, double shear = 0.0) {
@@ -36,6 +41,8 @@ struct LayerPoint {
     }
     strain({axial, b, shear, 0, 0});
   }
+  /// How much stiffer than elastic the layer is in its plane.
+  double stiffening() { return lane(law.template layer_stiffening<NativeBatch>(StateInAllLanes(history).data()), 0); }
   double plastic_strain() const { return history[0]; }
   double effective(const LayerTensor<double>& back = {}) const {
     const double xx = s.xx - back.xx, yy = s.yy - back.yy, xy = s.xy - back.xy, xz = s.xz - back.xz,
@@ -53,8 +60,18 @@ struct SolidPoint {
 
   explicit SolidPoint(const Law& parameters) : law(parameters) {}
   void strain(const SolidTensor<double>& increment) {
-    law.template solid<double>(s, (1.0 / dt) * increment, dt, history.data());
+    StateInAllLanes lanes(history);
+    SolidTensor<NativeBatch> stress = in_all_lanes(s);
+    law.solid(stress, in_all_lanes((1.0 / dt) * increment), dt, lanes.data());
+    s = in_first_lane(stress);
   }
+  /// Turns stress and history with the material.
+  void turn(const Frame3d& q) {
+    StateInAllLanes lanes(history);
+    law.rotate(in_all_lanes(q), lanes.data());
+    s = rotated(q, s);
+  }
+  double wave_modulus() { return lane(law.template wave_modulus<NativeBatch>(StateInAllLanes(history).data()), 0); }
   /// Axial strain with the transverse strain that leaves no transverse stress, found by secants on copies.
   void uniaxial(double axial) {
     const auto lateral_stress = [&](double lateral) {

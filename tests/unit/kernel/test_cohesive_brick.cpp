@@ -11,6 +11,7 @@
 #include "base/index.hpp"
 #include "kernel/element/cohesive_brick.hpp"
 #include "motion.hpp"
+#include "one_element.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -91,7 +92,9 @@ struct Driven {
       nodes.w[a] = w[a];
       nodes.x[a] += dt * v[a];
     }
-    return cohesive_brick_cycle(brick, bond, nodes, dt, state.data());
+    return one_element(nodes, state, [&](const auto& all, double* store) {
+      return cohesive_brick_cycle(brick, bond, all, dt, store);
+    });
   }
 };
 
@@ -239,10 +242,10 @@ TEST(CohesiveBrick, StableStepBoundsTheHighestFrequencyClosely) {
       }
 }
 
-void expect_bits_of_double(const CohesiveBond& bond);
+void expect_bits_of_each_alone(const CohesiveBond& bond);
 CohesiveBond arup(double pwrt, double pwrs, double slope);
 
-TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
+TEST(CohesiveBrick, BatchGivesTheBitsOfEachAlone) {
   CohesiveBond bond = elastic(2);
   bond.glue.softening = Cohesion::Softening::by_energy;
   bond.glue.normal_strength = 30.0;
@@ -250,13 +253,13 @@ TEST(CohesiveBrick, BatchGivesTheBitsOfDouble) {
   bond.glue.normal_energy = 1.0;
   bond.glue.shear_energy = 3.0;
   bond.glue.exponent = 1.5;
-  expect_bits_of_double(bond);
-  expect_bits_of_double(bond_of(scaled()));
-  expect_bits_of_double(arup(1.5, 3.0, 0.2));
-  expect_bits_of_double(bond_of(general(ShapedCohesion::Mixing::power, 1.4)));
+  expect_bits_of_each_alone(bond);
+  expect_bits_of_each_alone(bond_of(scaled()));
+  expect_bits_of_each_alone(arup(1.5, 3.0, 0.2));
+  expect_bits_of_each_alone(bond_of(general(ShapedCohesion::Mixing::power, 1.4)));
 }
 
-void expect_bits_of_double(const CohesiveBond& bond) {
+void expect_bits_of_each_alone(const CohesiveBond& bond) {
   constexpr int width = native_width;
   for (const bool between_shells : {false, true}) {
     Random random;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "kernel/element/discrete_beam.hpp"
+#include "one_element.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -196,7 +197,9 @@ TEST(DiscreteBeam, StiffnessIsTheDerivativeOfTheForces) {
     (j % 3 == 0 ? moved.x : j % 3 == 1 ? moved.y : moved.z) = 1.0;
     for (int a = 0; a < 2; ++a) motion.x[a] += small * motion.v[a];
     auto state = rest;
-    const auto out = discrete_beam_cycle(beam, law, motion, small, state.data());
+    const auto out = one_element(motion, state, [&](const auto& all, double* store) {
+      return discrete_beam_cycle(beam, law, all, small, store);
+    });
     const Vec3d force[4]{out.f[0], out.m[0], out.f[1], out.m[1]};
     for (int i = 0; i < 12; ++i) {
       const Vec3d& f = force[i / 3];

@@ -74,7 +74,7 @@ using Driven = DrivenSolid<Extruded<full, layers>, Law>;
 
 template <bool full, class Law>
 void batch_gives_the_bits(const HexahedronProperties& properties, const Law& parameters) {
-  batch_gives_the_bits_of_double<Extruded<full, 3>>(
+  batch_gives_the_bits_of_each_alone<Extruded<full, 3>>(
       properties, parameters, [](Random& r) { return distorted(r); }, 1);
 }
 template <bool full>
@@ -88,7 +88,7 @@ void batches_give_the_bits() {
   failing.failure_strain = 0.05;
   batch_gives_the_bits<full>(inviscid(), failing);
 }
-TEST(ExtrudedShell, BatchGivesTheBitsOfDouble) {
+TEST(ExtrudedShell, BatchGivesTheBitsOfEachAlone) {
   batches_give_the_bits<false>();
   batches_give_the_bits<true>();
 }
@@ -153,7 +153,9 @@ std::vector<double> stiffness(const Corners& x) {
   std::copy(x.begin(), x.end(), rest.x);
   return element_stiffness(rest, [&](const SolidMotion<double>& motion, double step) {
     Driven<full, Elastic> d(inviscid(), steel, x);
-    return Extruded<full, 3>::template cycle<double>(d.properties, d.law, d.layout, motion, step, d.state.data());
+    return one_element(motion, d.state, [&](const auto& all, double* store) {
+      return Extruded<full, 3>::cycle(d.properties, d.law, d.layout, all, step, store);
+    });
   });
 }
 

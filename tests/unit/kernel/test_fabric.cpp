@@ -212,7 +212,7 @@ struct OnePointFabric : OnePoint {
   }
 };
 
-TEST(Fabric, BatchGivesTheBitsOfDouble) {
+TEST(Fabric, BatchGivesTheBitsOfEachAlone) {
   constexpr int W = native_width;
   Fabric law = woven(true);
   law.liner_young = 60.0;

@@ -62,21 +62,21 @@ double pressure(const Solid& d, int p) {
 }
 
 template <BrickStrains strains = own, class Law>
-void batch_gives_the_bits_of_double(const HexahedronProperties& properties, const Law& parameters) {
-  batch_gives_the_bits_of_double<FullBrick<strains>>(
+void batch_gives_the_bits_of_each_alone(const HexahedronProperties& properties, const Law& parameters) {
+  batch_gives_the_bits_of_each_alone<FullBrick<strains>>(
       properties, parameters, [](Random& r) { return distorted(r); }, 1);
 }
 
-TEST(FullHexahedron, BatchGivesTheBitsOfDouble) {
+TEST(FullHexahedron, BatchGivesTheBitsOfEachAlone) {
   HexahedronProperties viscous = inviscid();
   viscous.bulk_linear = 0.06;
   viscous.bulk_quadratic = 1.5;
-  batch_gives_the_bits_of_double(viscous, steel);
-  batch_gives_the_bits_of_double(viscous, mixed(0.3));
+  batch_gives_the_bits_of_each_alone(viscous, steel);
+  batch_gives_the_bits_of_each_alone(viscous, mixed(0.3));
   PiecewiseLinear failing = curved();
   failing.failure_strain = 0.05;
-  batch_gives_the_bits_of_double(inviscid(), failing);
-  batch_gives_the_bits_of_double<assumed>(inviscid(), mixed(0.3));
+  batch_gives_the_bits_of_each_alone(inviscid(), failing);
+  batch_gives_the_bits_of_each_alone<assumed>(inviscid(), mixed(0.3));
 }
 
 template <BrickStrains strains>
@@ -187,7 +187,9 @@ std::vector<double> stiffness(const Corners& x) {
   std::copy(x.begin(), x.end(), rest.x);
   return element_stiffness(rest, [&](const SolidMotion<double>& motion, double step) {
     Driven<Elastic, strains> d(inviscid(), steel, x);
-    return full_hexahedron_cycle<double>(d.properties, strains, d.law, motion, step, d.state.data());
+    return one_element(motion, d.state, [&](const auto& all, double* store) {
+      return full_hexahedron_cycle(d.properties, strains, d.law, all, step, store);
+    });
   });
 }
 

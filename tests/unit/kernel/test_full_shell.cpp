@@ -11,9 +11,9 @@ ShellProperties drilled(int layers = 2) {
   return shell;
 }
 
-TEST(FullShell, BatchGivesTheBitsOfDouble) {
-  batch_gives_the_bits_of_double<Full>(section(), steel, 3000.0);
-  batch_gives_the_bits_of_double<Full>(drilled(5), mixed(0.4), 6000.0);
+TEST(FullShell, BatchGivesTheBitsOfEachAlone) {
+  batch_gives_the_bits_of_each_alone<Full>(section(), steel, 3000.0);
+  batch_gives_the_bits_of_each_alone<Full>(drilled(5), mixed(0.4), 6000.0);
   ShellProperties viscous = drilled(1);
   viscous.thickness_update = ThicknessUpdate::all;
   viscous.bulk_linear = 0.06;
@@ -21,7 +21,7 @@ TEST(FullShell, BatchGivesTheBitsOfDouble) {
   viscous.offset = 1.0;
   PiecewiseLinear failing = curved();
   failing.failure_strain = 0.05;
-  batch_gives_the_bits_of_double<Full>(viscous, failing, 6000.0);
+  batch_gives_the_bits_of_each_alone<Full>(viscous, failing, 6000.0);
 }
 
 TEST(FullShell, RigidRotationStrainsNothing) {

@@ -9,14 +9,14 @@ namespace {
 using Triangle = NodalMotion<double, 3>;
 constexpr double thickness = 1.2;
 
-TEST(KirchhoffTriangle, BatchGivesTheBitsOfDouble) {
+TEST(KirchhoffTriangle, BatchGivesTheBitsOfEachAlone) {
   ShellProperties drilled = section(2);
   drilled.drilling = usual_drilling;
-  batch_gives_the_bits_of_double<Kirchhoff>(section(), steel, 4000.0);
-  batch_gives_the_bits_of_double<Kirchhoff>(drilled, mixed(0.4), 4000.0);
+  batch_gives_the_bits_of_each_alone<Kirchhoff>(section(), steel, 4000.0);
+  batch_gives_the_bits_of_each_alone<Kirchhoff>(drilled, mixed(0.4), 4000.0);
   PiecewiseLinear failing = curved();
   failing.failure_strain = 0.05;
-  batch_gives_the_bits_of_double<Kirchhoff>(section(), failing, 4000.0);
+  batch_gives_the_bits_of_each_alone<Kirchhoff>(section(), failing, 4000.0);
 }
 
 TEST(KirchhoffTriangle, RigidRotationStrainsNothing) {
@@ -145,7 +145,8 @@ TEST(KirchhoffTriangle, MeanBendingIsThatOfThePoints) {
   const ShellLayout one = shell_layout(d.shell, d.law);
   std::vector<double> state(static_cast<std::size_t>(one.size()));
   start_shell(one, thickness, state.data(), 1, 0);
-  triangle_cycle<double>(d.shell, d.law, d.nodes, dt, state.data());
+  one_element(d.nodes, state,
+              [&](const auto& all, double* store) { return triangle_cycle(d.shell, d.law, all, dt, store); });
   const auto moment = [&](int c) {  // stress of the upper layer less that of the lower one, of the bubbles alone
     double sum = 0.0;
     for (int p = 0; p < kirchhoff_columns; ++p)

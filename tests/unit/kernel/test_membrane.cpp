@@ -11,8 +11,8 @@ class Membranes : public testing::Test {};
 using Kinds = testing::Types<OnePointMembrane, FullMembrane, TriangleMembrane>;
 TYPED_TEST_SUITE(Membranes, Kinds);
 
-TYPED_TEST(Membranes, BatchGivesTheBitsOfDouble) {
-  batch_gives_the_bits_of_double<TypeParam>(section(1), steel, 3000.0);
+TYPED_TEST(Membranes, BatchGivesTheBitsOfEachAlone) {
+  batch_gives_the_bits_of_each_alone<TypeParam>(section(1), steel, 3000.0);
   ShellProperties viscous = section(1);
   viscous.thickness_update = ThicknessUpdate::all;
   viscous.hourglass = 1;
@@ -20,7 +20,7 @@ TYPED_TEST(Membranes, BatchGivesTheBitsOfDouble) {
   viscous.bulk_quadratic = 1.5;
   PiecewiseLinear failing = curved();
   failing.failure_strain = 0.05;
-  batch_gives_the_bits_of_double<TypeParam>(viscous, failing, 6000.0);
+  batch_gives_the_bits_of_each_alone<TypeParam>(viscous, failing, 6000.0);
 }
 
 // The viscosity across the plane is off: its force does not outlive the motion that it meets.

@@ -216,7 +216,7 @@ TEST(PointFailure, ErosionOfALayer) {
   law.erosion = Erosion{};
   law.erosion->thinning = 0.03;
   LayerPoint<ComposedLaw> p(composed_law(law));
-  p.law.layer<double>(p.s, {}, 0.0, p.history.data());
+  p.step({}, 0.0);
   double thinning = 0.0;
   while (!p.law.failed<double>(p.history.data())) {
     ASSERT_LT(thinning, 0.03);
@@ -255,8 +255,7 @@ TEST(PointFailure, StrainsTurnWithTheMaterial) {
   SolidPoint<ComposedLaw> p(composed_law(law));
   for (int i = 0; i < 10; ++i) p.strain({1e-4, 0, 0, 0, 0, 0});
   const Frame3d turn{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
-  p.s = rotated(turn, p.s);
-  p.law.rotate(turn, p.history.data());
+  p.turn(turn);
   for (int i = 0; i < 10; ++i) {
     EXPECT_FALSE(p.law.failed<double>(p.history.data()));
     p.strain({0, 1e-4, 0, 0, 0, 0});

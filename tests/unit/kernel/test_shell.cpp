@@ -8,12 +8,12 @@
 namespace nugget::kernel {
 namespace {
 
-TEST(Shell, BatchGivesTheBitsOfDouble) {
-  batch_gives_the_bits_of_double(section(), steel, 3000.0);
-  batch_gives_the_bits_of_double(section(5), mixed(0.4), 6000.0);
-  batch_gives_the_bits_of_double(section(), bilinear(250, 1000), 6000.0);
-  batch_gives_the_bits_of_double(section(2), curved(), 6000.0);
-  batch_gives_the_bits_of_double(section(1), tabled(), 6000.0);
+TEST(Shell, BatchGivesTheBitsOfEachAlone) {
+  batch_gives_the_bits_of_each_alone(section(), steel, 3000.0);
+  batch_gives_the_bits_of_each_alone(section(5), mixed(0.4), 6000.0);
+  batch_gives_the_bits_of_each_alone(section(), bilinear(250, 1000), 6000.0);
+  batch_gives_the_bits_of_each_alone(section(2), curved(), 6000.0);
+  batch_gives_the_bits_of_each_alone(section(1), tabled(), 6000.0);
 
   ShellProperties viscous = section();
   viscous.hourglass = 2;
@@ -23,7 +23,7 @@ TEST(Shell, BatchGivesTheBitsOfDouble) {
   viscous.length = ShellLength::bar;
   PiecewiseLinear failing = curved();
   failing.failure_strain = 0.05;
-  batch_gives_the_bits_of_double(viscous, failing, 6000.0);
+  batch_gives_the_bits_of_each_alone(viscous, failing, 6000.0);
 
   ShellProperties warping = section();
   warping.warping_stiffness = true;
@@ -32,7 +32,7 @@ TEST(Shell, BatchGivesTheBitsOfDouble) {
   PlasticKinematic rated = mixed(1.0);
   rated.rate_c = 40.4;
   rated.rate_p = 5.0;
-  batch_gives_the_bits_of_double(warping, rated, 6000.0);
+  batch_gives_the_bits_of_each_alone(warping, rated, 6000.0);
 }
 
 TEST(Shell, RigidRotationStrainsNothing) {
@@ -44,7 +44,7 @@ TEST(Shell, TrueSpinLeavesOnlyAThirdOrderShear) {
   Driven<Elastic> d(section(), steel, square());
   d.nodes = rotation_step(d.nodes, Vec3d{1, 0, 0}, angle, dt);
   for (Vec3d& w : d.nodes.w) w = (angle / dt) * Vec3d{1, 0, 0};
-  shell_cycle<double>(d.shell, d.law, d.nodes, dt, d.state.data());
+  d.cycle(dt);
   EXPECT_NEAR(std::abs(d.at(d.layout.layer(0) + 4)), d.law.elastic().shear * angle * angle * angle / 12.0, 1e-7);
 }
 
@@ -63,7 +63,7 @@ TEST(Shell, WarpingStiffnessLetsAWarpedElementTurnFreely) {
   for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
     Driven<Elastic> d(shell, steel, m);
     d.nodes = rotation_step(d.nodes, axis, 1e-3, dt);
-    shell_cycle<double>(d.shell, d.law, d.nodes, dt, d.state.data());
+    d.cycle(dt);
     EXPECT_LT(largest(d), 3e-4 * steel_E * 1e-3) << axis.x << axis.y << axis.z;  // second order in the warp
   }
   // The coupling is there: an in-plane stretch of a warped element bends it, a flat formulation does not see that.
@@ -285,8 +285,7 @@ TEST(Shell, StepsThatMoveNothingGiveTheStiffness) {
       Driven<Elastic> d(shell, steel, m);
       Vec3d& row = j % 6 < 3 ? d.nodes.v[j / 6] : d.nodes.w[j / 6];
       row.*axis[j % 3] = sign ? h : -h;
-      d.force = shell_cycle<double>(d.shell, d.law, d.nodes, 1.0, d.state.data());
-      side[sign] = d.force;
+      side[sign] = d.cycle(1.0);
     }
     for (std::size_t i = 0; i < 24; ++i) {
       const auto pick = [&](const NodalForces<double, 4>& f) {

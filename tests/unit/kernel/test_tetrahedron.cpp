@@ -48,13 +48,13 @@ struct Tetrahedron {
 template <class Law>
 using Driven = DrivenSolid<Tetrahedron, Law>;
 
-TEST(Tetrahedron, BatchGivesTheBitsOfDouble) {
+TEST(Tetrahedron, BatchGivesTheBitsOfEachAlone) {
   HexahedronProperties viscous = inviscid();
   viscous.bulk_linear = 0.06;
   viscous.bulk_quadratic = 1.5;
   PiecewiseLinear law = curved();
   law.failure_strain = 0.05;
-  batch_gives_the_bits_of_double<Tetrahedron>(
+  batch_gives_the_bits_of_each_alone<Tetrahedron>(
       viscous, law, [](Random& r) { return distorted(r); }, 1);
 }
 

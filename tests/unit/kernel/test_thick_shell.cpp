@@ -64,11 +64,11 @@ using Driven = DrivenSolid<ThickShell<layers, parabolic>, Law>;
 
 template <class Law>
 void batch_gives_the_bits(const HexahedronProperties& properties, const Law& parameters) {
-  batch_gives_the_bits_of_double<ThickShell<3, true>>(
+  batch_gives_the_bits_of_each_alone<ThickShell<3, true>>(
       properties, parameters, [](Random& r) { return distorted(r); }, 1);
 }
 
-TEST(ThickShell, BatchGivesTheBitsOfDouble) {
+TEST(ThickShell, BatchGivesTheBitsOfEachAlone) {
   HexahedronProperties viscous = inviscid();
   viscous.bulk_linear = 0.06;
   viscous.bulk_quadratic = 1.5;
@@ -140,8 +140,9 @@ std::vector<double> stiffness(const Corners& x) {
   std::copy(x.begin(), x.end(), rest.x);
   return element_stiffness(rest, [&](const SolidMotion<double>& motion, double step) {
     Driven<Elastic, 3, parabolic> d(inviscid(), steel, x);
-    return ThickShell<3, parabolic>::template cycle<double>(d.properties, d.law, d.layout, motion, step,
-                                                            d.state.data());
+    return one_element(motion, d.state, [&](const auto& all, double* store) {
+      return ThickShell<3, parabolic>::cycle(d.properties, d.law, d.layout, all, step, store);
+    });
   });
 }
 
@@ -181,7 +182,9 @@ TEST(ThickShell, ElasticLayersAreTheStabilisedBrick) {
   for (int cycle = 0; cycle < 2; ++cycle) {
     for (Vec3d& v : d.nodes.v) v = random.vector(1e-3);
     d.step(1e-7);
-    const auto brick = hexahedron_cycle<double>(inviscid(), law, d.nodes, 1e-7, state.data());
+    const auto brick = one_element(d.nodes, state, [&](const auto& all, double* store) {
+      return hexahedron_cycle(inviscid(), law, all, 1e-7, store);
+    });
     EXPECT_EQ(brick.stable_step, d.force.stable_step);
     for (std::size_t i = 0; i < 8; ++i) EXPECT_LT(norm(brick.f[i] - d.force.f[i]), 1e-9 * largest(brick));
   }

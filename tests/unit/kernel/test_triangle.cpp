@@ -6,12 +6,12 @@ namespace {
 
 using Triangle = NodalMotion<double, 3>;
 
-TEST(Triangle, BatchGivesTheBitsOfDouble) {
-  batch_gives_the_bits_of_double<C0>(section(), steel, 4000.0);
-  batch_gives_the_bits_of_double<C0>(section(2), mixed(0.4), 4000.0);
+TEST(Triangle, BatchGivesTheBitsOfEachAlone) {
+  batch_gives_the_bits_of_each_alone<C0>(section(), steel, 4000.0);
+  batch_gives_the_bits_of_each_alone<C0>(section(2), mixed(0.4), 4000.0);
   PiecewiseLinear failing = curved();
   failing.failure_strain = 0.05;
-  batch_gives_the_bits_of_double<C0>(section(), failing, 4000.0);
+  batch_gives_the_bits_of_each_alone<C0>(section(), failing, 4000.0);
 }
 
 TEST(Triangle, RigidRotationStrainsNothing) {

@@ -7,6 +7,7 @@
 #include "element_stiffness.hpp"
 #include "kernel/element/weld_beam.hpp"
 #include "motion.hpp"
+#include "one_element.hpp"
 
 namespace nugget::kernel {
 namespace {
@@ -52,7 +53,13 @@ struct Driven {
   void start() { start_weld_beam(layout, nodes.x[0], nodes.x[1], {1, 0, 0}, state.data(), 1, 0); }
   const NodalForces<double, 2>& step(double dt) {
     advance(nodes, dt);
-    return force = weld_beam_cycle<double>(beam, law, nodes, dt, state.data());
+    return cycle(dt);
+  }
+  /// A step to nodes that are already at its end.
+  const NodalForces<double, 2>& cycle(double dt) {
+    return force = one_element(nodes, state, [&](const auto& all, double* store) {
+             return weld_beam_cycle(beam, law, all, dt, store);
+           });
   }
   double at(int field) const { return state[field]; }
   double resultant(int i) const { return at(L::resultant + i); }
@@ -229,7 +236,7 @@ TEST(WeldBeam, RigidRotationStrainsNothing) {
   for (int cycle = 0; cycle < steps; ++cycle) {
     const auto last = d.force;
     d.nodes = rotation_step(d.nodes, axis, 2 * M_PI / steps, 1.0);
-    d.force = weld_beam_cycle<double>(d.beam, d.law, d.nodes, 1.0, d.state.data());
+    d.cycle(1.0);
     work += 0.5 * (power(last, d.nodes) + power(d.force, d.nodes));
     for (std::size_t i = L::resultant; i < before.size(); ++i)
       if (i != L::strain_rate) {
@@ -270,7 +277,7 @@ Spotweld damaging(PointDamage::Growth growth, double rupture, bool freezes_yield
   return law;
 }
 
-void batch_gives_the_bits_of_double(const Spotweld& law) {
+void batch_gives_the_bits_of_each_alone(const Spotweld& law) {
   constexpr int W = native_width;
   Random random;
   std::vector<Driven<>> single(W, Driven<>(law, 3));
@@ -292,7 +299,7 @@ void batch_gives_the_bits_of_double(const Spotweld& law) {
       one.step(1.0);
       put(nodes, l, one.nodes);
     }
-    const auto force = weld_beam_cycle<NativeBatch>(single[0].beam, single[0].law, nodes, 1.0, together.data());
+    const auto force = weld_beam_cycle(single[0].beam, single[0].law, nodes, 1.0, together.data());
     for (int l = 0; l < W; ++l) {
       const Driven<>& one = single[l];
       for (int i = 0; i < 2; ++i) {
@@ -310,13 +317,13 @@ void batch_gives_the_bits_of_double(const Spotweld& law) {
   EXPECT_TRUE(std::isinf(single[0].force.stable_step));
 }
 
-TEST(WeldBeam, BatchGivesTheBitsOfDouble) {
+TEST(WeldBeam, BatchGivesTheBitsOfEachAlone) {
   using Growth = PointDamage::Growth;
   Spotweld brittle = weld();
   brittle.failure_strain = 0.3;
   for (const Spotweld& law : {brittle, rated(), damaging(Growth::strain, 0.4), damaging(Growth::strain, 0.4, true, 2.0),
                               damaging(Growth::time, 30.0, true)})
-    batch_gives_the_bits_of_double(law);
+    batch_gives_the_bits_of_each_alone(law);
 }
 
 // Weld damage after EFAIL. Sabotage to be caught: the return on the damaged stress (yields late, the line bends);
@@ -473,7 +480,9 @@ TEST(WeldBeam, HasTheStiffnessOfItsSection) {
   rest.x[1] = {0.0, 0.0, length};
   const std::vector<double> k = element_stiffness(rest, [](const NodalMotion<double, 2>& motion, double step) {
     Driven<Elastic> d(Elastic{E, nu});
-    return weld_beam_cycle<double>(d.beam, d.law, motion, step, d.state.data());
+    return one_element(motion, d.state, [&](const auto& all, double* store) {
+      return weld_beam_cycle(d.beam, d.law, all, step, store);
+    });
   });
   EXPECT_NEAR(k[12 * 8 + 8], E * A / length, 1e-5);
   EXPECT_NEAR(k[12 * 6 + 6], G * A / length, 1e-5);

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "kernel/element/weld_beam.hpp"
 #include "motion.hpp"
+#include "one_element.hpp"
 
 // Joints in series with weld beams. Reference answers: Kelvin's and the plate's closed forms by hand, and the
 // prototype's measured loads (docs/theory/ties.md#joint).
@@ -39,31 +41,29 @@ WeldBeamProperties round_beam(int quadrature) {
   return beam;
 }
 
-template <class R>
 struct Joined {
   WeldBeamProperties beam = round_beam(2);
   LawKernel<Spotweld> law{elastic_weld()};
-  NodalMotion<R, 2> nodes;
-  NodalForces<R, 2> force{};
+  NodalMotion<double, 2> nodes;
+  NodalForces<double, 2> force{};
   std::vector<double> state;
   WeldBeamLayout layout;
 
   explicit Joined(const WeldJoint& joint) {
     beam.joints = {joint};
     layout = weld_beam_layout(beam, law);
-    state.resize(static_cast<std::size_t>(layout.size() * lanes<R>));
-    nodes.x[1] = {R(0.0), R(0.0), R(length)};
-    for (int l = 0; l < lanes<R>; ++l)
-      start_weld_beam(layout, {}, {0, 0, length}, {1, 0, 0}, state.data(), lanes<R>, l);
+    state.resize(at(layout.size()));
+    nodes.x[1] = {0.0, 0.0, length};
+    start_weld_beam(layout, {}, {0, 0, length}, {1, 0, 0}, state.data(), 1, 0);
   }
   void step(double dt) {
-    for (int a = 0; a < 2; ++a) nodes.x[a] = nodes.x[a] + R(dt) * nodes.v[a];
-    force = weld_beam_cycle<R>(beam, law, nodes, dt, state.data());
+    advance(nodes, dt);
+    force = one_element(nodes, state,
+                        [&](const auto& all, double* store) { return weld_beam_cycle(beam, law, all, dt, store); });
   }
-  double resultant(int i) const { return state[static_cast<std::size_t>(L::resultant + i)]; }
-  double work() const { return state[static_cast<std::size_t>(layout.joint_work())]; }
+  double resultant(int i) const { return state[at(L::resultant + i)]; }
+  double work() const { return state[at(layout.joint_work())]; }
 };
-using One = Joined<double>;
 
 TEST(WeldJoint, FlexibilitiesAreThoseOfAPlate) {
   const WeldJoint j = joint(2.8);
@@ -77,7 +77,7 @@ TEST(WeldJoint, FlexibilitiesAreThoseOfAPlate) {
 
 TEST(WeldJoint, ElasticInSeriesWithTheBeam) {
   const WeldJoint j = joint(3.0, false);
-  One pulled(j), slid(j), bent(j);
+  Joined pulled(j), slid(j), bent(j);
   const double u = 1e-7;
   pulled.nodes.v[1].z = u;
   pulled.step(1.0);
@@ -100,7 +100,7 @@ TEST(WeldJoint, ElasticInSeriesWithTheBeam) {
 TEST(WeldJoint, PureLoadsAreTheMeasuredOnes) {
   constexpr double far = 50.0;
   const WeldJoint j = joint(far);
-  One slid(j);
+  Joined slid(j);
   const double force = 2.368 * diameter * thickness * yield, slip = 2.0 * 0.0006 * diameter,
                elastic = force * (1.0 / shear + j.in_plane());
   slid.nodes.v[1].x = 1e-5;
@@ -112,7 +112,7 @@ TEST(WeldJoint, PureLoadsAreTheMeasuredOnes) {
   }
   EXPECT_NEAR(slid.resultant(1), force, 0.005 * force);
 
-  One bent(j);
+  Joined bent(j);
   const double moment = 1.3 * thickness * thickness * diameter * yield,
                angle = 0.01 + moment * (1.0 / bend + j.bending());
   bent.nodes.w[0].x = -5e-6;
@@ -156,7 +156,7 @@ TEST(WeldJoint, ARateRaisesAllLimits) {
 TEST(WeldJoint, YieldConditionHoldsAndWorkGrows) {
   Random random;
   const WeldJoint j = joint(3.0);
-  One d(j);
+  Joined d(j);
   int flowed = 0;
   for (int cycle = 0; cycle < 400; ++cycle) {
     for (int a = 0; a < 2; ++a) {
@@ -181,7 +181,7 @@ TEST(WeldJoint, YieldConditionHoldsAndWorkGrows) {
 
 TEST(WeldJoint, UnloadsElastically) {
   const WeldJoint j = joint(3.0);
-  One d(j);
+  Joined d(j);
   d.nodes.v[1].x = 1e-4;
   for (int i = 0; i < 300; ++i) {
     d.step(1.0);
@@ -197,30 +197,27 @@ TEST(WeldJoint, UnloadsElastically) {
 
 TEST(WeldJoint, BatchHasTheSameBits) {
   const WeldJoint j = joint(3.0);
-  Joined<NativeBatch> all(j);
-  std::vector<One> each(native_width, One(j));
+  std::vector<Joined> each(native_width, Joined(j));
+  const WeldBeamLayout layout = each[0].layout;
+  std::vector<double> together(at(layout.size() * native_width));
+  for (int l = 0; l < native_width; ++l)
+    start_weld_beam(layout, {}, {0, 0, length}, {1, 0, 0}, together.data(), native_width, l);
   Random random;
   for (int cycle = 0; cycle < 60; ++cycle) {
-    for (int l = 0; l < native_width; ++l)
+    NodalMotion<NativeBatch, 2> nodes;
+    for (int l = 0; l < native_width; ++l) {
+      Joined& one = each[l];
       for (int a = 0; a < 2; ++a) {
-        One& one = each[static_cast<std::size_t>(l)];
         one.nodes.v[a] = random.vector(0.004);
         one.nodes.w[a] = random.vector(0.004);
-        const auto set = [l](Vec3<NativeBatch>& to, const Vec3d& from) {
-          set_lane(to.x, l, from.x);
-          set_lane(to.y, l, from.y);
-          set_lane(to.z, l, from.z);
-        };
-        set(all.nodes.v[a], one.nodes.v[a]);
-        set(all.nodes.w[a], one.nodes.w[a]);
       }
-    all.step(1.0);
-    for (One& one : each) one.step(1.0);
+      one.step(1.0);
+      put(nodes, l, one.nodes);
+    }
+    weld_beam_cycle(each[0].beam, each[0].law, nodes, 1.0, together.data());
   }
   for (int l = 0; l < native_width; ++l)
-    for (int i = 0; i < all.layout.size(); ++i)
-      EXPECT_EQ(all.state[static_cast<std::size_t>(i * native_width + l)],
-                each[static_cast<std::size_t>(l)].state[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < layout.size(); ++i) EXPECT_EQ(together[i * native_width + l], each[l].state[i]);
   EXPECT_GT(each[0].work(), 0.0);
 }
 

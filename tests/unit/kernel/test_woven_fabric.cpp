@@ -280,7 +280,7 @@ TEST(WovenFabric, RigidTumblingOfAWarpedElement) {
     EXPECT_NEAR(d.state[i], before[i], 1e-9 * (1.0 + std::abs(before[i])));
 }
 
-TEST(WovenFabric, BatchGivesTheBitsOfDouble) {
+TEST(WovenFabric, BatchGivesTheBitsOfEachAlone) {
   constexpr int W = native_width;
   for (const bool by_curves : {false, true}) {
     WovenFabric law = by_curves ? weave_by_curves() : weave();

@@ -13,6 +13,7 @@
 #include "kernel/law/elastic_kernel.hpp"
 #include "nvh/matrices/linear_model.hpp"
 #include "nvh/matrices/matrices.hpp"
+#include "one_element.hpp"
 #include "reading/build.hpp"
 
 namespace nugget::nvh {
@@ -132,7 +133,9 @@ TEST(Stiffness, OfABrickIsTheDerivativeOfItsForces) {
   const auto cycle = [&](const kernel::SolidMotion<double>& motion, double step) {
     std::vector<double> state(at(layout.size()));
     kernel::start_hexahedron(layout, x, state.data(), 1, 0);
-    return kernel::hexahedron_cycle<double>(brick, law, motion, step, state.data());
+    return one_element(motion, state, [&](const auto& all, double* store) {
+      return kernel::hexahedron_cycle(brick, law, all, step, store);
+    });
   };
   const std::vector<double> k = stiffness(a, *a.system.groups[a.system.solid_location[0].group]);
   expect_equal(k, nugget::element_stiffness(rest, cycle), 1e-13);
@@ -152,7 +155,9 @@ TEST(Stiffness, OfAWeldBeamIsTheDerivativeOfItsForces) {
   const auto cycle = [&](const kernel::NodalMotion<double, 2>& motion, double step) {
     std::vector<double> state(at(layout.size()));
     kernel::start_weld_beam(layout, rest.x[0], rest.x[1], {}, state.data(), 1, 0);
-    return kernel::weld_beam_cycle<double>(beam, law, motion, step, state.data());
+    return one_element(motion, state, [&](const auto& all, double* store) {
+      return kernel::weld_beam_cycle(beam, law, all, step, store);
+    });
   };
   const std::vector<double> k = stiffness(a, *a.system.groups[a.system.beam_location[0].group]);
   expect_equal(k, nugget::element_stiffness(rest, cycle), 1e-13);
