@@ -6,7 +6,8 @@
 #include <type_traits>
 
 // What a kernel may do with a real number. A kernel is a template over `R`, which is
-//   double      one element (the reference),
+//   double      one point or element alone (cycles of elements and composed laws are compiled for
+//               batches only),
 //   Batch<W>    W elements side by side in SIMD lanes (base/batch.hpp),
 //   Batch<W, float>   the same in single precision,
 //   Dual<N>     one element and N derivatives (base/dual.hpp).
