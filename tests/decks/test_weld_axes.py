@@ -88,25 +88,5 @@ class LayersOfOnePart(CommandTest):
                 self.assertIn("by deleted sheet", self.read("out/run.log"))
 
 
-class SectionsBesideWelds(CommandTest):
-    def test_a_plane_that_welds_cross_only_on_their_sheets_says_so(self):
-        """Two welds are drawn from z = 0.2 to 0.9 and moved to 0 and 1.2, one is drawn across all of it. Sabotage: planes go by welds as drawn in
-        silence; a plane through all of them as drawn is warned of."""
-        for height, said in ((1.0, "between the ends of 2 welds"), (0.5, "")):
-            with self.subTest(height=height):
-                s = Sheets()
-                s.cards += ["*CONTROL_TERMINATION\n2.0e-5", weld_material(2),
-                            f"*DATABASE_CROSS_SECTION_PLANE\n0,0.0,0.0,{height},0.0,0.0,9.0\n", "*DATABASE_SECFORC\n1.0e-6"]
-                sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
-                welds = s.beam_part(6.0, 2)
-                for x, low, high in ((8.0, 0.2, 0.9), (15.0, 0.0, 1.2), (22.0, 0.2, 0.9)):
-                    s.beam(welds, (x, 15.0, low), (x, 15.0, high))
-                s.tie([welds], sheets)
-                self.write(s.text())
-                text = self.nugget("check", "model.k").stderr
-                self.assertIn(said, text)
-                self.assertEqual("secforc lacks their forces" in text, bool(said), text)
-
-
 if __name__ == "__main__":
     unittest.main()

@@ -11,7 +11,6 @@
 
 #include "kernel/law/cohesive_bond.hpp"
 #include "model/bond.hpp"
-#include "weld/tie/cut_welds.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -528,7 +527,6 @@ void report_welds(const model::Model& model, const Ties& ties, Findings& finding
   report_untracked_welds(model, ties, findings);
   report_untied_welds(model, untied, findings);
   note_distances(model, ties, findings);
-  report_cut_welds(model, ties, findings);
 }
 
 }  // namespace nugget::weld
