@@ -77,6 +77,25 @@ class LayersOfOnePart(CommandTest):
         self.assertGreater(max(axial[0] for axial, _, _ in forces[0]), 100.0)
         self.assertEqual(forces[0], forces[1])
 
+    def test_the_audit_counts_its_layers(self):
+        """Sabotage: the sheets of a spot are parts."""
+        self.write(thrown(True))
+        self.assertIn("spots: 1 through 2 sheets", self.nugget("check", "model.k").stdout)
+
+    def test_welds_are_placed_between_them(self):
+        """As beams, that hold; not as interpolation spot welds, which name two parts. Sabotage: one place for each part."""
+        s = Sheets()
+        s.cards.append("*CONTROL_TERMINATION\n2.0e-5")
+        sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
+        s.shells = [f"{e},{sheets[0]},{nodes}" for e, _, nodes in (shell.split(",", 2) for shell in s.shells)]
+        self.write(s.text(), "box.k")
+        self.write("14,16,0.5\n20,12,0.9\n", "points.csv")
+        run = self.nugget("weld", "points.csv", "box.k", "-o", "welded.k")
+        self.assertEqual(run.stdout, "2 of 2 spots placed as 2 beams; welded.k\n")
+        self.assertIn("spots: 2 through 2 sheets", self.nugget("check", "welded.k").stdout)
+        run = self.nugget("weld", "points.csv", "box.k", "-o", "other.k", "--as", "interpolation", expect=1)
+        self.assertIn("two layers of part 1 are no two sheets for *CONSTRAINED_INTERPOLATION_SPOTWELD", run.stderr)
+
     def test_a_weld_goes_with_the_shell_of_either_layer(self):
         """SPOTDEL 1. Sabotage: a weld goes when all its ties into a part are gone."""
         for shell in (13, 38):  # in the middle of the lower and of the upper layer

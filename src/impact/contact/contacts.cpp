@@ -9,6 +9,7 @@
 #include "impact/contact/contact_setup.hpp"
 #include "impact/contact/edge_setup.hpp"
 #include "model/contact_form.hpp"
+#include "model/history_files.hpp"
 
 namespace nugget::impact {
 namespace {

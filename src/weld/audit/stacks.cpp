@@ -84,8 +84,15 @@ Stacks::Stacks(const Ties& ties, std::size_t nodes) : root_(ties.welds.size()), 
         const double reach = 0.5 * std::min(weld.diameter, other.diameter);
         if (other.sheets[item % 2] != sheet || other.deleted || norm(boxes[item].low - here) > reach) return;
         joined.join(w, at(item / 2));
-        // The other end of the same weld, however short, is on the other layer.
-        if (at(item / 2) != w) ends.join(own, at(item));
+        // Of a weld between two layers of the sheet's part the other end may be closer, which is on another one then.
+        const auto other_end_is_closer = [&](std::size_t end_here, std::size_t to) {
+          const std::size_t twin = end_here ^ 1;
+          const Vec3d& place = boxes[to].low;
+          return ties.welds[twin / 2].sheets[twin % 2] == sheet &&
+                 norm(boxes[twin].low - place) < norm(boxes[end_here].low - place);
+        };
+        if (at(item / 2) != w && !other_end_is_closer(own, at(item)) && !other_end_is_closer(at(item), own))
+          ends.join(own, at(item));
       });
     }
   std::vector<std::set<std::pair<Index, std::size_t>>> places(welds);  // of each stack: part and first end there

@@ -149,7 +149,7 @@ model::Law softened(const model::Law& law, const Softening& by) {
 
 /// Discrete beams between sheets have no heat of their own: what LS-DYNA takes them for in a zone is not documented,
 /// and self-piercing rivets are cold.
-static void report_connectors_in(const model::Model& model, const Ties& ties, const Zone& zone, Findings& findings) {
+static void report_connectors_in(const Ties& ties, const Zone& zone, Findings& findings) {
   int count = 0;
   const Weld* first = nullptr;
   for (const Weld& weld : ties.welds) {
@@ -177,7 +177,7 @@ void note_heat_zones(const model::Model& model, const Ties& ties, Findings& find
                          fmt::format("part {} is of zone {} already: this one holds for it", model.parts[part].id,
                                      std::exchange(before->second, &zone)->id),
                          "name each part in one zone");
-    report_connectors_in(model, ties, zone, findings);
+    report_connectors_in(ties, zone, findings);
     int count = 0;
     Softening least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     for (std::size_t e = 0; e < model.shells.size(); ++e) {
