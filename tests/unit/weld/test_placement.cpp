@@ -94,7 +94,8 @@ TEST(Placement, TwoLayersOfOnePartAreTwoSheets) {
     }
     const Placed three(a, {at(12, y, 0.9)});
     ASSERT_EQ(three.spots[0].sheets.size(), 3u);
-    for (const std::size_t k : {0u, 1u, 2u}) EXPECT_NEAR(three.spots[0].sheets[k].point.z, static_cast<double>(k), 1e-12);
+    for (const std::size_t k : {0u, 1u, 2u})
+      EXPECT_NEAR(three.spots[0].sheets[k].point.z, static_cast<double>(k), 1e-12);
     EXPECT_EQ(three.spots[0].sheets[2].part, other);
   }
   const int id = a.model.parts[both].id;
