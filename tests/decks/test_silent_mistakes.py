@@ -87,6 +87,10 @@ class SilentMistakes(CommandTest):
         told = [line for line in run.stderr.splitlines() if "arning" in line or "error" in line]
         self.assertIn("part 77 is not defined; 1 of its elements", run.stderr)
         self.assertFalse([line for line in told if "weld 90" in line or "brick" in line], run.stderr)
+        self.assertIn("1 weld, each on two sheets", run.stderr)  # the deck's own beam
+        self.write(HEAD + MESH + alone + "*END\n")
+        run = self.nugget("check", "model.k", expect=1)
+        self.assertEqual(run.stderr.count("\n"), 2, run.stderr)  # the finding, and how many
 
     def test_fields_for_bricks_on_weld_beams(self):
         """TRUE_T corrects single bricks, ASFF is about assemblies. Sabotage: read, and not a word."""

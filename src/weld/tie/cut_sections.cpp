@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace nugget::weld {
 namespace {
@@ -29,10 +30,16 @@ void cut_sections(model::Model& model, const Ties& ties, Findings& findings) {
   for (model::CrossSection& section : requests.cross_sections) {
     if (!section.plane) continue;
     model::cut(model, x, section);
-    if (section.facets.empty())
-      findings.warning(section.place, "*DATABASE_CROSS_SECTION_PLANE",
-                       fmt::format("cross section {} has no elements: its forces are 0", section.id),
-                       "check PSID, and where the plane lies");
+    if (!section.facets.empty()) continue;
+    Finding finding;
+    finding.severity = Severity::warning;
+    finding.place = section.place;
+    finding.keyword = "*DATABASE_CROSS_SECTION_PLANE";
+    finding.field = "xct";
+    finding.value = fmt::format("{:g}", section.plane->origin.x);
+    finding.text = fmt::format("cross section {} has no elements: its forces are 0", section.id);
+    finding.remedy = "check PSID, and where the plane lies";
+    findings.add(std::move(finding));
   }
   for (model::SectionStress& stress : model.initial_state.section_stresses) {
     const model::CrossSection& section = requests.cross_sections[stress.section];
