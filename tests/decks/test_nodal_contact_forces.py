@@ -95,6 +95,18 @@ class NodalContactForces(CommandTest):
                 for value, name in zip(forces[1:] + place, ("x_force", "y_force", "z_force", "pressure", "x", "y", "z")):
                     self.assertAlmostEqual(value, state[name][node], delta=1e-5 * abs(state[name][node]) + 1e-12)
 
+    def test_plot_and_table_have_it(self):
+        """From text or binout. Sabotage: files whose branches depend on the model are not read."""
+        for kind in (1, 2):
+            with self.subTest(kind):
+                self.run_deck(falling(ncforc=f"*DATABASE_NCFORC\n1.0e-6,{kind}")[0])
+                self.nugget("convert", "model", "--to", "csv")
+                rows = [line for line in self.read("model/histories.csv").splitlines() if line.startswith("ncforc,contact 7 reference side node 50,")]
+                self.assertEqual({row.split(",")[2] for row in rows}, {"the floor"})
+                self.assertEqual({row.split(",")[3] for row in rows}, {"x_force", "y_force", "z_force", "pressure", "x", "y", "z"})
+                self.nugget("plot", "model", "ncforc/contact 7 tracked side node 13/z_force", "-o", "force.svg")
+                self.assertIn("</svg>", self.read("force.svg"))
+
     def test_transducers_and_single_surfaces(self):
         """A transducer has the nodes of its surface and what all contacts put on them; a surface in contact with itself all nodes, whose forces
         balance. Sabotage: a transducer that sees no contact."""
