@@ -77,6 +77,7 @@ std::vector<ReadBranch> branches_of(const BinoutReader& binout, const ReadFile& 
   }
   std::ranges::sort(sides);
   std::vector<ReadBranch> branches;
+  branches.reserve(sides.size());
   for (const auto& [contact, reference, name] : sides)
     branches.push_back({"ncforc/" + name,
                         fmt::format("contact {} {} side node", contact, reference ? "reference" : "tracked"),
@@ -176,6 +177,7 @@ HistoryRecord read_one(const std::filesystem::path& directory, const BinoutReade
   for (const ReadBranch& branch : all)
     for (const std::string& state : binout.states(branch.path)) states.emplace(state.size(), state);
   std::vector<BranchInReading> branches;
+  branches.reserve(all.size());
   for (const ReadBranch& branch : all) branches.push_back({&branch, entities(binout, branch), {}});
   for (const auto& [length, state] : states)
     for (BranchInReading& branch : branches) read_state(binout, branch, state, samples);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // *DATABASE_...: which results are written, how often, and of what.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
