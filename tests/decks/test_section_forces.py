@@ -57,7 +57,8 @@ class SectionForces(CommandTest):
 
     def test_what_passes_is_what_moves_the_sheet(self):
         """A plane that crosses the weld only once this is held: the force is that of swforc, and its impulse what the upper sheet loses. Sabotage:
-        planes go by welds as drawn; by places after the projection alone, of which a gap that is kept and rivets know nothing."""
+        planes go by welds as drawn; by places after the projection alone, where a gap that is kept is no weld's; the parts of rivets, which no PSID
+        names, are not cut."""
         for weld in WELDS:
             with self.subTest(weld=weld):
                 heights = (0.1,) if weld == "kept gap" else (1.0,)
