@@ -24,6 +24,7 @@
 #include "weld/failure/missing_data.hpp"
 #include "weld/failure/user_library.hpp"
 #include "weld/placement/coarsening.hpp"
+#include "weld/tie/cut_sections.hpp"
 #include "weld/tie/inferred_welds.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -88,6 +89,7 @@ void note_unused_library(const model::Model& model, Findings& findings) {
 void tie_and_audit(PreparedDeck& p, std::vector<Vec3d> x, Findings& findings) {
   Clock clock;
   p.ties = weld::tie(p.model, std::move(x), findings);
+  weld::cut_sections(p.model, p.ties, findings);
   p.tie_seconds = clock.seconds();
   p.audit = weld::audit(p.model, p.ties, findings);
   for (std::size_t i = 0; i < p.ties.welds.size(); ++i)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -146,6 +147,21 @@ std::string sheets_sentence(const WeldSummary& summary, std::size_t welds) {
   return fmt::format("{} on two sheets, {} on one, {} on none", two, one, none);
 }
 
+/// The welds without those that are only taken for some and that nothing holds: where there are welds besides, or
+/// nothing in the deck speaks of any. Without places and ties.
+weld::Ties without_doubtful_welds(const model::Model& model, const weld::Ties& ties, bool something_is_missing) {
+  const auto is_sure = [&model](const weld::Weld& w) {
+    return !weld::is_inferred(model, w) ||
+           std::any_of(w.ends.begin(), w.ends.end(), [](const weld::Projection& p) { return p.tied; });
+  };
+  const bool speaks_of_welds = something_is_missing || !model.weld_laws.empty() ||
+                               std::ranges::any_of(model.contacts, [](const model::Contact& c) { return c.tie(); });
+  weld::Ties told;
+  std::ranges::copy_if(ties.welds, std::back_inserter(told.welds), is_sure);
+  if (told.welds.empty() && speaks_of_welds) told.welds = ties.welds;
+  return told;
+}
+
 }  // namespace
 
 std::vector<std::string> leave_out_broken_ties(model::Model& model) {
@@ -158,12 +174,13 @@ std::vector<std::string> leave_out_broken_ties(model::Model& model) {
   return names;
 }
 
-std::string summarize_refused_welds(const model::Model& model, const weld::Ties& ties,
+std::string summarize_refused_welds(const model::Model& model, const weld::Ties& of_model,
                                     const std::vector<std::string>& left_out, Findings& findings) {
+  const std::vector<std::string> files = missing_files(findings);
+  const weld::Ties ties = without_doubtful_welds(model, of_model, !files.empty() || !left_out.empty());
   if (ties.welds.empty()) return {};
   const std::size_t count = ties.welds.size();
   const WeldSummary summary = summarize(model, ties);
-  const std::vector<std::string> files = missing_files(findings);
   std::string cause = why(model, summary, files);
   if (!left_out.empty())
     cause += fmt::format("{}{} {} left out, as a side of {} is not here", cause.empty() ? "" : ", and ",
@@ -193,7 +210,7 @@ std::string summarize_refused_welds(const model::Model& model, const weld::Ties&
   for (const auto& [n, what] : {std::pair{summary.other_beams, "beam"}, std::pair{summary.other_bricks, "brick"}})
     if (n > 0)
       s += line(
-          "", fmt::format("{} without a material {} part of something larger, and not taken for {}",
+          "", fmt::format("{} without a material {} held by no sheet or part of something larger, and not taken for {}",
                           several(n, "more " + std::string(what)), n == 1 ? "is" : "are", n == 1 ? "a weld" : "welds"));
   std::string missing;
   for (const auto& [reason, welds] : summary.reasons)

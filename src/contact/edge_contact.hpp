@@ -108,6 +108,8 @@ class EdgeContact {
   const Vec3d& resultant() const { return resultant_; }
   const std::vector<int>& nodes() const { return forces_.nodes(); }  ///< all that it can press
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
+  Vec3d force_on(int node) const { return forces_.on(node); }
+  unsigned char side(int node) const { return forces_.side(node); }
   bool presses(int node) const { return forces_.acts_on(node); }
   /// As SurfaceContact::force_between.
   Vec3d force_between(const TwoBodies& bodies) const;

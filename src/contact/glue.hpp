@@ -57,6 +57,7 @@ class Glue {
   double friction_energy() const { return forces_.friction_energy(); }  ///< as ContactEnergies::friction
   const Vec3d& resultant() const { return resultant_; }                 ///< force on the tracked side [force]
   Vec3d force_on(std::span<const unsigned char> marked) const { return forces_.sum(marked); }
+  Vec3d force_on(int node) const { return forces_.on(node); }
   bool presses(int node) const { return forces_.acts_on(node); }
   /// As SurfaceContact::force_between.
   Vec3d force_between(const TwoBodies& bodies) const;

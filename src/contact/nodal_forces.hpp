@@ -85,6 +85,14 @@ class NodalForces {
     const Sum* sum = place < 0 ? nullptr : parts_[place / part_size].now.find(place);
     return sum != nullptr && dot(sum->force, sum->force) > 0.0;
   }
+  /// On a node, which need not be one of nodes() [force].
+  Vec3d on(int node) const {
+    const int place = nugget::at(node) < index_.size() ? index_[node] : -1;
+    const Sum* sum = place < 0 ? nullptr : parts_[place / part_size].now.find(place);
+    return sum != nullptr ? sum->force : Vec3d{};
+  }
+  /// The side of one of nodes().
+  unsigned char side(int node) const { return side_[index_[node]]; }
   /// Sum over the nodes that are marked (by node; those beyond its end are not) [force].
   Vec3d sum(std::span<const unsigned char> marked) const;
 

@@ -77,6 +77,13 @@ Vec3d PenaltyContact::force_on(std::span<const unsigned char> marked) const {
   return sum;
 }
 
+Vec3d PenaltyContact::force_on(int node) const {
+  Vec3d sum = surface_.force_on(node);
+  if (edges_) sum += edges_->force_on(node);
+  if (glue_) sum += glue_->force_on(node);
+  return sum;
+}
+
 Vec3d PenaltyContact::force_between(const TwoBodies& bodies) const {
   Vec3d sum = surface_.force_between(bodies);
   if (edges_) sum += edges_->force_between(bodies);

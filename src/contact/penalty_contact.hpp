@@ -43,6 +43,14 @@ class PenaltyContact {
     if (!edges_) return;
     for (const int node : edges_->nodes()) visit(node);
   }
+  /// The same with the side of each: 0 the tracked one, which has nodes of both, 1 the reference side. A node may come
+  /// twice.
+  template <class Visit>
+  void each_node_of_sides(const Visit& visit) const {
+    for (const int node : surface_.nodes()) visit(node, surface_.side(node));
+    if (!edges_) return;
+    for (const int node : edges_->nodes()) visit(node, edges_->side(node));
+  }
   /// Lets all of several ranks follow all its nodes, as glue and edges do, which are computed by each of them.
   void look_everywhere() { surface_.look_everywhere(); }
   bool looks_everywhere() const { return surface_.looks_everywhere(); }
@@ -56,6 +64,7 @@ class PenaltyContact {
   Vec3d resultant_of_all_ranks() const;
   bool presses(int node) const;  ///< a force of this cycle acts on the node
   Vec3d force_on(std::span<const unsigned char> marked) const;
+  Vec3d force_on(int node) const;  ///< over several ranks where look_everywhere() was asked for [force]
   Vec3d force_between(const TwoBodies& bodies) const;  ///< see SurfaceContact::force_between
   const SurfaceContact& surface() const { return surface_; }
   const Glue* glue() const { return glue_.get(); }

@@ -209,7 +209,9 @@ class SurfaceContact {
   Vec3d resultant_of_all_ranks() const;
   /// Sum of the forces on the nodes that are marked (by node; nodes beyond its end are not) [force].
   Vec3d force_on(std::span<const unsigned char> marked) const;
-  bool presses(int node) const { return forces_.acts_on(node); }  ///< a force of this cycle acts on the node
+  Vec3d force_on(int node) const { return forces_.on(node); }        ///< [force]
+  unsigned char side(int node) const { return forces_.side(node); }  ///< of one of nodes(): 0 tracked, 1 reference
+  bool presses(int node) const { return forces_.acts_on(node); }     ///< a force of this cycle acts on the node
   /// Force on the first body by the second: the sum over those pairs that have one side in each [force].
   Vec3d force_between(const TwoBodies& bodies) const;
   int touching() const;  ///< pairs that carry force

@@ -101,6 +101,7 @@ struct Contact {
   int search_interval = 0;  ///< BSORT; 0: chosen by the program
   double close = 0.0;       ///< CLOSE: surfaces closer than this are tied; 0: by the mesh [length]
   int ignore = 0;           ///< IGNORE of optional card D, or the control card's
+  bool prints_a = false, prints_b = false;  ///< SAPR, SBPR: ncforc has the forces on the nodes of this side
   Place place;
 
   /// By penalty forces; else it is a tie or a transducer.

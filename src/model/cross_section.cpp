@@ -15,49 +15,49 @@ namespace {
 using Corner = CrossSection::Corner;
 using Facet = CrossSection::Facet;
 
-Vec3d place(const Model& model, const Corner& c) {
-  const Vec3d &a = model.nodes.x[c.from], &b = model.nodes.x[c.to];
+Vec3d place(const std::vector<Vec3d>& x, const Corner& c) {
+  const Vec3d &a = x[c.from], &b = x[c.to];
   return a + c.share * (b - a);
 }
 
 /// Brings the corners of a plane polygon into their order around it.
-void go_around(const Model& model, std::vector<Corner>& corners) {
+void go_around(const std::vector<Vec3d>& x, std::vector<Corner>& corners) {
   Vec3d centre{};
-  for (const Corner& c : corners) centre += (1.0 / static_cast<double>(corners.size())) * place(model, c);
-  const Vec3d first = place(model, corners[0]) - centre;
+  for (const Corner& c : corners) centre += (1.0 / static_cast<double>(corners.size())) * place(x, c);
+  const Vec3d first = place(x, corners[0]) - centre;
   Vec3d normal{};
   for (const Corner& c : corners) {
-    const Vec3d n = cross(first, place(model, c) - centre);
+    const Vec3d n = cross(first, place(x, c) - centre);
     if (norm(n) > norm(normal)) normal = n;
   }
   const Vec3d across = cross(normal, first);
   // Both components are scaled alike up to the length of `normal`, which the angle must not depend on.
   const double scale = norm(normal) > 0.0 ? norm(normal) : 1.0;
   const auto angle = [&](const Corner& c) {
-    const Vec3d x = place(model, c) - centre;
-    return std::atan2(dot(x, across) / scale, dot(x, first));
+    const Vec3d arm = place(x, c) - centre;
+    return std::atan2(dot(arm, across) / scale, dot(arm, first));
   };
   std::stable_sort(corners.begin(), corners.end(),
                    [&](const Corner& a, const Corner& b) { return angle(a) < angle(b); });
 }
 
 /// The two corners of a shell's section that lie farthest apart.
-void keep_ends(const Model& model, std::vector<Corner>& corners) {
+void keep_ends(const std::vector<Vec3d>& x, std::vector<Corner>& corners) {
   double longest = -1.0;
   std::pair<Corner, Corner> ends;
   for (std::size_t i = 0; i < corners.size(); ++i)
     for (std::size_t j = i + 1; j < corners.size(); ++j) {
-      const double length = norm(place(model, corners[j]) - place(model, corners[i]));
+      const double length = norm(place(x, corners[j]) - place(x, corners[i]));
       if (length > longest) longest = length, ends = {corners[i], corners[j]};
     }
   corners = {ends.first, ends.second};
 }
 
-Facet facet(const Model& model, ElementKind kind, Index element, std::vector<Corner> corners) {
+Facet facet(const std::vector<Vec3d>& x, ElementKind kind, Index element, std::vector<Corner> corners) {
   const std::size_t fewest = kind == ElementKind::solid ? 3 : kind == ElementKind::shell ? 2 : 1;
   if (corners.size() < fewest) return {kind, element, {}};
-  if (kind == ElementKind::solid) go_around(model, corners);
-  if (kind == ElementKind::shell && corners.size() > 2) keep_ends(model, corners);
+  if (kind == ElementKind::solid) go_around(x, corners);
+  if (kind == ElementKind::shell && corners.size() > 2) keep_ends(x, corners);
   if (kind == ElementKind::beam) corners.resize(1);
   return {kind, element, std::move(corners)};
 }
@@ -135,24 +135,32 @@ std::vector<CrossSection::Facet> facets_between(const Model& model, ElementKind 
     std::vector<Corner> corners;
     for (const Index n : nodes_of(model, kind, element))
       if (marked[n]) corners.push_back({n, n, 0.0});
-    facets.push_back(facet(model, kind, element, std::move(corners)));
+    facets.push_back(facet(model.nodes.x, kind, element, std::move(corners)));
   }
   return facets;
 }
 
-void cut(const Model& model, const CuttingPlane& plane, const std::vector<char>& parts, CrossSection& section) {
-  section.normal = plane.normal;
-  const auto height = [&](Index n) { return dot(model.nodes.x[n] - plane.origin, plane.normal); };
+void cut(const Model& model, const std::vector<Vec3d>& x, CrossSection& section) {
+  constexpr double round_off = 1e-10;  // of coordinates, once nodes have been projected
+  const CuttingPlane& plane = *section.plane;
+  std::vector<char> cuts(model.parts.size(), 0);
+  for (const Index p : section.parts) cuts[p] = 1;
+  const auto height = [&](Index n) {
+    const double h = dot(x[n] - plane.origin, plane.normal);
+    return std::abs(h) <= round_off * (norm(x[n]) + norm(plane.origin)) ? 0.0 : h;
+  };
+  section.nodes.clear();
+  section.facets.clear();
   const auto go_through = [&](ElementKind kind, const auto& elements) {
     for (std::size_t e = 0; e < elements.size(); ++e) {
-      if (!parts[elements.part[e]]) continue;
+      if (!cuts[elements.part[e]]) continue;
       std::vector<Corner> corners = cut_edges(kind, edge_nodes(model, kind, e), height);
       if (corners.empty() ||
-          !std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return inside(plane, place(model, c)); }))
+          !std::all_of(corners.begin(), corners.end(), [&](const Corner& c) { return inside(plane, place(x, c)); }))
         continue;
       for (const Index n : elements.nodes(e))
         if (height(n) >= 0.0) section.nodes.push_back(n);
-      section.facets.push_back(facet(model, kind, static_cast<Index>(e), std::move(corners)));
+      section.facets.push_back(facet(x, kind, static_cast<Index>(e), std::move(corners)));
     }
   };
   go_through(ElementKind::shell, model.shells);
@@ -160,6 +168,16 @@ void cut(const Model& model, const CuttingPlane& plane, const std::vector<char>&
   go_through(ElementKind::beam, model.beams);
   std::sort(section.nodes.begin(), section.nodes.end());
   section.nodes.erase(std::unique(section.nodes.begin(), section.nodes.end()), section.nodes.end());
+}
+
+std::vector<Index> bricks_of(const Model& model, const CrossSection& section, const std::vector<Index>& parts) {
+  std::vector<Index> bricks;
+  for (const Facet& facet : section.facets) {
+    if (facet.kind != ElementKind::solid) continue;
+    const Index part = model.solids.part[facet.element];
+    if (parts.empty() || std::find(parts.begin(), parts.end(), part) != parts.end()) bricks.push_back(facet.element);
+  }
+  return bricks;
 }
 
 }  // namespace nugget::model

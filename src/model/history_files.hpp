@@ -29,6 +29,7 @@ inline constexpr auto history_files = std::to_array<std::string_view>({
     "rbdout",
     "abstat",
     "rcforc",
+    "ncforc",
     "secforc",
     "nodfor",
     "elout",

@@ -41,6 +41,8 @@ struct AxialForce {
 /// *INITIAL_STRESS_SECTION: as long as its curve lasts, the bricks of a cross section have this normal stress.
 struct SectionStress {
   std::vector<Index> solids;
+  Index section = none;      ///< in Requests::cross_sections, whose bricks these are
+  std::vector<Index> parts;  ///< only those of these parts; empty: of all
   Vec3d normal;
   Index curve = none;
   bool keep_shear = false;  ///< IZSHEAR 1, 2: the other stresses grow as the material says

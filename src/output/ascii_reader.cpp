@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <tuple>
 
@@ -174,6 +175,34 @@ void read_rcforc(std::istream& in, HistorySamples& samples) {
   }
 }
 
+void read_ncforc(std::istream& in, HistorySamples& samples) {
+  constexpr std::array<std::string_view, 4> forces{"x_force", "y_force", "z_force", "pressure"};
+  std::string side;
+  std::set<std::string> of_state;
+  for (std::string line; std::getline(in, line);) {
+    if (const auto time = number_behind(line, " forces (t="), contact = number_behind(line, "for interface");
+        time && contact) {
+      side = fmt::format("contact {:.0f} {} side node", *contact,
+                         line.find("master") != line.npos ? "reference" : "tracked");
+      // A side that comes again begins another state, whatever the time is printed as.
+      if (samples.empty() || *time != samples.time() || of_state.contains(side)) {
+        samples.begin_state(*time);
+        of_state.clear();
+      }
+      of_state.insert(side);
+      continue;
+    }
+    const auto node = number_of_field(line, 0, 10);
+    std::string place;
+    if (side.empty() || !node || line.size() < 72 || !std::getline(in, place)) continue;
+    const std::string entity = fmt::format("{} {:.0f}", side, *node);
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      if (const auto value = number_of_field(line, 16 + 14 * i, 14)) samples.put(entity, forces[i], *value);
+    for (std::size_t i = 0; i < axis_names.size(); ++i)
+      if (const auto value = number_of_field(place, 16 + 14 * i, 14)) samples.put(entity, axis_names[i], *value);
+  }
+}
+
 /// Three numbers and a fourth, as secforc has them.
 void put_four(HistorySamples& samples, const std::string& line, const std::string& entity, std::string_view vector,
               std::string_view last) {
@@ -335,6 +364,7 @@ constexpr AsciiReader readers[] = {
     {"glstat", read_glstat},
     {"jntforc", read_jntforc},
     {"matsum", read_matsum},
+    {"ncforc", read_ncforc},
     {"nodout", read_nodout},
     {"rbdout", read_rbdout},
     {"rcforc", read_rcforc},

@@ -96,6 +96,18 @@ std::vector<std::string> BinoutReader::states(const std::string& branch) const {
   return found;
 }
 
+std::vector<std::string> BinoutReader::branches(const std::string& branch) const {
+  const std::string prefix = "/" + branch + "/";
+  std::vector<std::string> found;
+  for (auto at = directories_.lower_bound(prefix); at != directories_.end() && at->first.starts_with(prefix); ++at) {
+    const std::size_t end = at->first.find('/', prefix.size());
+    if (end == std::string::npos) continue;
+    std::string name = at->first.substr(prefix.size(), end - prefix.size());
+    if (found.empty() || found.back() != name) found.push_back(std::move(name));
+  }
+  return found;
+}
+
 std::span<const BinoutReader::Variable> BinoutReader::variables(std::string_view directory) const {
   const auto found = directories_.find(directory);
   return found != directories_.end() ? std::span<const Variable>(found->second) : std::span<const Variable>();

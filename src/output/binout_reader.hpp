@@ -27,6 +27,8 @@ class BinoutReader {
   };
   /// `d000001`, ... of a branch in their order.
   std::vector<std::string> states(const std::string& branch) const;
+  /// Names of the branches of a branch, `slave_000007` of ncforc, in alphabetical order.
+  std::vector<std::string> branches(const std::string& branch) const;
   /// Those of a directory, by name.
   std::span<const Variable> variables(std::string_view directory) const;
   /// Whole or real numbers; empty where there is no such variable, or it is text.

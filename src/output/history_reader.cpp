@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "output/abstat.hpp"
 #include "output/ascii_reader.hpp"
@@ -17,6 +19,7 @@
 #include "output/history_samples.hpp"
 #include "output/jntforc.hpp"
 #include "output/matsum.hpp"
+#include "output/ncforc.hpp"
 #include "output/nodout.hpp"
 #include "output/rbdout.hpp"
 #include "output/rcforc.hpp"
@@ -29,9 +32,9 @@
 namespace nugget::output {
 namespace {
 
-/// A branch of binout and what its rows are.
+/// A branch of binout, what its rows are, and what its titles are of where these are others.
 struct ReadBranch {
-  std::string path, kind;
+  std::string path, kind, titled = {};
 };
 
 struct ReadFile {
@@ -50,6 +53,7 @@ const std::vector<ReadFile>& read_files() {
        {{"jntforc/joints", "joint"}, {"jntforc/type0", "joint stiffness"}, {"jntforc/type1", "joint stiffness"}},
        [] { return meanings(jntforc()); }},
       {"matsum", {{"matsum", "part"}}, [] { return meanings(matsum()); }},
+      {"ncforc", {}, [] { return meanings(ncforc({{}})); }},
       {"nodout", {{"nodout", "node"}}, [] { return meanings(nodout()); }},
       {"rbdout", {{"rbdout", "rigid body"}}, [] { return meanings(rbdout()); }},
       {"rcforc", {{"rcforc", "contact"}}, [] { return meanings(rcforc()); }},
@@ -60,6 +64,25 @@ const std::vector<ReadFile>& read_files() {
       {"swforc", {{"swforc", "weld"}}, [] { return meanings(swforc()); }},
   };
   return files;
+}
+
+/// The branches of a file; those of ncforc are the sides of contacts, by their ids, the tracked side first.
+std::vector<ReadBranch> branches_of(const BinoutReader& binout, const ReadFile& file) {
+  if (file.name != "ncforc") return file.branches;
+  std::vector<std::tuple<int, bool, std::string>> sides;
+  for (const std::string& name : binout.branches("ncforc")) {
+    const bool reference = name.starts_with("master_");
+    if (reference || name.starts_with("slave_"))
+      sides.emplace_back(std::atoi(name.c_str() + name.find('_') + 1), reference, name);
+  }
+  std::ranges::sort(sides);
+  std::vector<ReadBranch> branches;
+  branches.reserve(sides.size());
+  for (const auto& [contact, reference, name] : sides)
+    branches.push_back({"ncforc/" + name,
+                        fmt::format("contact {} {} side node", contact, reference ? "reference" : "tracked"),
+                        "contact"});
+  return branches;
 }
 
 /// Names of the rows of a branch; of one value more than rows (sums) nothing is known.
@@ -132,15 +155,15 @@ void read_state(const BinoutReader& binout, BranchInReading& reading, const std:
   }
 }
 
-void add_titles(const BinoutReader& binout, const ReadFile& file, HistoryRecord& record) {
+void add_titles(const BinoutReader& binout, const std::vector<ReadBranch>& branches, HistoryRecord& record) {
   constexpr std::size_t width = 70;
-  for (const ReadBranch& branch : file.branches) {
+  for (const ReadBranch& branch : branches) {
     const std::string metadata = "/" + branch.path + "/metadata", text = binout.text(metadata + "/legend");
     const std::vector<double> ids = binout.numbers(metadata + "/legend_ids");
     for (std::size_t i = 0; i < ids.size() && (i + 1) * width <= text.size(); ++i) {
       std::string title = text.substr(i * width, width);
       title.erase(title.find_last_not_of(' ') + 1);
-      const std::string name = fmt::format("{} {:.0f}", branch.kind, ids[i]);
+      const std::string name = fmt::format("{} {:.0f}", branch.titled.empty() ? branch.kind : branch.titled, ids[i]);
       for (Channel& channel : record.channels)
         if (channel.entity == name || channel.entity.find(name + ' ') == 0) channel.title = title;
     }
@@ -149,18 +172,20 @@ void add_titles(const BinoutReader& binout, const ReadFile& file, HistoryRecord&
 
 HistoryRecord read_one(const std::filesystem::path& directory, const BinoutReader& binout, const ReadFile& file) {
   HistorySamples samples{std::string(file.name)};
+  const std::vector<ReadBranch> all = branches_of(binout, file);
   std::set<std::pair<std::size_t, std::string>> states;  // d01000000 follows d999999
-  for (const ReadBranch& branch : file.branches)
+  for (const ReadBranch& branch : all)
     for (const std::string& state : binout.states(branch.path)) states.emplace(state.size(), state);
   std::vector<BranchInReading> branches;
-  for (const ReadBranch& branch : file.branches) branches.push_back({&branch, entities(binout, branch), {}});
+  branches.reserve(all.size());
+  for (const ReadBranch& branch : all) branches.push_back({&branch, entities(binout, branch), {}});
   for (const auto& [length, state] : states)
     for (BranchInReading& branch : branches) read_state(binout, branch, state, samples);
   HistoryRecord record = samples.take();
   if (record.times.empty())
     record = read_ascii_history(directory / file.name);
   else
-    add_titles(binout, file, record);
+    add_titles(binout, all, record);
   for (const ColumnMeaning& meaning : file.meanings())
     for (Channel& channel : record.channels)
       if (channel.quantity == meaning.name) channel.dimension = meaning.dimension;

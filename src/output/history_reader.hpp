@@ -27,8 +27,8 @@ struct HistoryRecord {
   std::vector<Channel> channels;
 };
 
-/// Those that can be read, in alphabetical order: glstat, matsum, nodout, swforc, rcforc, secforc, rwforc, spcforc,
-/// rbdout (global axes), sleout, abstat, deforc, jntforc, dcfail.
+/// Those that can be read, in alphabetical order: glstat, matsum, nodout, swforc, rcforc, ncforc, secforc, rwforc,
+/// spcforc, rbdout (global axes), sleout, abstat, deforc, jntforc, dcfail.
 std::span<const std::string_view> readable_histories();
 
 /// Of these, what is in the folder: the branch of binout0000 with all its digits, where there is one, else the ASCII

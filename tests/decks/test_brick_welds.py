@@ -107,7 +107,7 @@ class BrickWelds(CommandTest):
         for i in range(1, 19):
             self.assertIn(f"of part {1 if int(weld[f'node{i}']) < 312 else 2}", weld[f"reason{i}"])
 
-    def held(self, elform, young, rupture, cards):
+    def held(self, elform, young, rupture, cards, drawn=(0.0, 1.2)):
         """swforc at the end of a weld brick of 5 x 5 between two sheets all of whose nodes are held: [axial, shear]."""
         s = Sheets()
         s.cards += ["*CONTROL_TERMINATION\n5.0e-6", "*DATABASE_SWFORC\n5.0e-7",
@@ -115,7 +115,7 @@ class BrickWelds(CommandTest):
         sheets = [s.sheet(1.0, 0, 0, z, 3, 3, 5.0) for z in (0.0, 1.2)]
         bricks = s.brick_part(2)
         s.cards[-1] = f"*SECTION_SOLID\n{bricks},{elform}"
-        s.brick(bricks, 7.5, 7.5, 0.0, 5.0, 1.2)
+        s.brick(bricks, 7.5, 7.5, drawn[0], 5.0, drawn[1] - drawn[0])
         s.tie([bricks], sheets)
         s.node_set(9, [n for sheet in sheets for j in range(4) for n in s.row(sheet, j)])
         s.cards += ["*BOUNDARY_SPC_SET\n9,0,1,1,1,1,1,1", cards.replace("BRICK", str(s.element))]
@@ -146,6 +146,9 @@ class BrickWelds(CommandTest):
                 axial, shear = self.held(elform, 210000.0, 0.3, preload)
                 self.assertAlmostEqual(axial, 2500.0, delta=0.1)
                 self.assertAlmostEqual(shear, 0.0, delta=0.1)
+        # The plane passes a brick that is drawn short once this stands on its sheets. Sabotage: bricks as drawn.
+        axial, _ = self.held(1, 210000.0, 0.3, preload.replace("0.6,0.0,0.0,1.0", "1.0,0.0,0.0,2.0"), drawn=(0.3, 0.8))
+        self.assertAlmostEqual(axial, 2500.0, delta=0.1)
         self.assertIn("takes no imposed stress: it is a weld with the stresses of its cross-section only", self.held(1, -210000.0, 0.0, preload))
 
     def test_a_brick_turned_inside_out_gives_no_nan(self):

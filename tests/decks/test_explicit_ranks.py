@@ -16,6 +16,7 @@ from repeated_runs import FOREVER, LANES, RepeatedRuns, with_lanes
 from shared_out import block, stacks_of_bricks, switched_tube, tube, weak_double_hat
 from test_breaking_metals import torn
 from test_composites import plates
+from test_nodal_contact_forces import falling
 from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
 
 
@@ -102,6 +103,12 @@ class ExplicitRanks(RepeatedRuns):
         self.compare_ranks(tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4))
         self.assertRegex(self.log("one"), r"part 1: \d\d of 720 elements deleted")
         self.assertGreater(self.json("one/summary.json")["mass"]["added"], 0.0)
+
+    def test_forces_of_contacts_by_node(self):
+        """The first rank writes what the others press, and where. Sabotage: its own hits alone."""
+        self.compare_ranks(falling()[0].text(), ranks=((2, 1), (3, 1)))
+        self.compare_ranks(falling("7,1,1", "AUTOMATIC_SINGLE_SURFACE", more=("*CONTACT_FORCE_TRANSDUCER_ID\n9\n1,,3,,,,1\n\n",))[0].text())
+        self.assertIn("ncforc", self.files("one"))
 
     def test_layers_of_fibres_that_fail(self):
         self.compare_ranks(plates(3))

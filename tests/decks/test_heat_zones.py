@@ -6,6 +6,8 @@ import unittest
 
 from few_elements import card, curve, nodes, part
 from nugget_command import CommandTest
+from test_interpolation_spotwelds import spr3
+from test_spr2 import riveted
 
 LENGTH, WIDTH, THICKNESS, YIELD, SHELLS = 50.0, 5.0, 1.0, 300.0, 10
 NUMBER = r"[-+]?\d\.\d+E[-+]\d+"
@@ -58,6 +60,15 @@ class HeatZones(CommandTest):
                                (zone((0, 0, 0, 0, 0, 0, 8)) + curve(8, (0.0, 1.0), (1.0, 1.0)), "*MAT_ELASTIC\n", "part 1 is of *MAT_ELASTIC")):
             self.write(strip(haz, **({"law": law} if law else {})))
             self.assertIn(told, self.nugget("check", "model.k", "-o", "audit", expect=1).stderr)
+
+    def test_interpolation_spot_welds_are_said_to_soften_nothing(self):
+        """Rivets, which are cold, need no word. Sabotage: neither weld is looked at."""
+        for name, text, said in (("spr3", spr3(), True), ("spr2", riveted(), False)):
+            with self.subTest(name):
+                haz = "*DEFINE_HAZ_PROPERTIES\n" + card(4, 1, 1, 0) + card(0, 0, 8) + curve(8, (0.0, 0.8), (10.0, 1.0))
+                self.write(text.replace("*END", haz + "*END"))
+                run = self.nugget("check", "model.k", "-o", "audit")
+                self.assertEqual("zone 4 is not softened around 1 interpolation spot weld, first 401" in run.stderr, said, run.stderr)
 
 
 if __name__ == "__main__":

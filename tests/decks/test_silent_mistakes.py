@@ -5,6 +5,7 @@ import unittest
 import lap_joint
 from few_elements import BRICK, CORNERS, SOLID, card, curve, nodes, part
 from nugget_command import CommandTest
+from welded_sheets import Sheets
 
 MESH = SOLID + "*MAT_ELASTIC\n" + card(1, 1.0, 10.0, 0.3) + part(1) + nodes(CORNERS) + BRICK
 HEAD = "*KEYWORD\n*CONTROL_TERMINATION\n" + card(0.01)
@@ -75,6 +76,38 @@ class SilentMistakes(CommandTest):
         files = [str(self.folder / "deck" / name) for name in ("model.k", "mesh.inc")]
         self.assertEqual(self.json("out/summary.json")["files"], files)
         self.assertIn("Files read\n\n " + "\n ".join(files), self.read("out/run.log"))
+
+    def test_a_brick_whose_part_is_missing_is_one_finding(self):
+        """It stands alone, as welds do, but nothing holds it. Sabotage: each of
+        its nodes is an untied weld."""
+        alone = ("*NODE\n" + "".join(f"{900 + i:8d}{60.0 + x:16.4f}{y:16.4f}{z:16.4f}\n" for i, (x, y, z) in enumerate(CORNERS))
+                 + "*ELEMENT_SOLID\n      90      77" + "".join(f"{900 + i:8d}" for i in range(8)) + "\n")
+        self.write(lap_joint.deck().replace("*END", alone + "*END"))
+        run = self.nugget("check", "model.k", expect=1)
+        told = [line for line in run.stderr.splitlines() if "arning" in line or "error" in line]
+        self.assertIn("part 77 is not defined; 1 of its elements", run.stderr)
+        self.assertFalse([line for line in told if "weld 90" in line or "brick" in line], run.stderr)
+        self.assertIn("1 weld, each on two sheets", run.stderr)  # the deck's own beam
+        self.write(HEAD + MESH + alone + "*END\n")
+        run = self.nugget("check", "model.k", expect=1)
+        self.assertEqual(run.stderr.count("\n"), 2, run.stderr)  # the finding, and how many
+
+    def test_fields_for_bricks_on_weld_beams(self):
+        """TRUE_T corrects single bricks, ASFF is about assemblies. Sabotage: read, and not a word."""
+        weld = "*MAT_SPOTWELD_DAMAGE-FAILURE\n2,7.85e-9,210000.0,0.3,500.0,1000.0\n0.2,8000.0,6000.0,6000.0\n,,,{},{}"
+        for true_t, asff in (("1.1", "1"), ("", "0")):
+            s = Sheets()
+            s.cards += ["*CONTROL_TERMINATION\n2.0e-5", weld.format(true_t, asff)]
+            sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
+            beams, bricks = s.beam_part(6.0, 2), s.brick_part(2)
+            s.beam(beams, (8.0, 16.0, 0.0), (8.0, 16.0, 1.2))
+            s.brick(bricks, 20.0, 16.0, 0.0, 5.0, 1.2)
+            s.tie([beams, bricks], sheets)
+            self.write(s.text())
+            run = self.nugget("check", "model.k")
+            self.assertEqual(run.stderr.count("TRUE_T = 1.1 of its material corrects single bricks, but part 3 has beams"), int(asff), run.stderr)
+            self.assertEqual(run.stderr.count("ASFF = 1 of its material is about assemblies of bricks, but part 3"), int(asff))
+            self.assertNotIn("but part 4", run.stderr)
 
 
 if __name__ == "__main__":

@@ -77,6 +77,25 @@ class LayersOfOnePart(CommandTest):
         self.assertGreater(max(axial[0] for axial, _, _ in forces[0]), 100.0)
         self.assertEqual(forces[0], forces[1])
 
+    def test_the_audit_counts_its_layers(self):
+        """Sabotage: the sheets of a spot are parts."""
+        self.write(thrown(True))
+        self.assertIn("spots: 1 through 2 sheets", self.nugget("check", "model.k").stdout)
+
+    def test_welds_are_placed_between_them(self):
+        """As beams, that hold; not as interpolation spot welds, which name two parts. Sabotage: one place for each part."""
+        s = Sheets()
+        s.cards.append("*CONTROL_TERMINATION\n2.0e-5")
+        sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
+        s.shells = [f"{e},{sheets[0]},{nodes}" for e, _, nodes in (shell.split(",", 2) for shell in s.shells)]
+        self.write(s.text(), "box.k")
+        self.write("14,16,0.5\n20,12,0.9\n", "points.csv")
+        run = self.nugget("weld", "points.csv", "box.k", "-o", "welded.k")
+        self.assertEqual(run.stdout, "2 of 2 spots placed as 2 beams; welded.k\n")
+        self.assertIn("spots: 2 through 2 sheets", self.nugget("check", "welded.k").stdout)
+        run = self.nugget("weld", "points.csv", "box.k", "-o", "other.k", "--as", "interpolation", expect=1)
+        self.assertIn("two layers of part 1 are no two sheets for *CONSTRAINED_INTERPOLATION_SPOTWELD", run.stderr)
+
     def test_a_weld_goes_with_the_shell_of_either_layer(self):
         """SPOTDEL 1. Sabotage: a weld goes when all its ties into a part are gone."""
         for shell in (13, 38):  # in the middle of the lower and of the upper layer
@@ -86,26 +105,6 @@ class LayersOfOnePart(CommandTest):
                 self.write(thrown(True).replace("*END", cards))
                 self.nugget("run", "model.k", "-o", "out", "--quiet")
                 self.assertIn("by deleted sheet", self.read("out/run.log"))
-
-
-class SectionsBesideWelds(CommandTest):
-    def test_a_plane_that_welds_cross_only_on_their_sheets_says_so(self):
-        """Two welds are drawn from z = 0.2 to 0.9 and moved to 0 and 1.2, one is drawn across all of it. Sabotage: planes go by welds as drawn in
-        silence; a plane through all of them as drawn is warned of."""
-        for height, said in ((1.0, "between the ends of 2 welds"), (0.5, "")):
-            with self.subTest(height=height):
-                s = Sheets()
-                s.cards += ["*CONTROL_TERMINATION\n2.0e-5", weld_material(2),
-                            f"*DATABASE_CROSS_SECTION_PLANE\n0,0.0,0.0,{height},0.0,0.0,9.0\n", "*DATABASE_SECFORC\n1.0e-6"]
-                sheets = [s.sheet(1.2, 0.0, 0.0, z, 5, 5, 6.0) for z in (0.0, 1.2)]
-                welds = s.beam_part(6.0, 2)
-                for x, low, high in ((8.0, 0.2, 0.9), (15.0, 0.0, 1.2), (22.0, 0.2, 0.9)):
-                    s.beam(welds, (x, 15.0, low), (x, 15.0, high))
-                s.tie([welds], sheets)
-                self.write(s.text())
-                text = self.nugget("check", "model.k").stderr
-                self.assertIn(said, text)
-                self.assertEqual("secforc lacks their forces" in text, bool(said), text)
 
 
 if __name__ == "__main__":

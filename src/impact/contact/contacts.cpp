@@ -9,6 +9,7 @@
 #include "impact/contact/contact_setup.hpp"
 #include "impact/contact/edge_setup.hpp"
 #include "model/contact_form.hpp"
+#include "model/history_files.hpp"
 
 namespace nugget::impact {
 namespace {
@@ -33,11 +34,17 @@ void report_tiebreak(const model::Contact& card, const contact::Glue& glue, Find
 Contacts::Contacts(const system::System& system, std::span<const Row> x, Findings& findings) : system_(&system) {
   // Every rank has the gas, and looks at what contact covers of its fabric.
   const auto covered = [](const model::PorousFabric& fabric) { return fabric.covered_by_contact; };
-  const bool looked_at = std::ranges::any_of(system.model.control_volumes, [&](const model::ControlVolume& volume) {
+  const bool covers_fabric = std::ranges::any_of(system.model.control_volumes, [&](const model::ControlVolume& volume) {
     return std::ranges::any_of(volume.flowing.fabric, covered);
   });
   const auto is_transducer = [](const model::Contact& card) { return card.kind == model::Contact::Kind::transducer; };
   const bool shows_hits = std::ranges::any_of(system.model.contacts, is_transducer);
+  // The first rank writes forces by node, and transducers look at all contacts.
+  const bool by_node = system.model.requests["ncforc"].asked();
+  const auto prints = [](const model::Contact& card) { return card.prints_a || card.prints_b; };
+  const bool all_by_node = by_node && std::ranges::any_of(system.model.contacts, [&](const model::Contact& card) {
+                             return is_transducer(card) && prints(card);
+                           });
   const contact::SurfaceChoice nothing{[](const contact::Segment&) { return false; }, [](int) { return false; }};
   for (const model::Contact& card : system.model.contacts) {
     if (card.ties_what_touches())
@@ -46,6 +53,7 @@ Contacts::Contacts(const system::System& system, std::span<const Row> x, Finding
                      "write *CONTACT_AUTOMATIC_SINGLE_SURFACE, without the card of CLOSE, for the explicit run; "
                      "`nugget modes` takes the deck as it is");
     if (!card.slides()) continue;
+    const bool looked_at = covers_fabric || all_by_node || (by_node && prints(card));
     const bool by_share = system.starts_with_share() && !looked_at && !shows_hits && !model::checks_edges(card) &&
                           !card.glue && !card.balances_friction;
     contact::SurfaceContactSetup setup = contact_setup(system, card, by_share ? &nothing : nullptr);

@@ -53,9 +53,9 @@ double next_on_curve(const model::Request& request, const Curve& curve, double l
 /// Histories that take energies, forces on nodes and motions, and nothing from elements but those that every rank
 /// computes: welds, springs and belts, and what nodal force groups look at.
 bool of_sums_and_nodes(std::string_view name) {
-  constexpr std::array<std::string_view, 16> names{"glstat", "matsum", "nodout", "spcforc", "rwforc", "rcforc",
+  constexpr std::array<std::string_view, 17> names{"glstat", "matsum", "nodout", "spcforc", "rwforc", "rcforc",
                                                    "bndout", "rbdout", "swforc", "dcfail",  "deforc", "jntforc",
-                                                   "sleout", "abstat", "nodfor", "sbtout"};
+                                                   "sleout", "abstat", "nodfor", "sbtout",  "ncforc"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 

@@ -45,7 +45,7 @@ const CardOf<MppCard2> mpp_card2{
 
 /// The first card; the name space of the ids of either side depends on its type.
 struct SidesCard {
-  int surfa = 0, surfb = 0, surfatyp = 0, surfbtyp = 0, saboxid = 0, sbboxid = 0;
+  int surfa = 0, surfb = 0, surfatyp = 0, surfbtyp = 0, saboxid = 0, sbboxid = 0, sapr = 0, sbpr = 0;
 };
 CardOf<SidesCard> sides_card(IdSpace a, IdSpace b) {
   return {
@@ -62,8 +62,9 @@ CardOf<SidesCard> sides_card(IdSpace a, IdSpace b) {
       {&SidesCard::sbboxid,
        or_negative(id("sbboxid", IdSpace::define, 0, "only what lies in this box, of the reference side"),
                    IdSpace::define)},
-      integer("sapr", 0, any_value, "forces of the tracked side in ncforc and intfor"),
-      integer("sbpr", 0, any_value, "forces of the reference side in ncforc and intfor"),
+      {&SidesCard::sapr,
+       integer("sapr", 0, any_value, "not 0: ncforc has the forces on the nodes of the tracked side")},
+      {&SidesCard::sbpr, integer("sbpr", 0, any_value, "the same of the reference side")},
   };
 }
 const CardOf<SidesCard> sides_of_sets = sides_card(IdSpace::set, IdSpace::set);
@@ -440,7 +441,7 @@ void report_same_id(Builder& builder, const Contact& contact) {
     if (other.id == contact.id)
       return builder.findings.warning(
           contact.place, '*' + contact.keyword,
-          fmt::format("contact {} has the number of the one at {}:{}: rcforc and sleout cannot be told apart",
+          fmt::format("contact {} has the number of the one at {}:{}: rcforc, ncforc and sleout cannot be told apart",
                       contact.id, other.place.file, other.place.line),
           "give each an id of its own, with _ID");
 }
@@ -496,6 +497,8 @@ void read_contact(Builder& builder, const Block& block, const Options& options) 
   contact.title = heading.text;
   read_mpp(builder, cursor, options, contact);
   const auto sides = cursor.read(card_of_sides(cursor));
+  contact.prints_a = sides->sapr != 0;
+  contact.prints_b = sides->sbpr != 0;
   if (!contact.slides() && !contact.ties_what_touches())
     expect(builder, Severity::error,
            {{sides[&SidesCard::saboxid], 0, "a box around a side of a tie or a transducer is not built"},

@@ -128,11 +128,11 @@ int section_id(const Builder& builder, int given) {
 }
 
 void add_cross_section(Builder& builder, const deck::Entry& field, CrossSection section) {
-  // It stays: sections without an id are numbered by their place in the deck.
-  if (section.facets.empty())
+  // It stays: sections without an id are numbered by their place in the deck. What a plane cuts is known once welds
+  // stand on their sheets (weld::cut_sections).
+  if (section.facets.empty() && !section.plane)
     field.report(builder.findings, Severity::warning,
-                 fmt::format("cross section {} has no elements: its forces are 0", section.id),
-                 "check the sets, or where the plane lies");
+                 fmt::format("cross section {} has no elements: its forces are 0", section.id), "check the sets");
   builder.model.requests.cross_sections.push_back(std::move(section));
 }
 
@@ -228,8 +228,9 @@ void resolve_plane(Builder& builder, const RowOf<PlaneCard1>& row1, const RowOf<
     for (const Index p : set->members) parts[p] = 1;
   }
   for (std::size_t p = 0; p < parts.size(); ++p)
-    if (model.parts[p].rigid_body != none) parts[p] = 0;
-  cut(model, plane, parts, section);
+    if (parts[p] != 0 && model.parts[p].rigid_body == none) section.parts.push_back(static_cast<Index>(p));
+  section.plane = plane;
+  cut(model, model.nodes.x, section);
   resolve_axes(builder, row2[&AxesCard::id], row2->itype, section);
   add_cross_section(builder, row1[&PlaneCard1::xct], std::move(section));
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // *DATABASE_...: which results are written, how often, and of what.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -216,9 +218,34 @@ void take_request(Builder& builder, const Block& block, RequestOf file) {
            {{row[at(&IntervalCard::option, i)], 0, "this additional output is not written"}});
 }
 
+/// ncforc has the sides of contacts that ask for it on their own cards.
+void report_sides_of_ncforc(Builder& builder, const Block& block) {
+  bool any = false;
+  for (const Contact& contact : builder.model.contacts) {
+    if (!contact.prints_a && !contact.prints_b) continue;
+    const auto lacks = [&](const char* what, const char* remedy) {
+      builder.findings.warning(contact.place, '*' + contact.keyword,
+                               fmt::format("ncforc lacks contact {}: {}", contact.id, what), remedy);
+    };
+    if (contact.tie())
+      lacks("ties have no forces by node there", "rcforc has the sums of ties by springs, swforc the forces of welds");
+    else if (contact.kind == Contact::Kind::transducer && !contact.b.empty())
+      lacks("forces of a transducer between two sides are not resolved by node",
+            "leave SURFB blank; rcforc has the force between the two");
+    else
+      any = true;
+  }
+  if (!any)
+    builder.findings.warning(block.place, '*' + block.keyword,
+                             "no contact asks for its forces by node: there is no ncforc",
+                             "write 1 for SAPR, SBPR (SPR, MPR) on the first card of the contacts that are meant");
+}
+
 template <model::HistoryName file>
 void read_request(Builder& builder, const Block& block, const Options&) {
   take_request(builder, block, of_history<file>);
+  if constexpr (file.text() == "ncforc")
+    builder.defer(Phase::checks, [block](Builder& b) { report_sides_of_ncforc(b, block); });
 }
 
 void read_d3plot(Builder& builder, const Block& block, const Options&) {
@@ -461,9 +488,6 @@ Keyword history_keyword(std::string_view name, const Card& plain, const Card& he
           .read = read_history<history, set>};
 }
 
-Keyword not_written(std::string_view name, std::string_view why) {
-  return {.name = name, .options = {"ID"}, .status = KeywordStatus::refused, .why = why};
-}
 Keyword request_without_effect(std::string_view name, std::string_view why) {
   return {.name = name, .options = {"FILE"}, .status = KeywordStatus::ignored, .why = why};
 }
@@ -498,8 +522,6 @@ std::vector<Keyword> database_keywords() {
        .options = {"ID"},
        .layout = {{"without _ID", &history_element_ids}, {"with _ID", &element_id_heading}},
        .read = read_discrete_history},
-
-      not_written("DATABASE_NCFORC", "contact forces by node (ncforc) are not written yet; rcforc holds their sums"),
 
       request_without_effect("DATABASE_BINARY_RUNRSF",
                              "restart files are asked for on the command line (--checkpoint)"),

@@ -269,20 +269,19 @@ void resolve_section_stress(Builder& builder, const RowOf<SectionStressCard>& ro
   if (found == sections.end())
     return refuse(builder, row[&SectionStressCard::csid], fmt::format("cross section {} is not defined", id),
                   "define it by *DATABASE_CROSS_SECTION_PLANE_ID or _SET_ID");
-  SectionStress stress{
-      {},         found->normal, builder.curve(row[&SectionStressCard::lcid]), row->izshear > 0, row->izshear == 2,
-      row.place()};
+  SectionStress stress;
+  stress.section = static_cast<Index>(found - sections.begin());
+  if (found->plane) stress.normal = found->plane->normal;
+  stress.curve = builder.curve(row[&SectionStressCard::lcid]);
+  stress.keep_shear = row->izshear > 0;
+  stress.bends = row->izshear == 2;
+  stress.place = row.place();
   if (const Vec3d* vector = builder.vector(row[&SectionStressCard::vid])) stress.normal = unit(*vector);
   if (norm(stress.normal) == 0.0)
     return refuse(builder, row[&SectionStressCard::vid], "a cross section by sets has no normal of its own",
                   "name a *DEFINE_VECTOR");
-  const auto* parts = builder.part_set(row[&SectionStressCard::psid]);
-  for (const CrossSection::Facet& facet : found->facets) {
-    if (facet.kind != ElementKind::solid) continue;
-    const Index part = builder.model.solids.part[facet.element];
-    if (!parts || std::find(parts->members.begin(), parts->members.end(), part) != parts->members.end())
-      stress.solids.push_back(facet.element);
-  }
+  if (const auto* parts = builder.part_set(row[&SectionStressCard::psid])) stress.parts = parts->members;
+  stress.solids = bricks_of(builder.model, *found, stress.parts);
   if (stress.curve != none) builder.model.initial_state.section_stresses.push_back(std::move(stress));
 }
 

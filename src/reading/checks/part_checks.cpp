@@ -584,6 +584,19 @@ void check_weld_options(Builder& b) {
                                      "resultants in the same way",
                                      option, of_bricks ? "beams" : "bricks", part.id, of_bricks ? "bricks" : "beams"),
                          of_bricks ? "OPT 0, 1 or 7 are defined for bricks" : "OPT 1 has the same formula");
+    const WeldDamage& damage = m.weld_laws[law].damage;
+    if (!of_beams || m.control.weld_beams.bricks > 0) continue;
+    if (damage.true_thickness > 0.0)
+      b.findings.warning(part.place, "*PART",
+                         fmt::format("TRUE_T = {:g} of its material corrects single bricks, but part {} has beams: "
+                                     "nothing is corrected",
+                                     damage.true_thickness, part.id),
+                         "let the beams end on the mid-surfaces of their sheets, and leave TRUE_T blank");
+    if (damage.whole)
+      b.findings.note(part.place, "*PART",
+                      fmt::format("ASFF = 1 of its material is about assemblies of bricks, but part {} has beams, each "
+                                  "of which fails as a whole",
+                                  part.id));
   }
 }
 

@@ -124,6 +124,8 @@ void Replacement::keep_beams_of_mixed_parts() {
       }
       for (Set<Index>& set : m_.sets.parts) also(set.members);
       for (BodyLoad& load : m_.body_loads) also(load.parts);
+      for (CrossSection& section : m_.requests.cross_sections) also(section.parts);
+      for (SectionStress& stress : m_.initial_state.section_stresses) also(stress.parts);
       for (FrequencyRangeDamping& damping : m_.damping.range) also(damping.parts);
       for (RelativeDamping& damping : m_.damping.relative) also(damping.parts);
       const auto again = [p, stays = at_own->second](auto& dampings) {

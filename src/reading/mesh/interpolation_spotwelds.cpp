@@ -39,6 +39,7 @@ class Making {
       const std::size_t first = m_.beams.size();
       for (const Index node : nodes) add_weld(card, part, node, ids_of_nodes);
       add_tie(card, part);
+      add_to_sections(card, part);
       if (!nodes.empty()) report(card, m_.parts[part], first, ids_of_nodes);
     }
   }
@@ -52,6 +53,7 @@ class Making {
   Index add_node(Index location);
   Index closest_part(const std::vector<Index>& parts, const Vec3d& x) const;
   void add_tie(const InterpolationSpotweld& card, Index part);
+  void add_to_sections(const InterpolationSpotweld& card, Index part);
   void report(const InterpolationSpotweld& card, const Part& part, std::size_t first, bool ids_of_nodes) const;
 
   Model& m_;
@@ -137,6 +139,16 @@ void Making::add_tie(const InterpolationSpotweld& card, Index part) {
   tie.thickness_a = -card.thickness / share_of_tolerance;
   tie.place = card.place;
   m_.contacts.push_back(std::move(tie));
+}
+
+/// A plane that cuts parts of both sheets cuts the welds between them, whose part no PSID can name.
+void Making::add_to_sections(const InterpolationSpotweld& card, Index part) {
+  for (CrossSection& section : m_.requests.cross_sections) {
+    const auto cuts = [&section](const std::vector<Index>& sheet) {
+      return std::ranges::find_first_of(section.parts, sheet) != section.parts.end();
+    };
+    if (section.plane && cuts(card.sheet[0]) && cuts(card.sheet[1])) section.parts.push_back(part);
+  }
 }
 
 void Making::report(const InterpolationSpotweld& card, const Part& part, std::size_t first, bool ids_of_nodes) const {

@@ -50,7 +50,7 @@ struct Remark {
 struct Report {
   std::vector<double> values;  ///< one a check, in the order of checks(); NaN where there is none
   std::size_t spot = 0;        ///< the first weld of the stack that it belongs to: welds above each other are one spot
-  std::vector<Index> stack;    ///< parts that the stack of welds joins that this one belongs to, ascending
+  std::vector<Index> stack;    ///< parts of the sheets that its stack of welds joins, ascending, once a layer
   MassScalingCost cost;
   std::vector<Remark> remarks;
 };

@@ -147,6 +147,26 @@ model::Law softened(const model::Law& law, const Softening& by) {
   return soft;
 }
 
+/// Discrete beams between sheets have no heat of their own: what LS-DYNA takes them for in a zone is not documented,
+/// and self-piercing rivets are cold.
+static void report_connectors_in(const Ties& ties, const Zone& zone, Findings& findings) {
+  int count = 0;
+  const Weld* first = nullptr;
+  for (const Weld& weld : ties.welds) {
+    const auto on_zone = [&](Index sheet) { return sheet != none && in(zone.parts, sheet); };
+    if (weld.deleted || !weld.interpolated || weld.self_piercing) continue;
+    if (!on_zone(weld.sheets[0]) && !on_zone(weld.sheets[1])) continue;
+    if (count++ == 0) first = &weld;
+  }
+  if (count > 0)
+    findings.warning(
+        zone.place, "*DEFINE_HAZ_PROPERTIES",
+        fmt::format("zone {} is not softened around {} interpolation spot weld{}, first {}: it has curves "
+                    "for beams, bricks, rigid welds and seams alone",
+                    zone.id, count, count == 1 ? "" : "s", first->id),
+        "write them as beams or bricks of *MAT_SPOTWELD, or name the softened shells as parts of their own");
+}
+
 void note_heat_zones(const model::Model& model, const Ties& ties, Findings& findings) {
   const std::vector<Softening> all = softening(model, ties);
   std::map<Index, const Zone*> zone_of;
@@ -157,6 +177,7 @@ void note_heat_zones(const model::Model& model, const Ties& ties, Findings& find
                          fmt::format("part {} is of zone {} already: this one holds for it", model.parts[part].id,
                                      std::exchange(before->second, &zone)->id),
                          "name each part in one zone");
+    report_connectors_in(ties, zone, findings);
     int count = 0;
     Softening least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     for (std::size_t e = 0; e < model.shells.size(); ++e) {

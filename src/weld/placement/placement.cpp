@@ -16,6 +16,15 @@ namespace {
 
 constexpr std::size_t fewest = 2, most = 4;
 
+/// As for the ends of a weld beam (docs/decisions/0154), but that nothing is drawn yet.
+bool on_two_layers(const SpotSheet& a, const SpotSheet& b) {
+  static const double steep = std::cos(30.0 * std::numbers::pi / 180.0);
+  const Vec3d line = b.point - a.point;
+  const double apart = norm(line);
+  const auto runs_across = [&](const Vec3d& normal) { return std::abs(dot(normal, line)) >= steep * apart; };
+  return apart >= 0.25 * (a.thickness + b.thickness) && runs_across(a.normal) && runs_across(b.normal);
+}
+
 std::string name_point(const SpotPoint& p) {
   return fmt::format("the point ({:.6g}, {:.6g}, {:.6g})", p.x.x, p.x.y, p.x.z);
 }
@@ -81,8 +90,13 @@ class Placing {
         return warn(point, fmt::format("part {} {}", id, part == none ? "is not in the model" : "has no shells"),
                     "correct the part id");
       const std::vector<SpotSheet> all = sheets_.around(point.x, options_.search_distance);
-      const auto own = std::find_if(all.begin(), all.end(), [part](const SpotSheet& s) { return s.part == part; });
+      // A part that is named again is meant with its next layer.
+      auto before = std::count_if(sheets.begin(), sheets.end(), [part](const SpotSheet& s) { return s.part == part; });
+      const auto own =
+          std::find_if(all.begin(), all.end(), [&](const SpotSheet& s) { return s.part == part && before-- == 0; });
       if (own == all.end()) {
+        if (own == all.end() && !sheets.empty() && sheets.back().part == part)
+          return warn(point, fmt::format("part {} has no further layer there", id), "name it once a layer");
         std::vector<Index> others;
         for (Index p = 0; p < static_cast<Index>(model_.parts.size()); ++p)
           if (p != part) others.push_back(p);
@@ -104,16 +118,14 @@ class Placing {
     std::vector<SpotSheet> sheets = sheets_.around(point.x, options_.search_distance);
     if (sheets.empty()) return too_few(point, {});
     const auto distance = [&](const SpotSheet& s) { return norm(s.point - point.x); };
-    const SpotSheet first =
-        *std::min_element(sheets.begin(), sheets.end(),
-                          [&](const SpotSheet& a, const SpotSheet& b) { return distance(a) < distance(b); });
+    const auto closer = [&](const SpotSheet& a, const SpotSheet& b) { return distance(a) < distance(b); };
+    const SpotSheet first = *std::min_element(sheets.begin(), sheets.end(), closer);
     std::erase_if(sheets, [&](const SpotSheet& s) { return std::abs(dot(s.normal, first.normal)) < parallel; });
     sort_along(sheets, point.x, first.normal);
     const auto apart = [&](std::size_t i) {
       return dot(sheets[i].point - sheets[i - 1].point, first.normal) > sheets[i].thickness + sheets[i - 1].thickness;
     };
-    std::size_t begin = 0;
-    while (sheets[begin].part != first.part) ++begin;
+    auto begin = static_cast<std::size_t>(std::min_element(sheets.begin(), sheets.end(), closer) - sheets.begin());
     std::size_t end = begin + 1;
     while (begin > 0 && !apart(begin)) --begin;
     while (end < sheets.size() && !apart(end)) ++end;
@@ -142,7 +154,7 @@ class Placing {
     Vec3d middle;
     for (const SpotSheet& s : stack) middle += (1.0 / static_cast<double>(stack.size())) * s.point;
     for (SpotSheet& s : stack)
-      if (const auto foot = sheets_.closest(middle, s.part, 2.0 * norm(s.point - middle) + s.thickness)) s = *foot;
+      if (const auto foot = sheets_.closest_of_layer(middle, s, 2.0 * norm(s.point - middle) + s.thickness)) s = *foot;
     return stack;
   }
 
@@ -192,28 +204,45 @@ SpotSheet Sheets::sheet(Index shell, const Foot& foot) const {
           longer_way(x, model_.shells.triangle(shell))};
 }
 
-std::optional<SpotSheet> Sheets::closest(const Vec3d& x, Index part, double bound) const {
-  const BoxTree::Nearest nearest = tree_.nearest(
-      x, bound, [&](int e) { return model_.shells.part[e] == part ? foot(e, x).distance : Box::infinity; });
+std::optional<SpotSheet> Sheets::at(const BoxTree::Nearest& nearest, const Vec3d& x) const {
   if (nearest.item < 0) return std::nullopt;
   const Foot at = foot(nearest.item, x);
   if (!at.over) return std::nullopt;
   return sheet(nearest.item, at);
 }
 
+std::optional<SpotSheet> Sheets::closest(const Vec3d& x, Index part, double bound) const {
+  const auto distance = [&](int e) { return model_.shells.part[e] == part ? foot(e, x).distance : Box::infinity; };
+  return at(tree_.nearest(x, bound, distance), x);
+}
+
+std::optional<SpotSheet> Sheets::closest_of_layer(const Vec3d& x, const SpotSheet& place, double bound) const {
+  const auto distance = [&](int e) {
+    if (model_.shells.part[e] != place.part) return Box::infinity;
+    const Foot own = foot(e, x);
+    return on_two_layers(place, sheet(e, own)) ? Box::infinity : own.distance;
+  };
+  return at(tree_.nearest(x, bound, distance), x);
+}
+
 std::vector<SpotSheet> Sheets::around(const Vec3d& x, double search_distance) const {
-  std::map<Index, std::pair<double, Index>> best;  // of each part: distance and shell
+  std::map<Index, std::vector<std::pair<double, Index>>> of_parts;  // distance and shell
   tree_.overlapping(Box{x, x}.grown(search_distance > 0.0 ? search_distance : 3.0 * thickest_), [&](int e) {
     const double bound = search_distance > 0.0 ? search_distance : 3.0 * model_.shells.thickness[e];
     const Foot at = foot(e, x);
-    if (!at.over || at.gap > bound) return;
-    const std::pair<double, Index> own{at.gap, e};
-    const auto [place, fresh] = best.try_emplace(model_.shells.part[e], own);
-    if (!fresh) place->second = std::min(place->second, own);
+    if (at.over && at.gap <= bound) of_parts[model_.shells.part[e]].emplace_back(at.gap, e);
   });
   std::vector<SpotSheet> sheets;
-  sheets.reserve(best.size());
-  for (const auto& [part, own] : best) sheets.push_back(sheet(own.second, foot(own.second, x)));
+  for (auto& [part, shells] : of_parts) {
+    std::sort(shells.begin(), shells.end());
+    const std::size_t first = sheets.size();
+    for (const auto& [gap, shell] : shells) {
+      const SpotSheet found = sheet(shell, foot(shell, x));
+      const bool new_layer = std::all_of(sheets.begin() + static_cast<std::ptrdiff_t>(first), sheets.end(),
+                                         [&](const SpotSheet& known) { return on_two_layers(known, found); });
+      if (new_layer) sheets.push_back(found);
+    }
+  }
   return sheets;
 }
 

@@ -37,8 +37,11 @@ class Sheets {
 
   /// The closest point of a part's shells within `bound`; nothing where the part ends before it.
   std::optional<SpotSheet> closest(const Vec3d& x, Index part, double bound) const;
-  /// Of each part the closest point below or above `x` within `search_distance` of it (0: three thicknesses of the
-  /// sheet).
+  /// The same of the layer that a place on it is on, where `x` is above or below that place.
+  std::optional<SpotSheet> closest_of_layer(const Vec3d& x, const SpotSheet& place, double bound) const;
+  /// Of each layer of each part the closest point below or above `x` within `search_distance` of it (0: three
+  /// thicknesses of the sheet), by part, the closest first. Two points of one part are on two layers where they are
+  /// half the mean thickness apart and more, and the line between them is within 30 degrees of the normals of both.
   std::vector<SpotSheet> around(const Vec3d& x, double search_distance) const;
   struct Near {
     Index part = none;  ///< none: there is no sheet at all
@@ -51,6 +54,7 @@ class Sheets {
   Foot foot(Index shell, const Vec3d& x) const;
   SpotSheet sheet(Index shell, const Foot& foot) const;
   Corners corners(Index shell) const;
+  std::optional<SpotSheet> at(const BoxTree::Nearest& nearest, const Vec3d& x) const;
 
   const model::Model& model_;
   double thickest_ = 0.0;

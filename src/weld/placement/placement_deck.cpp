@@ -139,6 +139,15 @@ class PlacementWriter {
 
   void add_locations(const Spot& spot) {
     const std::string diameter = fmt::format("{:.5g}", spot.diameter);
+    const auto alike = [](const SpotSheet& a, const SpotSheet& b) { return a.part == b.part; };
+    if (const auto layers = std::ranges::adjacent_find(spot.sheets, alike); layers != spot.sheets.end()) {
+      findings_.warning(spot.from->place, {},
+                        fmt::format("two layers of part {} are no two sheets for "
+                                    "*CONSTRAINED_INTERPOLATION_SPOTWELD; not placed",
+                                    model_.parts[layers->part].id),
+                        "use --as beam, or give the layers parts of their own");
+      return;
+    }
     for (std::size_t i = 1; i < spot.sheets.size(); ++i) {
       const SpotSheet &below = spot.sheets[i - 1], &above = spot.sheets[i];
       const int first = model_.parts[below.part].id, second = model_.parts[above.part].id;

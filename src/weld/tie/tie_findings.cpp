@@ -11,7 +11,7 @@
 
 #include "kernel/law/cohesive_bond.hpp"
 #include "model/bond.hpp"
-#include "weld/tie/cut_welds.hpp"
+#include "weld/tie/inferred_welds.hpp"
 #include "weld/tie/welds.hpp"
 
 namespace nugget::weld {
@@ -315,6 +315,13 @@ void report_untied_welds(const model::Model& model, const std::vector<const Weld
         "the warnings on the welds say why; free ends carry no load and may fly off: SPOTSTP = 2 deletes such welds");
 }
 
+/// What is only taken for a weld, as its part or its material is missing, and is held by nothing: no word on its ends
+/// helps before the deck has that part.
+bool may_be_none(const model::Model& model, const Weld& weld) {
+  return is_inferred(model, weld) &&
+         std::none_of(weld.ends.begin(), weld.ends.end(), [](const Projection& p) { return p.tied; });
+}
+
 bool untracked(const Projection& p) {
   return p.projection_case == 0 && !p.tied;
 }
@@ -325,7 +332,7 @@ void report_untracked_welds(const model::Model& model, const Ties& ties, Finding
   std::size_t count = 0;
   std::map<Index, std::vector<const Weld*>> by_part;
   for (const Weld& weld : ties.welds) {
-    if (std::none_of(weld.ends.begin(), weld.ends.end(), untracked)) continue;
+    if (std::none_of(weld.ends.begin(), weld.ends.end(), untracked) || may_be_none(model, weld)) continue;
     by_part[weld.part].push_back(&weld);
     ++count;
   }
@@ -520,6 +527,7 @@ static void refuse_beam_without_length(const Weld& weld, Findings& findings) {
 void report_welds(const model::Model& model, const Ties& ties, Findings& findings) {
   std::vector<const Weld*> untied;
   for (const Weld& weld : ties.welds) {
+    if (may_be_none(model, weld)) continue;
     for (const Projection& p : weld.ends) report_end(model, weld, p, findings);
     refuse_beam_without_length(weld, findings);
     const auto tracked = [](const Projection& p) { return p.projection_case != 0; };
@@ -528,7 +536,6 @@ void report_welds(const model::Model& model, const Ties& ties, Findings& finding
   report_untracked_welds(model, ties, findings);
   report_untied_welds(model, untied, findings);
   note_distances(model, ties, findings);
-  report_cut_welds(model, ties, findings);
 }
 
 }  // namespace nugget::weld

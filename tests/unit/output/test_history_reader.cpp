@@ -12,6 +12,7 @@
 #include "output/glstat.hpp"
 #include "output/jntforc.hpp"
 #include "output/matsum.hpp"
+#include "output/ncforc.hpp"
 #include "output/nodout.hpp"
 #include "output/rbdout.hpp"
 #include "output/rcforc.hpp"
@@ -147,6 +148,19 @@ TEST(HistoryReader, FilesOfForces) {
   EXPECT_EQ(value(of_contacts, "contact 12345 reference side", "y_force", 0), 2.0);
   after.time = 0.5;
   expect_both_alike(rcforc(), "rcforc", std::vector{contacts, after});
+  NcforcState by_node{
+      0.25,
+      {{7, ContactSide::tracked, {{12, {1, 2, -3}, 40.0, {10, 20, 30}}, {101, {-1, 0, 0.5}, 0.0, {0, 0, 1}}}},
+       {7, ContactSide::reference, {{12, {0, -2, -3.5}, 8.0, {1, 1, 1}}}},
+       {12345678, ContactSide::tracked, {{3, {4, 5, 6}, 7.0, {8, 9, 10}}}}}};
+  NcforcState later_by_node = by_node;
+  later_by_node.time = 0.5;
+  const HistoryRecord of_nodes =
+      expect_both_alike(ncforc(by_node.sides), "ncforc", std::vector{by_node, later_by_node});
+  EXPECT_EQ(value(of_nodes, "contact 7 tracked side node 12", "z_force", 1), -3.0);
+  EXPECT_EQ(value(of_nodes, "contact 7 tracked side node 12", "y", 0), 20.0);
+  EXPECT_EQ(value(of_nodes, "contact 7 reference side node 12", "pressure", 0), 8.0);
+  EXPECT_EQ(value(of_nodes, "contact 12345678 tracked side node 3", "x_force", 1), 4.0);
   const SecforcState sections{0.5,
                               {{7, {300, -400, 0}, {1, 2, 2}, {10, 20, 30}, 150.0, SectionAxes::global, 0},
                                {9, {0, 0, -6}, {0, 3, 4}, {1, 2, 3}, 2.0, SectionAxes::system, 33377}}};

@@ -41,8 +41,9 @@ TEST(LayersOfOnePart, ABeamBetweenThemIsTiedAtBothEnds) {
   EXPECT_NEAR(weld.length, 1.0, 1e-12);
   EXPECT_EQ(a.findings.warnings(), 0) << text(a.findings);
   Findings of_audit;
-  audit(a.model, ties, of_audit);
+  const std::vector<Report> reports = audit(a.model, ties, of_audit);
   EXPECT_THAT(text(of_audit), Not(HasSubstr("both ends on")));
+  EXPECT_EQ(reports.at(0).stack, (std::vector<Index>{a.both, a.both}));
 }
 
 // The same with its sheets named, and with the node of one end in a shell. Sabotage: an end that is held already says
@@ -70,6 +71,10 @@ TEST(LayersOfOnePart, TheCloserLayerComesBeforeAnotherPart) {
   EXPECT_EQ(ties.welds.at(1).sheets, (std::array<Index, 2>{a.both, top}));
   EXPECT_NEAR(ties.welds[0].length, 1.0, 1e-12);
   EXPECT_NEAR(ties.welds[1].length, 1.0, 1e-12);
+  // Its sheets. Sabotage: a part once; an end twice where two welds meet.
+  const std::vector<Report> reports = audit(a.model, ties, a.findings);
+  EXPECT_EQ(reports.at(0).stack, (std::vector<Index>{a.both, a.both, top}));
+  EXPECT_EQ(reports.at(1).spot, 0u);
 }
 
 // Both ends over one layer, along it and over a wall beside it: no two sheets. Sabotage: any two places apart are.

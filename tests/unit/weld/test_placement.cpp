@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -72,6 +73,36 @@ TEST(Placement, NamedPartsAreTakenAndNoOthers) {
               HasSubstr("points.csv:7: warning: the point (12, 20, 1): part 4 is 11 away; not placed"));
   EXPECT_EQ(Placed(a, {at(12, 20, 1.0, {1, 4})}, {20.0, 0.0}).spots.size(), 1u) << "a reach of 20 holds it";
   EXPECT_THAT(text(Placed(a, {at(12, 20, 1.0, {1, 9})}).findings), HasSubstr("part 9 is not in the model"));
+}
+
+// Two layers of part 1 that touch, and a sheet of another part on them. Shells beside each other are of one layer,
+// also where the point is over the side between them. Sabotage: the best place of each part.
+TEST(Placement, TwoLayersOfOnePartAreTwoSheets) {
+  Assembly a;
+  const Index both = a.sheet(1.0, {0, 0, 0}, 6, 6, 8.0);
+  std::ranges::replace(a.model.shells.part, a.sheet(1.0, {0, 0, 1.0}, 6, 6, 8.0), both);
+  const Index other = a.sheet(1.0, {0, 0, 2.0}, 3, 6, 8.0);
+  for (const double y : {16.0, 20.0}) {
+    for (const double z : {-0.3, 0.4, 1.2}) {
+      const Placed two(a, {at(36, y, z)});
+      ASSERT_EQ(two.spots.size(), 1u) << text(two.findings);
+      ASSERT_EQ(two.spots[0].sheets.size(), 2u) << y << ' ' << z;
+      for (const std::size_t k : {0u, 1u}) {
+        EXPECT_EQ(two.spots[0].sheets[k].part, both);
+        EXPECT_NEAR(two.spots[0].sheets[k].point.z, static_cast<double>(k), 1e-12);
+      }
+    }
+    const Placed three(a, {at(12, y, 0.9)});
+    ASSERT_EQ(three.spots[0].sheets.size(), 3u);
+    for (const std::size_t k : {0u, 1u, 2u})
+      EXPECT_NEAR(three.spots[0].sheets[k].point.z, static_cast<double>(k), 1e-12);
+    EXPECT_EQ(three.spots[0].sheets[2].part, other);
+  }
+  const int id = a.model.parts[both].id;
+  EXPECT_EQ(Placed(a, {at(12, 20, 0.4, {id, id})}).spots[0].sheets.size(), 2u);
+  const Placed thrice(a, {at(12, 20, 0.4, {id, id, id})});
+  EXPECT_TRUE(thrice.spots.empty());
+  EXPECT_THAT(text(thrice.findings), HasSubstr("has no further layer there"));
 }
 
 TEST(Placement, TooFewSheetsAreToldWithDistances) {

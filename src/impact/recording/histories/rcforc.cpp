@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/rcforc.hpp"
 
-#include <algorithm>
-
+#include "impact/recording/contact_sides.hpp"
 #include "impact/recording/histories.hpp"
 
 namespace nugget::impact {
 namespace {
-
-/// Marks the system's nodes of a surface.
-std::vector<unsigned char> nodes_of(const system::System& system, const model::Surface& surface) {
-  const model::Model& model = system.model;
-  std::vector<unsigned char> marked(system.nodes, surface.everything ? 1 : 0), in(model.parts.size(), 0);
-  const auto mark = [&](model::Index n) { marked[system.node_of[n]] = 1; };
-  for (model::Index p : surface.parts) in[p] = 1;
-  for (std::size_t e = 0; e < model.shells.size(); ++e)
-    if (in[model.shells.part[e]]) std::for_each(model.shells.node[e].begin(), model.shells.node[e].end(), mark);
-  for (std::size_t e = 0; e < model.solids.size(); ++e)
-    if (in[model.solids.part[e]]) std::ranges::for_each(model.solids.nodes(e), mark);
-  for (std::size_t e = 0; e < model.beams.size(); ++e)
-    if (in[model.beams.part[e]]) std::for_each(model.beams.node[e].begin(), model.beams.node[e].begin() + 2, mark);
-  for (const model::Segment& s : surface.segments) std::for_each(s.begin(), s.end(), mark);
-  std::for_each(surface.nodes.begin(), surface.nodes.end(), mark);
-  return marked;
-}
 
 output::RcforcState rcforc_state(const Snapshot& now) {
   output::RcforcState s;
