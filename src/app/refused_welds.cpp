@@ -156,10 +156,10 @@ weld::Ties without_doubtful_welds(const model::Model& model, const weld::Ties& t
   };
   const bool speaks_of_welds = something_is_missing || !model.weld_laws.empty() ||
                                std::ranges::any_of(model.contacts, [](const model::Contact& c) { return c.tie(); });
-  weld::Ties told;
-  std::ranges::copy_if(ties.welds, std::back_inserter(told.welds), is_sure);
-  if (told.welds.empty() && speaks_of_welds) told.welds = ties.welds;
-  return told;
+  weld::Ties sure;
+  std::ranges::copy_if(ties.welds, std::back_inserter(sure.welds), is_sure);
+  if (sure.welds.empty() && speaks_of_welds) sure.welds = ties.welds;
+  return sure;
 }
 
 }  // namespace
