@@ -234,6 +234,15 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
   share_out(block, work.shares);
 }
 
+/// By how much more than the contact distance pairs of a node reach: one that became softer has an overlap with a
+/// force there [length].
+double SurfaceContact::reach_ahead(Candidates candidates) {
+  double ahead = 0.0;
+  for (const Candidate& c : candidates)
+    if (c.before.pressed()) ahead = std::max(ahead, -c.before.offset);
+  return ahead;
+}
+
 void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked, const Step& step) const {
   const int node = nodes_[tracked].node;
   if (block.depth_of(tracked) > 0.0) {
@@ -243,14 +252,9 @@ void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked
   }
   if (step.dt > 0.0 && std::ranges::any_of(candidates, [](const Candidate& c) { return c.gap < 0.0; }))
     drop_stray_candidates(candidates, node, step);
-  double ahead = 0.0;  // a pair that became softer reaches beyond the contact distance
-  bool matters = false;
-  for (const Candidate& c : candidates) {
-    const bool pressed = c.before.pressed();
-    if (pressed) ahead = std::max(ahead, -c.before.offset);
-    matters = matters || pressed || c.gap < c.contact_distance;
-  }
-  if (!matters) return;
+  const double ahead = reach_ahead(candidates);
+  const auto may_press = [](const Candidate& c) { return c.before.pressed() || c.gap < c.contact_distance; };
+  if (std::ranges::none_of(candidates, may_press)) return;
   const auto close = [&](const Candidate& c) {
     if (c.gap < c.contact_distance || ahead == 0.0) return c.gap < c.contact_distance;
     const Candidate* from = c.before.pressed() ? &c : predecessor(candidates, c);
@@ -352,13 +356,16 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
         fill(work.candidates[filled], block, block.pairs[one.pair], work, at(one.turn), tracked, step);
       }
     };
+    const auto others_matter_now = [&] {
+      const Candidates known = std::span(work.candidates).first(filled);
+      return work.others_matter(*this, block, known, reach_ahead(known), count, tracked, step);
+    };
     using Resting = Work::Resting;
     const bool known = !inside && all_exposed;
     const Resting rests = known ? work.rest(*this, block, count, touching, tracked, step) : Resting::unknown;
     if (rests == Resting::yes) return {};
     if (!inside && rests != Resting::others_matter) fill_those(work.touching, touching);
-    if (filled == 0 || (rests == Resting::unknown && touching < count &&
-                        others_matter(std::span(work.candidates).first(filled), block, work, count, tracked, step)))
+    if (filled == 0 || (rests == Resting::unknown && touching < count && others_matter_now()))
       fill_those(work.close, count);
   }
   for (std::size_t k = 0; k < touching; ++k) block.release(block.pairs[work.awake.pairs[work.touching[k]].pair]);
@@ -380,16 +387,9 @@ void SurfaceContact::fill(Candidate& c, const Block& block, Pair& pair, const Wo
   work.feet[turn / Work::width].put(static_cast<int>(turn % Work::width), c.foot);
   c.contact_distance = contact_distance(tracked, segment);
   c.gap = c.foot.distance;
-  c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
+  c.away = Work::way_out(face, c.foot, p - c.foot.point, c.before.side);
   c.extended = c.to_an_edge = c.over_an_edge = c.came_through = false;
   c.came_from = 0.0;
-  if (c.before.touching && c.before.side != 0) {
-    const Vec3d out = static_cast<double>(c.before.side) * c.foot.normal;
-    if (c.foot.boundary == 0)
-      c.away = out;
-    else if (face.inner == 0.0 && dot(c.away, out) <= -side_change_cosine)
-      c.away = -c.away;
-  }
   if (face.inner > 0.0) measure_inside_brick(c, face.inner, p, step);
 }
 
@@ -457,35 +457,23 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
     if (side == 0) side = 1;
   } else if (candidate.gap < 0.0) {
     side = 1;
-  } else if (candidate.foot.boundary == 0) {
-    if (side == 0) {
-      const bool from_behind = dot(r - step.dt * velocity(), candidate.foot.normal) < 0.0;
-      side = from_behind && segment.inner == 0.0 ? -1 : 1;  // a brick holds nothing inside
-    }
-    direction = static_cast<double>(side) * candidate.foot.normal;
   } else {
-    if (side == 0)
-      side = side_over_edge(candidate.segment, candidate.foot.normal, candidate.foot.boundary, r - step.dt * velocity(),
-                            step);
-    const double up = side * dot(direction, candidate.foot.normal);
-    if (segment.inner == 0.0 && up <= -side_change_cosine)
-      direction = -direction;  // it came through
-    else if (up < side_change_cosine)
-      side = 0;  // beyond an edge lies the other face of a free edge, the next one of a fold
+    const auto [now, its_side] =
+        Work::stand(*this, candidate.segment, candidate.foot, r, candidate.away, side, velocity, step);
+    direction = now;
+    side = its_side;
   }
   const double overlap = candidate.contact_distance - (candidate.over_an_edge ? candidate.gap : dot(r, direction));
   if (too_deep(overlap, candidate.segment)) return;
 
-  // An offset goes with the node over the edges of the surface. What the motion of this step cannot have made was there
-  // before, or comes from a change of the surface or of the foot (of a segment that is folded up there are several),
-  // and is an offset too.
+  // An offset goes with the node over the edges of the surface.
   const Touch* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
   const bool inside =
       candidate.gap < 0.0 || candidate.over_an_edge || (candidate.foot.boundary == 0 && dot(r, direction) < 0.0);
-  double offset = before != nullptr ? before->offset
-                                    : std::max(0.0, overlap - step.dt * std::max(0.0, -dot(velocity(), direction)));
-  if (before != nullptr && overlap - before->depth > offset)
-    offset = std::max(offset, overlap - before->depth - step.dt * norm(velocity()));
+  const double offset =
+      before != nullptr
+          ? Work::offset_of(*before, overlap, velocity, step.dt)
+          : std::min(std::max(0.0, overlap - step.dt * std::max(0.0, -dot(velocity(), direction))), overlap);
 
   Touch& pair = block.touch(*candidate.pair);
   if (before != nullptr) pair.memory = before->memory;
@@ -495,7 +483,7 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   pair.eta = candidate.foot.eta;
   pair.inside = inside;
   pair.side = static_cast<signed char>(side);
-  pair.offset = std::min(offset, overlap);
+  pair.offset = offset;
   pair.depth = overlap - pair.offset;
   if (!(pair.depth > 0.0) && !(pair.memory.force > 0.0) && !(pair.memory.stiffness > 0.0)) {
     pair.memory = {};  // as pair_force() would leave it: no force was, and none is

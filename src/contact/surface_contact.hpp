@@ -438,8 +438,7 @@ class SurfaceContact {
   void check_node(Block& block, Candidates candidates, int tracked, const Step& step) const;
   Candidates gather_candidates(Block& block, Work& work, const Awake::Node& node, std::size_t first,
                                const Step& step) const;
-  bool others_matter(Candidates touching, const Block& block, const Work& work, std::size_t count, int tracked,
-                     const Step& step) const;
+  static double reach_ahead(Candidates candidates);
   void fill(Candidate& candidate, const Block& block, Pair& pair, const Work& work, std::size_t turn, int tracked,
             const Step& step) const;
   double reach(const Block& block, int tracked, int segment) const {
