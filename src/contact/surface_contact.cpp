@@ -220,6 +220,7 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
   block.energies.springs = 0.0;
   if (work.awake.nodes.empty()) return;
   project(block, work, step);
+  let_hidden_sleep(block, work, step);
   std::size_t first = 0;
   for (std::size_t n = 0; n < work.awake.nodes.size(); ++n) {
     const Awake::Node& node = work.awake.nodes[n];
@@ -228,6 +229,7 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
     const Candidates candidates = gather_candidates(block, work, node, first, step);
     if (!candidates.empty() || block.depth_of(node.tracked) > 0.0) check_node(block, candidates, node.tracked, step);
     first = node.end;
+    if (node.touching > 0 && block.depth_of(node.tracked) > 0.0) wake_all(block, node.tracked);
   }
   block.asleep_until = *std::min_element(block.next_check_travel.begin(), block.next_check_travel.end());
   sum_up(block);
@@ -285,7 +287,7 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   const double thickness = nodes_[tracked].thickness;
   const bool all_exposed = step.element_alive.empty() && !covers_;
   // Closer than that a pair of shells is close, whatever else there is to know of it.
-  const double close_by = all_exposed && !(deep > 0.0) ? Work::surely_close * widest : -1.0;
+  const double close_by = deep > 0.0 ? -1.0 : Work::surely_close * widest;
   double first_check_travel = node.asleep_until;
   if (work.close.size() < node.end - first) {
     work.close.resize(node.end - first);
@@ -301,8 +303,17 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   const double travelled = travelled_;
   for (std::size_t i = first; i < node.end; ++i) {
     const Awake::One one = ones[i];
+    if (one.turn < 0) {
+      first_check_travel = std::min(first_check_travel, pairs[one.pair].next_check_travel);
+      continue;
+    }
     Pair& pair = pairs[one.pair];
     const Face& face = faces[pair.segment];
+    if (!all_exposed && !is_exposed(face, step.element_alive)) {
+      if (block.pressed(pair)) block.energies.deleted += block.touch_of(pair)->held();
+      block.release(pair);
+      continue;
+    }
     const std::size_t batch = at(one.turn) / Work::width, l = at(one.turn) % Work::width;
     const Work::Found& found = all_found[batch];
     double distance = found.distance[l];
@@ -311,11 +322,6 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
       pair.eta = found.eta[l];
       first_check_travel = std::min(first_check_travel, travelled);
     } else {
-      if (!all_exposed && !is_exposed(face, step.element_alive)) {
-        if (block.pressed(pair)) block.energies.deleted += block.touch_of(pair)->held();
-        block.release(pair);
-        continue;
-      }
       const double far = widest + (face.inner + deep);
       const bool pressed = block.pressed(pair);
       const bool triangle = face.triangle();
@@ -347,6 +353,7 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
     matters = matters || block.pressed(pair);
   }
   block.next_check_travel[tracked - block.begin] = first_check_travel;
+  work.touching_count = touching;
   std::size_t filled = 0;
   if (matters) {
     if (work.candidates.size() < count) work.candidates.resize(count);
@@ -361,8 +368,8 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
       return work.others_matter(*this, block, known, reach_ahead(known), count, tracked, step);
     };
     using Resting = Work::Resting;
-    const bool known = !inside && all_exposed;
-    const Resting rests = known ? work.rest(*this, block, count, touching, tracked, step) : Resting::unknown;
+    const bool known = !inside && node_alive(nodes_[tracked].node, step.element_alive);
+    const Resting rests = known ? work.rest(*this, block, count, tracked, step) : Resting::unknown;
     if (rests == Resting::yes) return {};
     if (!inside && rests != Resting::others_matter) fill_those(work.touching, touching);
     if (filled == 0 || (rests == Resting::unknown && touching < count && others_matter_now()))

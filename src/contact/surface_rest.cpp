@@ -2,6 +2,7 @@
 // Nodes that touch and are not pressed: most of those in a flange, in most cycles.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/index.hpp"
 #include "contact/surface_contact.hpp"
@@ -40,29 +41,28 @@ bool SurfaceContact::Work::stays(const SurfaceContact& contact, Rest& rest, cons
   return !(rest.depth > 0.0);
 }
 
-/// Looks at a node of whose close pairs, `count`, of shells all, some touched in the cycle before (`touching_count`)
+/// Looks at a node of whose close pairs, `count`, of shells all, some touched in the cycle before (touching_count)
 /// and none was pressed. Where none is pressed now either, and the others do not matter (others_matter()), they
-/// remember here what press() would have them remember. No element is deleted.
+/// remember here what press() would have them remember.
 SurfaceContact::Work::Resting SurfaceContact::Work::rest(const SurfaceContact& contact, Block& block, std::size_t count,
-                                                         std::size_t touching_count, int tracked,
-                                                         const Step& step) const {
+                                                         int tracked, const Step& step) {
   if (touching_count == 0 || touching_count > most_at_rest) return Resting::unknown;
-  std::array<Rest, most_at_rest> all;
   for (std::size_t k = 0; k < touching_count; ++k) {
-    all[k].pair = &block.pairs[awake.pairs[touching[k]].pair];
-    all[k].touch = &block.touches[all[k].pair->touch];
-    if (all[k].touch->pressed()) return Resting::unknown;
-    all[k].segment = static_cast<int>(all[k].pair->segment);
+    at_rest[k].pair = &block.pairs[awake.pairs[touching[k]].pair];
+    at_rest[k].touch = &block.touches[at_rest[k].pair->touch];
+    if (at_rest[k].touch->pressed()) return Resting::unknown;
+    at_rest[k].segment = static_cast<int>(at_rest[k].pair->segment);
   }
   // Of two that are one stretch of surface the one may hide the other.
-  if (touching_count > 1 && shared_corners(contact.faces_[all[0].segment], contact.faces_[all[1].segment]) != 0)
+  if (touching_count > 1 && shared_corners(contact.faces_[at_rest[0].segment], contact.faces_[at_rest[1].segment]) != 0)
     return Resting::unknown;
-  for (std::size_t k = 0; k < touching_count; ++k) find_foot(all[k], contact, awake.pairs[touching[k]], tracked, step);
-  const std::span<const Rest> rests = std::span(all).first(touching_count);
+  for (std::size_t k = 0; k < touching_count; ++k)
+    find_foot(at_rest[k], contact, awake.pairs[touching[k]], tracked, step);
+  const std::span<const Rest> rests = std::span(std::as_const(at_rest)).first(touching_count);
   if (touching_count < count && others_matter(contact, block, rests, 0.0, count, tracked, step))
     return Resting::others_matter;
   for (std::size_t k = 0; k < touching_count; ++k)
-    if (!stays(contact, all[k], step)) return Resting::may_press;
+    if (!stays(contact, at_rest[k], step)) return Resting::may_press;
   for (const Rest& one : rests) {
     if (!one.touches) {
       block.release(*one.pair);

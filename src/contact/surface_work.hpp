@@ -67,8 +67,20 @@ struct SurfaceContact::Work {
     std::array<double, width> xi, eta, distance, least;
   };
   std::vector<Found> found;
+  double close_by = 0.0;  ///< no pair of the block that is closer sleeps
+  /// A segment that a node touches hides its neighbour until the node is over that by this angle (its sine), in a
+  /// hollow: there its distances from the two are the same but for round_off. Where it is over the border itself, at
+  /// once.
+  static constexpr double hollow_tilt = 1.4e-3, border_tilt = round_off;
+  struct Hiding {
+    const Facet* face = nullptr;
+    unsigned boundary = 0;  ///< on which the foot lies
+  };
+  std::vector<Hiding> hiding;               ///< segments that a node touches
+  std::vector<int> left;                    ///< pairs that waited and are not hidden
   std::vector<int> close;                   ///< of the pairs of a node that are awake: those close enough
   std::vector<int> touching;                ///< of these, those that touched in the cycle before
+  std::size_t touching_count = 0;           ///< how many
   std::vector<Candidate> candidates;        ///< of a node, and of earlier ones
   std::vector<Pair> listed;                 ///< the new lists of a block, in a search
   std::vector<std::pair<int, Box>> around;  ///< segments near some nodes of the block, with their boxes
@@ -154,9 +166,9 @@ struct SurfaceContact::Work {
     bool touches = false, inside = false;
     double offset = 0.0, depth = 0.0;
   };
+  std::array<Rest, most_at_rest> at_rest;  ///< of a node, and of earlier ones
   enum class Resting { yes, may_press, others_matter, unknown };
-  Resting rest(const SurfaceContact& contact, Block& block, std::size_t count, std::size_t touching_count, int tracked,
-               const Step& step) const;
+  Resting rest(const SurfaceContact& contact, Block& block, std::size_t count, int tracked, const Step& step);
   void find_foot(Rest& rest, const SurfaceContact& contact, const Awake::One& one, int tracked, const Step& step) const;
   bool stays(const SurfaceContact& contact, Rest& rest, const Step& step) const;
   template <class Known>
