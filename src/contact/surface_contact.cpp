@@ -220,6 +220,7 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
   block.energies.springs = 0.0;
   if (work.awake.nodes.empty()) return;
   project(block, work, step);
+  let_hidden_sleep(block, work, step);
   std::size_t first = 0;
   for (std::size_t n = 0; n < work.awake.nodes.size(); ++n) {
     const Awake::Node& node = work.awake.nodes[n];
@@ -228,10 +229,20 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
     const Candidates candidates = gather_candidates(block, work, node, first, step);
     if (!candidates.empty() || block.depth_of(node.tracked) > 0.0) check_node(block, candidates, node.tracked, step);
     first = node.end;
+    if (node.touching > 0 && block.depth_of(node.tracked) > 0.0) wake_all(block, node.tracked);
   }
   block.asleep_until = *std::min_element(block.next_check_travel.begin(), block.next_check_travel.end());
   sum_up(block);
   share_out(block, work.shares);
+}
+
+/// By how much more than the contact distance pairs of a node reach: one that became softer has an overlap with a
+/// force there [length].
+double SurfaceContact::reach_ahead(Candidates candidates) {
+  double ahead = 0.0;
+  for (const Candidate& c : candidates)
+    if (c.before.pressed()) ahead = std::max(ahead, -c.before.offset);
+  return ahead;
 }
 
 void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked, const Step& step) const {
@@ -243,14 +254,9 @@ void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked
   }
   if (step.dt > 0.0 && std::ranges::any_of(candidates, [](const Candidate& c) { return c.gap < 0.0; }))
     drop_stray_candidates(candidates, node, step);
-  double ahead = 0.0;  // a pair that became softer reaches beyond the contact distance
-  bool matters = false;
-  for (const Candidate& c : candidates) {
-    const bool pressed = c.before.pressed();
-    if (pressed) ahead = std::max(ahead, -c.before.offset);
-    matters = matters || pressed || c.gap < c.contact_distance;
-  }
-  if (!matters) return;
+  const double ahead = reach_ahead(candidates);
+  const auto may_press = [](const Candidate& c) { return c.before.pressed() || c.gap < c.contact_distance; };
+  if (std::ranges::none_of(candidates, may_press)) return;
   const auto close = [&](const Candidate& c) {
     if (c.gap < c.contact_distance || ahead == 0.0) return c.gap < c.contact_distance;
     const Candidate* from = c.before.pressed() ? &c : predecessor(candidates, c);
@@ -281,7 +287,7 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   const double thickness = nodes_[tracked].thickness;
   const bool all_exposed = step.element_alive.empty() && !covers_;
   // Closer than that a pair of shells is close, whatever else there is to know of it.
-  const double close_by = all_exposed && !(deep > 0.0) ? Work::surely_close * widest : -1.0;
+  const double close_by = deep > 0.0 ? -1.0 : Work::surely_close * widest;
   double first_check_travel = node.asleep_until;
   if (work.close.size() < node.end - first) {
     work.close.resize(node.end - first);
@@ -297,8 +303,17 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   const double travelled = travelled_;
   for (std::size_t i = first; i < node.end; ++i) {
     const Awake::One one = ones[i];
+    if (one.turn < 0) {
+      first_check_travel = std::min(first_check_travel, pairs[one.pair].next_check_travel);
+      continue;
+    }
     Pair& pair = pairs[one.pair];
     const Face& face = faces[pair.segment];
+    if (!all_exposed && !is_exposed(face, step.element_alive)) {
+      if (block.pressed(pair)) block.energies.deleted += block.touch_of(pair)->held();
+      block.release(pair);
+      continue;
+    }
     const std::size_t batch = at(one.turn) / Work::width, l = at(one.turn) % Work::width;
     const Work::Found& found = all_found[batch];
     double distance = found.distance[l];
@@ -307,11 +322,6 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
       pair.eta = found.eta[l];
       first_check_travel = std::min(first_check_travel, travelled);
     } else {
-      if (!all_exposed && !is_exposed(face, step.element_alive)) {
-        if (block.pressed(pair)) block.energies.deleted += block.touch_of(pair)->held();
-        block.release(pair);
-        continue;
-      }
       const double far = widest + (face.inner + deep);
       const bool pressed = block.pressed(pair);
       const bool triangle = face.triangle();
@@ -343,6 +353,7 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
     matters = matters || block.pressed(pair);
   }
   block.next_check_travel[tracked - block.begin] = first_check_travel;
+  work.touching_count = touching;
   std::size_t filled = 0;
   if (matters) {
     if (work.candidates.size() < count) work.candidates.resize(count);
@@ -352,13 +363,16 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
         fill(work.candidates[filled], block, block.pairs[one.pair], work, at(one.turn), tracked, step);
       }
     };
+    const auto others_matter_now = [&] {
+      const Candidates known = std::span(work.candidates).first(filled);
+      return work.others_matter(*this, block, known, reach_ahead(known), count, tracked, step);
+    };
     using Resting = Work::Resting;
-    const bool known = !inside && all_exposed;
-    const Resting rests = known ? work.rest(*this, block, count, touching, tracked, step) : Resting::unknown;
+    const bool known = !inside && node_alive(nodes_[tracked].node, step.element_alive);
+    const Resting rests = known ? work.rest(*this, block, count, tracked, step) : Resting::unknown;
     if (rests == Resting::yes) return {};
     if (!inside && rests != Resting::others_matter) fill_those(work.touching, touching);
-    if (filled == 0 || (rests == Resting::unknown && touching < count &&
-                        others_matter(std::span(work.candidates).first(filled), block, work, count, tracked, step)))
+    if (filled == 0 || (rests == Resting::unknown && touching < count && others_matter_now()))
       fill_those(work.close, count);
   }
   for (std::size_t k = 0; k < touching; ++k) block.release(block.pairs[work.awake.pairs[work.touching[k]].pair]);
@@ -380,16 +394,9 @@ void SurfaceContact::fill(Candidate& c, const Block& block, Pair& pair, const Wo
   work.feet[turn / Work::width].put(static_cast<int>(turn % Work::width), c.foot);
   c.contact_distance = contact_distance(tracked, segment);
   c.gap = c.foot.distance;
-  c.away = c.foot.distance > 0.0 ? (1.0 / c.foot.distance) * (p - c.foot.point) : c.foot.normal;
+  c.away = Work::way_out(face, c.foot, p - c.foot.point, c.before.side);
   c.extended = c.to_an_edge = c.over_an_edge = c.came_through = false;
   c.came_from = 0.0;
-  if (c.before.touching && c.before.side != 0) {
-    const Vec3d out = static_cast<double>(c.before.side) * c.foot.normal;
-    if (c.foot.boundary == 0)
-      c.away = out;
-    else if (face.inner == 0.0 && dot(c.away, out) <= -side_change_cosine)
-      c.away = -c.away;
-  }
   if (face.inner > 0.0) measure_inside_brick(c, face.inner, p, step);
 }
 
@@ -457,35 +464,23 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
     if (side == 0) side = 1;
   } else if (candidate.gap < 0.0) {
     side = 1;
-  } else if (candidate.foot.boundary == 0) {
-    if (side == 0) {
-      const bool from_behind = dot(r - step.dt * velocity(), candidate.foot.normal) < 0.0;
-      side = from_behind && segment.inner == 0.0 ? -1 : 1;  // a brick holds nothing inside
-    }
-    direction = static_cast<double>(side) * candidate.foot.normal;
   } else {
-    if (side == 0)
-      side = side_over_edge(candidate.segment, candidate.foot.normal, candidate.foot.boundary, r - step.dt * velocity(),
-                            step);
-    const double up = side * dot(direction, candidate.foot.normal);
-    if (segment.inner == 0.0 && up <= -side_change_cosine)
-      direction = -direction;  // it came through
-    else if (up < side_change_cosine)
-      side = 0;  // beyond an edge lies the other face of a free edge, the next one of a fold
+    const auto [now, its_side] =
+        Work::stand(*this, candidate.segment, candidate.foot, r, candidate.away, side, velocity, step);
+    direction = now;
+    side = its_side;
   }
   const double overlap = candidate.contact_distance - (candidate.over_an_edge ? candidate.gap : dot(r, direction));
   if (too_deep(overlap, candidate.segment)) return;
 
-  // An offset goes with the node over the edges of the surface. What the motion of this step cannot have made was there
-  // before, or comes from a change of the surface or of the foot (of a segment that is folded up there are several),
-  // and is an offset too.
+  // An offset goes with the node over the edges of the surface.
   const Touch* before = candidate.before.touching ? &candidate.before : from != nullptr ? &from->before : nullptr;
   const bool inside =
       candidate.gap < 0.0 || candidate.over_an_edge || (candidate.foot.boundary == 0 && dot(r, direction) < 0.0);
-  double offset = before != nullptr ? before->offset
-                                    : std::max(0.0, overlap - step.dt * std::max(0.0, -dot(velocity(), direction)));
-  if (before != nullptr && overlap - before->depth > offset)
-    offset = std::max(offset, overlap - before->depth - step.dt * norm(velocity()));
+  const double offset =
+      before != nullptr
+          ? Work::offset_of(*before, overlap, velocity, step.dt)
+          : std::min(std::max(0.0, overlap - step.dt * std::max(0.0, -dot(velocity(), direction))), overlap);
 
   Touch& pair = block.touch(*candidate.pair);
   if (before != nullptr) pair.memory = before->memory;
@@ -495,7 +490,7 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   pair.eta = candidate.foot.eta;
   pair.inside = inside;
   pair.side = static_cast<signed char>(side);
-  pair.offset = std::min(offset, overlap);
+  pair.offset = offset;
   pair.depth = overlap - pair.offset;
   if (!(pair.depth > 0.0) && !(pair.memory.force > 0.0) && !(pair.memory.stiffness > 0.0)) {
     pair.memory = {};  // as pair_force() would leave it: no force was, and none is

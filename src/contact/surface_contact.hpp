@@ -143,8 +143,9 @@ std::vector<Penetration> remove_penetrations(const SurfaceContactSetup& setup, s
 ///
 /// Layout. Tracked nodes stand in blocks, which the threads take one after the other. In a cycle a block lists the
 /// pairs that are awake, projects them a register full at a time, whosever they are, and then looks at each of its
-/// nodes. The lists of pairs, the longest, hold 32 bytes a pair; what a pair that touches remembers stands apart. Of a
-/// segment one line of the cache is read. The forces are spread to the nodes by parts of these; see decision 0092.
+/// nodes. Of a node that touches most other pairs are hidden: they are not projected, see decision 0156. The lists of
+/// pairs, the longest, hold 32 bytes a pair; what a pair that touches remembers stands apart. Of a segment one line of
+/// the cache is read. The forces are spread to the nodes by parts of these; see decision 0092.
 class SurfaceContact {
  public:
   /// A node that is pressed by a segment.
@@ -300,21 +301,23 @@ class SurfaceContact {
     int hit = 0;                                 ///< of the block
     signed char corner = 0;                      ///< of the segment, or `the_node`
   };
-  /// The pairs of a block that can touch in this cycle.
+  /// The pairs of a block that can touch in this cycle. Those of a node that did not touch in the cycle before wait for
+  /// those that did, which hide most of them: see let_hidden_sleep().
   struct Awake {
     struct Node {
       int tracked = 0;
       std::size_t end = 0;        ///< of its pairs
       double asleep_until = 0.0;  ///< `next_check_travel` of the first of those that are not awake
+      std::size_t touching = 0;   ///< of its pairs those for which the others wait
     };
     struct One {
       int pair = 0;  ///< its place in the block
       int node = 0;  ///< its node
-      int turn = 0;  ///< where it stands in `order`
+      int turn = 0;  ///< where its foot stands in Work::feet; none: it waits, or is hidden
     };
     std::vector<Node> nodes;
     std::vector<One> pairs;
-    std::vector<int> order;  ///< in which they are projected: those with a foot inside first
+    std::vector<int> order;  ///< in which those that do not wait are projected: those with a foot inside first
   };
   struct Work;
   /// Shares of one part of the nodes, see NodalForces; they end where those of the next begin.
@@ -437,11 +440,13 @@ class SurfaceContact {
                         const Step& step) const;
   void wake(const Block& block, Awake& awake) const;
   void project(const Block& block, Work& work, const Step& step) const;
+  void project(const Block& block, Work& work, const std::vector<int>& order, const Step& step) const;
+  void let_hidden_sleep(Block& block, Work& work, const Step& step) const;
+  void wake_all(Block& block, int tracked) const;
   void check_node(Block& block, Candidates candidates, int tracked, const Step& step) const;
   Candidates gather_candidates(Block& block, Work& work, const Awake::Node& node, std::size_t first,
                                const Step& step) const;
-  bool others_matter(Candidates touching, const Block& block, const Work& work, std::size_t count, int tracked,
-                     const Step& step) const;
+  static double reach_ahead(Candidates candidates);
   void fill(Candidate& candidate, const Block& block, Pair& pair, const Work& work, std::size_t turn, int tracked,
             const Step& step) const;
   double reach(const Block& block, int tracked, int segment) const {

@@ -176,6 +176,7 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
         pair->near_own = is_near_own(tracked.node, faces_[pair->segment]) ? 1 : 0;
     }
     const auto end = static_cast<std::ptrdiff_t>(listed.size());
+    bool wakes = !element_alive.empty();  // what hid others may be gone
     for (Pair& was : old) {
       if (was.touch == none || std::binary_search(listed.begin() + start, listed.begin() + end, was, by_segment))
         continue;
@@ -186,7 +187,10 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
       }
       if (pressed) block.energies.deleted += block.touch_of(was)->held();
       block.release(was);
+      wakes = true;
     }
+    for (auto pair = listed.begin() + start; wakes && pair != listed.end(); ++pair)
+      pair->next_check_travel = std::min(pair->next_check_travel, travelled_);
     if (static_cast<std::ptrdiff_t>(listed.size()) > end) std::sort(listed.begin() + start, listed.end(), by_segment);
   }
   block.first.back() = static_cast<int>(listed.size());

@@ -11,7 +11,6 @@ namespace nugget::contact {
 namespace {
 
 constexpr double extension = 0.025;   // of a brick's face beyond its border, in sides
-constexpr double round_off = 1e-6;    // in sides or thicknesses: no farther from a border is on it
 constexpr double level = 0.1;         // sine below which the way from an edge to a node lies in the face
 constexpr double clearly_more = 0.5;  // between the cosines of two faces, or between that of one and 0
 constexpr double on_the_face = 1e-6;  // of the depth down to which a brick presses: what round-off makes of 0
@@ -43,18 +42,6 @@ bool share_a_node(const Facet& a, const Facet& b) {
   return shared_corners(a, b) != 0;
 }
 
-/// Whether the edge or corner of `segment` that `boundary` names belongs to `other` too.
-bool has_boundary(const Facet& other, const Facet& segment, unsigned boundary) {
-  return boundary != 0 && (boundary & ~shared_corners(other, segment)) == 0;
-}
-
-/// Two feet, by their distances from the node and their points, are one point but for round-off of the `thickness`.
-bool are_in_one_place(double distance, const Vec3d& point, double other_distance, const Vec3d& other_point,
-                      double thickness) {
-  const double reach = round_off * thickness;
-  return std::abs(distance - other_distance) <= reach && norm(point - other_point) <= reach;
-}
-
 /// Whether a node is one of the corners that `boundary` names.
 bool has_boundary_at(const Facet& segment, unsigned boundary, int node) {
   for (int c = 0; c < segment.corners(); ++c)
@@ -63,71 +50,6 @@ bool has_boundary_at(const Facet& segment, unsigned boundary, int node) {
 }
 
 }  // namespace
-
-/// Whether the other close pairs of a node, of shells all, matter beside those that touched in the cycle before
-/// (`touching`). They do not where each is out of reach, or hidden by one that touched, and hides none: so it is with
-/// most nodes of a flange, and only those that touched need be looked at.
-bool SurfaceContact::others_matter(Candidates touching, const Block& block, const Work& work, std::size_t count,
-                                   int tracked, const Step& step) const {
-  double ahead = 0.0;  // see check_node()
-  for (const Candidate& c : touching)
-    if (c.before.pressed()) ahead = std::max(ahead, -c.before.offset);
-  const Vec3d p = vec(step.x[nodes_[tracked].node]);
-  for (std::size_t k = 0; k < count; ++k) {
-    const Awake::One& one = work.awake.pairs[work.close[k]];
-    const Pair& pair = block.pairs[one.pair];
-    if (pair.touch != none) continue;
-    const auto segment = static_cast<int>(pair.segment);
-    const Face& face = faces_[segment];
-    const kernel::Feet<NativeBatch>& feet = work.feet[at(one.turn) / Work::width];
-    const auto of_foot = [l = one.turn % static_cast<int>(Work::width)](const auto& a) {
-      return kernel::stored_lane(a, l);
-    };
-    const auto boundary = static_cast<unsigned>(of_foot(feet.boundary));
-    const double distance = of_foot(feet.distance), reach = contact_distance(tracked, segment);
-    const Vec3d point{of_foot(feet.point.x), of_foot(feet.point.y), of_foot(feet.point.z)};
-    bool hidden = false;
-    for (const Candidate& c : touching) {
-      const Face& other = faces_[c.segment];
-      const bool closer = c.foot.distance < distance || (c.foot.distance == distance && c.segment < segment);
-      if (closer && (hidden || has_boundary(other, face, boundary))) {
-        hidden = true;
-        continue;
-      }
-      if (!share_a_node(other, face)) continue;
-      const double thinner = std::min(reach, c.contact_distance);
-      const bool in_place = are_in_one_place(distance, point, c.foot.distance, c.foot.point, thinner);
-      if (!in_place && !closer) return true;
-      hidden = hidden || in_place || dot(p - point, c.away) > 0.5 * distance;
-    }
-    if (!hidden && distance < reach + ahead) return true;
-  }
-  return false;
-}
-
-/// The same of one of them, before candidates are made of those that touched.
-bool SurfaceContact::Work::matter(const SurfaceContact& contact, std::span<const Rest> known, int segment,
-                                  const Awake::One& one, int tracked, const Step& step) const {
-  const Lane foot(*this, one.turn);
-  const unsigned boundary = foot.boundary();
-  const double distance = foot.distance(), reach = contact.contact_distance(tracked, segment);
-  bool hidden = false;
-  for (const Rest& at_rest : known) {
-    const unsigned shared = shared_corners(contact.faces_[at_rest.segment], contact.faces_[segment]);
-    const bool closer = at_rest.distance < distance || (at_rest.distance == distance && at_rest.segment < segment);
-    if (closer && (hidden || (boundary != 0 && (boundary & ~shared) == 0))) {
-      hidden = true;
-      continue;
-    }
-    if (shared == 0) continue;
-    const Vec3d point = foot.point();
-    const double thinner = std::min(reach, at_rest.contact_distance);
-    const bool in_place = are_in_one_place(distance, point, at_rest.distance, at_rest.point, thinner);
-    if (!in_place && !closer) return true;
-    hidden = hidden || in_place || dot(vec(step.x[one.node]) - point, at_rest.away) > 0.5 * distance;
-  }
-  return !hidden && distance < reach;
-}
 
 /// A node that is pressed stays so through the whole brick, and behind the mid-surface of a sheet, as long as it is
 /// over a face of that surface; one that was not is pressed down to `inner_` alone.

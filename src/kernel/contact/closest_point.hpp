@@ -244,6 +244,24 @@ inline Foot closest_point(const Corners& corners, bool triangle, const Vec3d& x,
   return foot.at(0);
 }
 
+/// Whether the point of a segment that is closest to `x` is that of its edge from corner 0 to corner 1 (`edge` 1) or
+/// its corner 0 (`edge` 0): by how much points may come closer to each other before it need not be so any more
+/// [length]; 0 or less where it need not be now. It is so while no way from there to another corner leads towards `x`
+/// by more than the angle whose sine is `tilt`. Of a warped segment that is asked of the hull of its corners.
+template <class R>
+R room_at_first(const CornersOf<R>& c, const R& edge, const Vec3<R>& x, const R& tilt) {
+  const Vec3<R> there = c[0] + edge * detail::along_edge(c[0], c[1], x) * (c[1] - c[0]), r = x - there;
+  const R distance = norm(r);
+  // What a motion changes of the product that says how much a way leads towards `x`, for each length of the motion.
+  const auto room = [&](const Vec3<R>& corner) {
+    const Vec3<R> way = corner - there;
+    const R length = norm(way), sum = length + distance;
+    return select(sum > 0.0, (tilt * distance * length - dot(r, way)) / sum, R(0.0));
+  };
+  const R others = min(room(c[2]), room(c[3]));
+  return select(edge > 0.0, others, min(room(c[1]), others));
+}
+
 /// A distance that `x` surely has from the segment, cheap to find: that from the mean plane of the corners less their
 /// warp (a bilinear surface stays between its corners), or that from the sphere around them.
 template <class R>

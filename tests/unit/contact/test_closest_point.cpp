@@ -128,6 +128,86 @@ TEST(ClosestPoint, SegmentWithoutAreaGivesItsEdge) {
   EXPECT_NEAR(foot.distance, 1.0, 1e-14);
 }
 
+/// Of nodes around quadrilaterals, flat and warped: whether the closest point lies on the first edge, or on the first
+/// corner, as the search of the closest point finds it, and for how far a motion.
+TEST(RoomAtFirst, SaysWhereTheClosestPointIsAndStays) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> somewhere(-1.0, 1.0);
+  constexpr double round_off = 1e-9;
+  const auto anywhere = [&] { return Vec3d{somewhere(random), somewhere(random), somewhere(random)}; };
+  const auto is_at_first = [](const Corners& c, double edge, const Vec3d& x) {
+    const unsigned boundary = closest_point(c, false, x).boundary;
+    return edge == 1.0 ? boundary != 0 && (boundary & ~0b0011u) == 0 : boundary == 0b0001u;
+  };
+  for (const bool flat : {true, false})
+    for (const double edge : {0.0, 1.0}) {
+      int there = 0, found = 0;
+      double longest = 0.0;
+      for (int i = 0; i < 4000; ++i) {
+        Corners c = square;
+        for (Vec3d& corner : c)
+          corner += 0.3 * Vec3d{somewhere(random), somewhere(random), flat ? 0.0 : somewhere(random)};
+        const Vec3d x = Vec3d{1.0 + 2.0 * somewhere(random), 2.0 * somewhere(random), somewhere(random)};
+        const double room = room_at_first(c, edge, x, round_off);
+        const bool here = is_at_first(c, edge, x);
+        there += here;
+        found += room > 0.0;
+        if (!(room > 0.0)) continue;
+        EXPECT_TRUE(here);
+        longest = std::max(longest, room);
+        // Two points have come closer to each other by the room at most: each has moved by half of it.
+        for (int k = 0; k < 20; ++k) {
+          const auto moved = [&](const Vec3d& p) {
+            const Vec3d way = anywhere();
+            return p + (0.5 * room / norm(way)) * way;
+          };
+          const Corners then{moved(c[0]), moved(c[1]), moved(c[2]), moved(c[3])};
+          EXPECT_TRUE(is_at_first(then, edge, moved(x)));
+        }
+      }
+      // Of what is flat all are found; of what is warped some may not be.
+      EXPECT_GT(there, 100);
+      EXPECT_GE(found, flat ? there : there * 4 / 5);
+      EXPECT_GT(longest, 0.3);
+    }
+}
+
+TEST(RoomAtFirst, TiltIsTheSineOfAnAngle) {
+  const Vec3d over{0.02, 0.0, 1.0}, beyond{0.02, -0.5, 1.0};  // the square, by 0.02 of the height; its first edge
+  EXPECT_LT(room_at_first(square, 0.0, over, 0.01), 0.0);
+  EXPECT_GT(room_at_first(square, 0.0, over, 0.03), 0.0);
+  EXPECT_LT(room_at_first(square, 0.0, beyond, 0.01), 0.0);
+  EXPECT_GT(room_at_first(square, 1.0, beyond, 0.01), 0.0);
+  // Straight above a corner by 1, sides 2: 0.01 of the way is left, for a motion of the node and one of the way.
+  EXPECT_NEAR(room_at_first(square, 0.0, Vec3d{0.0, 0.0, 1.0}, 0.01), 0.01 * 2.0 / 3.0, 1e-15);
+}
+
+TEST(RoomAtFirst, LanesGiveTheBitsOfDouble) {
+  constexpr int width = lanes<NativeBatch>;
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> somewhere(-1.0, 1.0);
+  CornersOf<NativeBatch> corners;
+  Vec3<NativeBatch> x;
+  NativeBatch edge;
+  const auto put = [](Vec3<NativeBatch>& to, int l, const Vec3d& p) {
+    set_lane(to.x, l, p.x);
+    set_lane(to.y, l, p.y);
+    set_lane(to.z, l, p.z);
+  };
+  std::array<double, width> expected{};
+  for (int l = 0; l < width; ++l) {
+    Corners c = warped;
+    for (Vec3d& corner : c) corner += Vec3d{somewhere(random), somewhere(random), somewhere(random)};
+    const Vec3d p{3.0 * somewhere(random), -somewhere(random), somewhere(random)};
+    for (std::size_t k = 0; k < 4; ++k) put(corners[k], l, c[k]);
+    put(x, l, p);
+    set_lane(edge, l, l % 2);
+    expected[static_cast<std::size_t>(l)] = room_at_first(c, static_cast<double>(l % 2), p, 0.01);
+  }
+  const NativeBatch room = room_at_first(corners, edge, x, NativeBatch(0.01));
+  for (int l = 0; l < width; ++l) EXPECT_EQ(lane(room, l), expected[static_cast<std::size_t>(l)]);
+}
+
 TEST(LeastDistance, IsNeverMoreThanTheDistance) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> at(-1.0, 3.0), height(-1.5, 1.5);

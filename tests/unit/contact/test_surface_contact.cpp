@@ -513,6 +513,32 @@ TEST(SurfaceContact, NodeBetweenTwoSheetsFeelsBoth) {
   EXPECT_NEAR(s.force[node].z, 0.0, 1e-6);
 }
 
+// Sabotage caught: pairs that stay asleep once the segment that hid them is deleted.
+TEST(SurfaceContact, WhatWasHiddenPressesWhereTheOtherIsDeleted) {
+  PlateAndNode s({4.8, 2.0, 1.0 + 1e-9});  // 0.2 beside the border between two segments
+  SurfaceContact contact = s.contact();
+  s.evaluate(contact, 0.0);
+  const auto go_to = [&s, &contact](double height) {
+    s.v[s.node].z = (height - s.x[s.node].z) / s.dt;
+    s.x[s.node].z = height;
+    s.evaluate(contact, s.dt);
+  };
+  const auto pressing = [&contact] {
+    std::vector<int> segments;
+    contact.each_hit([&](const SurfaceContact::Hit& hit) { segments.push_back(hit.segment); });
+    return segments;
+  };
+  for (const double height : {0.97, 0.96, 0.95}) go_to(height);
+  ASSERT_EQ(pressing(), std::vector<int>{0});
+  s.alive[0] = 0;
+  contact.surface_changed();
+  for (const double height : {0.94, 0.93}) go_to(height);
+  ASSERT_EQ(pressing().size(), 1u);
+  EXPECT_NE(pressing()[0], 0);
+  // It is pressed away from the edge, which is the border no more.
+  EXPECT_NEAR(s.force[s.node].x / s.force[s.node].z, -0.2 / 0.93, 1e-9);
+}
+
 // ---- friction and sides
 
 TEST(Friction, CoefficientFallsFromRestToSlidingAndShearIsBounded) {
