@@ -18,13 +18,15 @@
 #include "kernel/law/laws.hpp"
 #include "kernel/law/spotweld_kernel.hpp"
 
-// Cost of one element in one cycle: gather of nodal rows, kernel, forces into slots; one core, double against batch.
+// Cost of one element in one cycle: gather of nodal rows, kernel, forces into slots; one core, as many elements
+// at a time as a register has lanes.
 // Nodes stand still and keep their velocities, so that every cycle brings the same strain: small and elastic, or every
 // point yields.
 namespace {
 
 using namespace nugget;
 using namespace nugget::kernel;
+using R = NativeBatch;
 
 constexpr int side = 136;  // 18,496 quadrilaterals
 constexpr double speed = 2000.0;
@@ -115,7 +117,7 @@ struct Reals {
 };
 
 /// Runs `cycle(ids, block)` over the mesh, `lanes<R>` elements at a time; counts seconds an element.
-template <class R, class Start, class Cycle>
+template <class Start, class Cycle>
 void sweep(benchmark::State& state, const Mesh& mesh, int state_size, int rows, Start&& start, Cycle&& cycle) {
   constexpr int W = lanes<R>;
   const std::size_t blocks = mesh.elements / W, corners = at(mesh.corners);
@@ -140,7 +142,7 @@ void sweep(benchmark::State& state, const Mesh& mesh, int state_size, int rows, 
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-template <class R, int N>
+template <int N>
 NodalMotion<R, N> gather_motion(const Mesh& m, const int* id) {
   NodalMotion<R, N> n;
   for (int a = 0; a < N; ++a) {
@@ -150,7 +152,7 @@ NodalMotion<R, N> gather_motion(const Mesh& m, const int* id) {
   }
   return n;
 }
-template <class R, int N>
+template <int N>
 void store_forces(Row* slot, const NodalForces<R, N>& f) {
   for (int a = 0; a < N; ++a) {
     store_rows<R>(slot + (2 * a) * lanes<R>, f.f[a]);
@@ -203,47 +205,47 @@ ShellProperties section() {
   return shell;
 }
 
-template <class R, class Law>
+template <class Law>
 void shell(benchmark::State& state, const Law& parameters, double dt, ShellProperties properties = section()) {
   static const Mesh mesh = sheet(false);
   const LawKernel<Law> law(parameters);
   const ShellLayout layout = shell_layout(properties, law);
-  sweep<R>(
+  sweep(
       state, mesh, layout.size(), 2,
       [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
       [&](const int* id, double* s, Row* slot) {
-        store_forces(slot, shell_cycle(properties, law, gather_motion<R, 4>(mesh, id), dt, s));
+        store_forces(slot, shell_cycle(properties, law, gather_motion<4>(mesh, id), dt, s));
       });
 }
 
-template <class R, class Law>
+template <class Law>
 void full_shell(benchmark::State& state, const Law& parameters, double dt, ShellProperties properties = section()) {
   static const Mesh mesh = sheet(false);
   const LawKernel<Law> law(parameters);
   const ShellLayout layout = full_shell_layout(properties, law);
-  sweep<R>(
+  sweep(
       state, mesh, layout.size(), 2,
       [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
       [&](const int* id, double* s, Row* slot) {
-        store_forces(slot, full_shell_cycle(properties, law, gather_motion<R, 4>(mesh, id), dt, s));
+        store_forces(slot, full_shell_cycle(properties, law, gather_motion<4>(mesh, id), dt, s));
       });
 }
 
-template <class R, class Law>
+template <class Law>
 void triangle(benchmark::State& state, const Law& parameters, double dt) {
   static const Mesh mesh = sheet(true);
   const ShellProperties properties = section();
   const LawKernel<Law> law(parameters);
   const ShellLayout layout = shell_layout(properties, law);
-  sweep<R>(
+  sweep(
       state, mesh, layout.size(), 2,
       [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
       [&](const int* id, double* s, Row* slot) {
-        store_forces(slot, triangle_cycle(properties, law, gather_motion<R, 3>(mesh, id), dt, s));
+        store_forces(slot, triangle_cycle(properties, law, gather_motion<3>(mesh, id), dt, s));
       });
 }
 
-template <class R, class Law>
+template <class Law>
 void brick(benchmark::State& state, const Law& parameters, double dt, int hourglass) {
   static const Mesh mesh = block();
   HexahedronProperties properties;
@@ -251,7 +253,7 @@ void brick(benchmark::State& state, const Law& parameters, double dt, int hourgl
   properties.hourglass = hourglass;
   const LawKernel<Law> law(parameters);
   const HexahedronLayout layout = hexahedron_layout(law);
-  sweep<R>(
+  sweep(
       state, mesh, layout.size(), 1,
       [&](double* s, int lane, const int* corner) {
         std::array<Vec3d, 8> x;
@@ -272,14 +274,14 @@ void brick(benchmark::State& state, const Law& parameters, double dt, int hourgl
       });
 }
 
-template <class R, class Law>
+template <class Law>
 void full_brick(benchmark::State& state, const Law& parameters, double dt) {
   static const Mesh mesh = block();
   HexahedronProperties properties;
   properties.density = 7.85e-9;
   const LawKernel<Law> law(parameters);
   const FullHexahedronLayout layout = full_hexahedron_layout(law);
-  sweep<R>(
+  sweep(
       state, mesh, layout.size(), 1,
       [&](double* s, int lane, const int*) { start_full_hexahedron(layout, s, lanes<R>, lane); },
       [&](const int* id, double* s, Row* slot) {
@@ -293,7 +295,6 @@ void full_brick(benchmark::State& state, const Law& parameters, double dt) {
       });
 }
 
-template <class R>
 void weld_beam(benchmark::State& state, double dt, int quadrature) {
   static const Mesh mesh = welds();
   WeldBeamProperties properties;
@@ -301,14 +302,14 @@ void weld_beam(benchmark::State& state, double dt, int quadrature) {
   properties.fibres = disc_fibres(6.0, 0.0, quadrature);
   const LawKernel<Spotweld> law(weld());
   const WeldBeamLayout layout = weld_beam_layout(properties, law);
-  sweep<R>(
+  sweep(
       state, mesh, layout.size(), 2,
       [&](double* s, int lane, const int* corner) {
         const Row &a = mesh.x[corner[0]], &b = mesh.x[corner[1]];
         start_weld_beam(layout, {a.x, a.y, a.z}, {b.x, b.y, b.z}, {}, s, lanes<R>, lane);
       },
       [&](const int* id, double* s, Row* slot) {
-        store_forces(slot, weld_beam_cycle(properties, law, gather_motion<R, 2>(mesh, id), dt, s));
+        store_forces(slot, weld_beam_cycle(properties, law, gather_motion<2>(mesh, id), dt, s));
       });
 }
 
@@ -326,42 +327,35 @@ ShellProperties with_drilling() {
   return shell;
 }
 
-/// Registers a case over double and over the machine's batch.
 template <class Case>
-void both(const std::string& name, Case run) {
-  benchmark::RegisterBenchmark((name + "/double").c_str(), [run](benchmark::State& s) {
-    run.template operator()<double>(s);
-  })->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark((name + "/batch").c_str(), [run](benchmark::State& s) {
-    run.template operator()<NativeBatch>(s);
-  })->Unit(benchmark::kMillisecond);
+void add(const std::string& name, Case run) {
+  benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
 }
 
 [[maybe_unused]] const bool registered = [] {
-  both("shell/elastic", []<class R>(benchmark::State& s) { shell<R>(s, elastic(), small_step); });
-  both("shell/j2 elastic", []<class R>(benchmark::State& s) { shell<R>(s, bilinear(), small_step); });
-  both("shell/j2 all plastic", []<class R>(benchmark::State& s) { shell<R>(s, bilinear(), large_step); });
-  both("shell/curve all plastic", []<class R>(benchmark::State& s) { shell<R>(s, curved(), large_step); });
-  both("shell/Cowper-Symonds all plastic", []<class R>(benchmark::State& s) { shell<R>(s, rated(), large_step); });
-  both("shell/kinematic all plastic", []<class R>(benchmark::State& s) { shell<R>(s, kinematic(), large_step); });
-  both("shell/j2 elastic, warping, thinning",
-       []<class R>(benchmark::State& s) { shell<R>(s, bilinear(), small_step, with_warping()); });
-  both("full shell/j2 elastic", []<class R>(benchmark::State& s) { full_shell<R>(s, bilinear(), small_step); });
-  both("full shell/j2 all plastic", []<class R>(benchmark::State& s) { full_shell<R>(s, bilinear(), large_step); });
-  both("full shell/j2 elastic, warping, drilling",
-       []<class R>(benchmark::State& s) { full_shell<R>(s, bilinear(), small_step, with_drilling()); });
-  both("triangle/j2 elastic", []<class R>(benchmark::State& s) { triangle<R>(s, bilinear(), small_step); });
-  both("triangle/j2 all plastic", []<class R>(benchmark::State& s) { triangle<R>(s, bilinear(), large_step); });
-  both("brick/j2 elastic, hourglass 2", []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), small_step, 2); });
-  both("brick/j2 elastic, hourglass 4", []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), small_step, 4); });
-  both("brick/j2 elastic, hourglass 6", []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), small_step, 6); });
-  both("brick/j2 all plastic, hourglass 2",
-       []<class R>(benchmark::State& s) { brick<R>(s, bilinear(), large_step, 2); });
-  both("full brick/j2 elastic", []<class R>(benchmark::State& s) { full_brick<R>(s, bilinear(), small_step); });
-  both("full brick/j2 all plastic", []<class R>(benchmark::State& s) { full_brick<R>(s, bilinear(), large_step); });
-  both("weld beam/elastic, 4 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, small_step, 2); });
-  both("weld beam/all plastic, 4 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, large_step, 2); });
-  both("weld beam/elastic, 16 points", []<class R>(benchmark::State& s) { weld_beam<R>(s, small_step, 3); });
+  add("shell/elastic", [](benchmark::State& s) { shell(s, elastic(), small_step); });
+  add("shell/j2 elastic", [](benchmark::State& s) { shell(s, bilinear(), small_step); });
+  add("shell/j2 all plastic", [](benchmark::State& s) { shell(s, bilinear(), large_step); });
+  add("shell/curve all plastic", [](benchmark::State& s) { shell(s, curved(), large_step); });
+  add("shell/Cowper-Symonds all plastic", [](benchmark::State& s) { shell(s, rated(), large_step); });
+  add("shell/kinematic all plastic", [](benchmark::State& s) { shell(s, kinematic(), large_step); });
+  add("shell/j2 elastic, warping, thinning",
+      [](benchmark::State& s) { shell(s, bilinear(), small_step, with_warping()); });
+  add("full shell/j2 elastic", [](benchmark::State& s) { full_shell(s, bilinear(), small_step); });
+  add("full shell/j2 all plastic", [](benchmark::State& s) { full_shell(s, bilinear(), large_step); });
+  add("full shell/j2 elastic, warping, drilling",
+      [](benchmark::State& s) { full_shell(s, bilinear(), small_step, with_drilling()); });
+  add("triangle/j2 elastic", [](benchmark::State& s) { triangle(s, bilinear(), small_step); });
+  add("triangle/j2 all plastic", [](benchmark::State& s) { triangle(s, bilinear(), large_step); });
+  add("brick/j2 elastic, hourglass 2", [](benchmark::State& s) { brick(s, bilinear(), small_step, 2); });
+  add("brick/j2 elastic, hourglass 4", [](benchmark::State& s) { brick(s, bilinear(), small_step, 4); });
+  add("brick/j2 elastic, hourglass 6", [](benchmark::State& s) { brick(s, bilinear(), small_step, 6); });
+  add("brick/j2 all plastic, hourglass 2", [](benchmark::State& s) { brick(s, bilinear(), large_step, 2); });
+  add("full brick/j2 elastic", [](benchmark::State& s) { full_brick(s, bilinear(), small_step); });
+  add("full brick/j2 all plastic", [](benchmark::State& s) { full_brick(s, bilinear(), large_step); });
+  add("weld beam/elastic, 4 points", [](benchmark::State& s) { weld_beam(s, small_step, 2); });
+  add("weld beam/all plastic, 4 points", [](benchmark::State& s) { weld_beam(s, large_step, 2); });
+  add("weld beam/elastic, 16 points", [](benchmark::State& s) { weld_beam(s, small_step, 3); });
   return true;
 }();
 
