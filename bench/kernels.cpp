@@ -18,10 +18,9 @@
 #include "kernel/law/laws.hpp"
 #include "kernel/law/spotweld_kernel.hpp"
 
-// Cost of one element in one cycle: gather of nodal rows, kernel, forces into slots; one core, as many elements
-// at a time as a register has lanes.
-// Nodes stand still and keep their velocities, so that every cycle brings the same strain: small and elastic, or every
-// point yields.
+// Cost of one element in one cycle: gather of nodal rows, kernel, forces into slots; one core, as many elements at a
+// time as a register has lanes. Nodes stand still and keep their velocities, so that every cycle brings the same
+// strain: small and elastic, or every point yields.
 namespace {
 
 using namespace nugget;
