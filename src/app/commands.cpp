@@ -434,16 +434,22 @@ void report_end(const RunArguments& arguments, const fs::path& directory, const 
 }
 
 /// What the ranks of a run compare before it begins.
-JoinedRun::Ready ready(const PreparedDeck& p, const Findings& findings, const output::RestartReader* from) {
-  return {findings.errors() == 0, p.deck_checksum, output::checksum_of_program(), system::elements_at_a_time(),
-          from != nullptr ? from->checksum() : 0};
+JoinedRun::Ready ready(const JoinedRun& joined, const PreparedDeck& p, const Findings& findings,
+                       const output::RestartReader* from) {
+  JoinedRun::Ready own{.willing = findings.errors() == 0};
+  if (joined.ranks() == nullptr) return own;
+  own.deck = p.deck_checksum;
+  own.program = output::checksum_of_program();  // takes as long as some hundred cycles of a small model
+  own.lanes = system::elements_at_a_time();
+  own.restart_file = from != nullptr ? from->checksum() : 0;
+  return own;
 }
 
 /// Ranks of an explicit run work together from the moment on when they have read their decks.
 WorkTogether together(JoinedRun& joined, const Findings& findings, const output::RestartReader* from) {
   return [&joined, &findings, from](const PreparedDeck& read, const std::function<void(Ranks*)>& work) {
     if (joined.ranks() == nullptr || analysis_of(read.model) != Analysis::explicit_dynamics) return work(nullptr);
-    joined.work_together(ready(read, findings, from), work);
+    joined.work_together(ready(joined, read, findings, from), work);
   };
 }
 
@@ -492,7 +498,7 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
     log.add(audit_table(p.model, p.ties, p.audit));
   }
   std::string why;
-  if (!joined.agree(ready(p, findings, from), why)) {
+  if (!joined.agree(ready(joined, p, findings, from), why)) {
     log.add(fmt::format(" {}\n\n E r r o r   t e r m i n a t i o n\n", why));
     fmt::print(stderr, "nugget: {}; nothing was run\n", why);
     return ExitCode::refused;
@@ -585,7 +591,7 @@ ExitCode join(const RunArguments& arguments, output::RestartReader* from) {
   system::System system(p.model, p.ties, findings, {}, elements_start(joined));
   impact::Simulation simulation(system, findings, &p.model);
   std::string why;
-  if (!joined.agree(ready(p, findings, from), why)) return ExitCode::normal;
+  if (!joined.agree(ready(joined, p, findings, from), why)) return ExitCode::normal;
   joined.use_threads(arguments.threads);
   system.forget_start(p.model);
   free_room(p.model.nodes.x);  // for those who write

@@ -195,6 +195,14 @@ void BlockGroup<N>::carry(std::size_t begin, std::size_t end, Carried what, Parc
 }
 
 template <class N>
+ElementGroup::Energies BlockGroup<N>::energies(std::size_t begin, std::size_t end) const {
+  Energies sum;
+  for (std::size_t e = begin; e < end; ++e)
+    sum.add(alive(e), internal_energy(e), hourglass_energy(e), bulk_viscosity_work(e));
+  return sum;
+}
+
+template <class N>
 double BlockGroup<N>::kept_mass_scale(double factor) const {
   const N kept = static_cast<N>(factor);
   return kept < factor ? std::nextafter(kept, std::numeric_limits<N>::infinity()) : kept;

@@ -61,7 +61,7 @@ class BlockGroup : public ElementGroup {
   void archive(Archive& a) override;
 
   ElementNodes nodes(std::size_t e) const override;
-  bool alive(std::size_t e) const override {
+  bool alive(std::size_t e) const final {
     return elsewhere_.has(e) ? elsewhere_.alive(e) : field(e, fields_.alive) != 0.0;
   }
   void remove(std::size_t e) override;
@@ -72,16 +72,17 @@ class BlockGroup : public ElementGroup {
   void take_step(std::size_t e, double step) override;
   void carry(std::size_t begin, std::size_t end, Carried what, Parcel& parcel) override;
   double stable_step(std::size_t e) const override { return elsewhere_.has(e) ? elsewhere_.step(e) : step_[e]; }
-  double internal_energy(std::size_t e) const override { return energy_[e] - hourglass_energy(e); }
+  double internal_energy(std::size_t e) const final { return energy_[e] - hourglass_energy(e); }
   void add_internal_energy(std::size_t e, double work) override { energy_[e] += work; }
   double hourglass_energy(std::size_t e) const final {
     if (fields_.hourglass_energy < 0) return 0.0;
     return elsewhere_.has(e) ? elsewhere_.hourglass_energy(e) : field(e, fields_.hourglass_energy);
   }
-  double bulk_viscosity_work(std::size_t e) const override {
+  double bulk_viscosity_work(std::size_t e) const final {
     if (fields_.bulk_viscosity_work < 0) return 0.0;
     return elsewhere_.has(e) ? elsewhere_.bulk_viscosity_work(e) : field(e, fields_.bulk_viscosity_work);
   }
+  Energies energies(std::size_t begin, std::size_t end) const final;
   double mass(std::size_t e) const override { return mass_[e]; }
   double nodal_inertia(std::size_t e) const override { return inertia_[e]; }
   double mass_scale(std::size_t e) const override {

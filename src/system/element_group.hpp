@@ -137,6 +137,23 @@ class ElementGroup {
   virtual void add_internal_energy(std::size_t, double) {}
   /// Work done against bulk viscosity so far; a part of the internal energy.
   virtual double bulk_viscosity_work(std::size_t) const { return 0.0; }
+  /// Energies of elements [begin, end), added up one after the other.
+  struct Energies {
+    double internal = 0.0, hourglass = 0.0;  ///< of active elements
+    double deleted = 0.0;                    ///< both, of deleted ones
+    double bulk_viscosity = 0.0;             ///< of all
+
+    void add(bool is_active, double internal_of_one, double hourglass_of_one, double bulk_viscosity_of_one) {
+      bulk_viscosity += bulk_viscosity_of_one;
+      if (is_active) {
+        internal += internal_of_one;
+        hourglass += hourglass_of_one;
+      } else {
+        deleted += internal_of_one + hourglass_of_one;
+      }
+    }
+  };
+  virtual Energies energies(std::size_t begin, std::size_t end) const = 0;
   virtual double mass(std::size_t e) const = 0;  ///< physical, of the whole element
   /// Its share at node a, physical.
   double nodal_mass(std::size_t e, int a) const { return model::mass_at(mass(e), at(nodes_per_element), at(a)); }

@@ -48,6 +48,11 @@ class SpringGroup final : public ElementGroup {
   double stable_step(std::size_t e) const override { return springs_[e].step; }
   double internal_energy(std::size_t e) const override { return springs_[e].energy; }
   double hourglass_energy(std::size_t) const override { return 0.0; }
+  Energies energies(std::size_t begin, std::size_t end) const override {
+    Energies sum;
+    for (std::size_t e = begin; e < end; ++e) sum.add(alive(e), internal_energy(e), 0.0, bulk_viscosity_work(e));
+    return sum;
+  }
   double mass(std::size_t) const override { return 0.0; }
   double nodal_inertia(std::size_t) const override { return 0.0; }
   double mass_scale(std::size_t) const override { return 1.0; }

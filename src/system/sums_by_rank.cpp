@@ -33,6 +33,11 @@ SumsByRank::SumsByRank(const System& system) {
     const std::size_t end = std::min(system.nodes, begin + in_a_row);
     row.resize(end - begin);
     std::iota(row.begin(), row.end(), static_cast<int>(begin));
+    // A dependent node moves with those that its row of the constraint map names, which may be dependent themselves.
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (system.map.dependent(row[i]))
+        for (const ConstraintMap::Term& t : system.map.terms(row[i]))
+          if (std::ranges::find(row, t.node) == row.end()) row.push_back(t.node);
     of_nodes_.push_back(share.follower_of_all(row, 0));
     if (of_nodes_.back() == nobody)
       std::fill(travels.begin() + std::ptrdiff_t(begin), travels.begin() + std::ptrdiff_t(end), 1);
@@ -43,11 +48,6 @@ SumsByRank::SumsByRank(const System& system) {
     for (std::size_t begin = 0; begin < group.size(); begin += in_a_row) {
       const std::size_t end = std::min(group.size(), begin + in_a_row);
       of_elements_[g].push_back(rank_of_all(share.partition(), static_cast<int>(g), begin, end));
-      for (std::size_t e = begin; of_elements_[g].back() == nobody && e < end; ++e) {
-        const ElementNodes nodes = group.nodes(e);
-        for (int a = 0; a < group.nodes_per_element; ++a)
-          if (nodes[a] >= 0) travels[at(nodes[a])] = 1;
-      }
     }
   }
   for (const System::MassOnlyElement& mass_only : system.mass_only_elements())

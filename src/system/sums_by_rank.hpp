@@ -23,7 +23,8 @@ class SumsByRank {
   /// Of a system that has been shared out.
   explicit SumsByRank(const System& system);
 
-  /// The rank that follows all nodes [i, i + 1) * in_a_row: the first one if it does; or `nobody`.
+  /// The rank that follows all nodes [i, i + 1) * in_a_row and those that they depend on: the first one if it does; or
+  /// `nobody`.
   int of_nodes(std::size_t i) const { return of_nodes_[i]; }
   /// The rank that computes all elements [i, i + 1) * in_a_row of a group, likewise.
   int of_elements(std::size_t group, std::size_t i) const { return of_elements_[group][i]; }

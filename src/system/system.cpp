@@ -356,6 +356,7 @@ void System::release_nodes(std::size_t b, std::span<const int> released, std::sp
 }
 
 void System::transfer_dependent_mass() {
+  ++mass_changes_;
   carried_mass_ = own_mass;
   carried_inertia_ = own_inertia_;
   carried_mass_.resize(all_nodes(), 0.0);
@@ -539,6 +540,7 @@ void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {
     own_inertia_[node[a]] += j;
   }
   group.scale_mass(e, factor);
+  ++mass_changes_;
 }
 
 bool System::scale_mass(bool at_start) {
@@ -566,6 +568,7 @@ bool System::scale_mass(bool at_start) {
             scaled.push_back({wanted, physical, e, g});
           continue;
         }
+        if (group->physical_mass_scale(e) != by_dt) ++mass_changes_;
         if (!exactly && wanted == now) continue;
         set_mass_scale(*group, e, wanted);
         changed = true;
@@ -578,6 +581,7 @@ bool System::scale_mass(bool at_start) {
     for (const ScaledMass& s : scaled) {
       ElementGroup& group = *groups[s.group];
       group.take_physical_mass_scale(s.element, s.physical);
+      ++mass_changes_;
       if (s.factor == group.mass_scale(s.element)) continue;
       set_mass_scale(group, s.element, s.factor);
       changed = true;
@@ -587,8 +591,10 @@ bool System::scale_mass(bool at_start) {
   return changed;
 }
 
-System::Masses System::masses() const {
-  Masses m;
+const System::Masses& System::masses() const {
+  if (masses_are_of_ == mass_changes_) return masses_;
+  masses_are_of_ = mass_changes_;
+  Masses& m = masses_ = {};
   m.added_by_part.assign(model.parts.size(), 0.0);
   for (const auto& group : groups) {
     for (std::size_t e = 0; e < group->size(); ++e) {
@@ -642,7 +648,7 @@ void System::archive(Archive& a) {
           solid_location, beam_location, discrete_location, start_, start_is_forgotten_, elements_have_started_,
           carried_mass_, carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_,
           gather_, blocks_, periods_, share_, sums_by_rank_, computed_, deleted_, deletions_seen_, steps_of_others_,
-          reported_below);
+          reported_below, mass_changes_, masses_, masses_are_of_);
   a.section("elements");
   for (const auto& group : groups) {
     a(*group);
@@ -652,7 +658,9 @@ void System::archive(Archive& a) {
     else
       a.parts(std::span(slots_).subspan(first, group->slot_rows()), rows, group->holders);
   }
-  if (a.reading()) take_share_of_what_was_read();
+  if (!a.reading()) return;
+  ++mass_changes_;
+  take_share_of_what_was_read();
 }
 
 }  // namespace nugget::system

@@ -201,7 +201,9 @@ class System {
     double added_to_welds = 0.0;  ///< the share of it that went into welds, and what DT of the weld material added
     std::vector<double> added_by_part;
   };
-  Masses masses() const;
+  const Masses& masses() const;
+  /// How often masses of elements or nodes have changed, or nodes were released: what is made from them is made anew.
+  int mass_changes() const { return mass_changes_; }
   /// Physical mass of a part (its elements and point masses assigned to it).
   double part_mass(model::Index part) const;
   /// The rigid body that carries a node, in `bodies`; -1: none.
@@ -317,6 +319,9 @@ class System {
   Carried carried_of(const ElementGroup& group, Carried what) const;
   std::vector<MassOnlyElement> mass_only_elements_;
   std::vector<double> own_inertia_;
+  int mass_changes_ = 0;
+  mutable Masses masses_;  ///< by the masses of then
+  mutable int masses_are_of_ = -1;
   /// What makes a node dependent: a rigid body, a tie contact, an interpolation or a side of a shell of the model.
   struct ConstraintSource {
     enum class Kind : unsigned char { none, body, contact, interpolation, side };

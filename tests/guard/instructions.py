@@ -5,7 +5,7 @@
     tests/guard/instructions.py NUGGET COMPILER --renew    writes counts.json anew
 
 Per element and cycle: two runs of a deck, of few and of more cycles, divided by the cycles and elements between; what is written and read once drops out.
-`contact` and `strains` (STRFLG) are a deck with it less the same without. A welded rail of 9,536 shells is checked (reading, ties, contact, audit) and run for one cycle (the same,
+`contact`, `strains` (STRFLG) and `energies` (their balance in each cycle) are a deck with it less the same without. A welded rail of 9,536 shells is checked (reading, ties, contact, audit) and run for one cycle (the same,
 with its files and its page). One thread, four lanes. COMPILER, e.g. `GNU 12`, must be that of the counts: others count otherwise. Exit code 77: nothing to count with.
 """
 import json
@@ -30,13 +30,18 @@ FEW, MORE = 10, 40
 SIDE, BRICKS, EDGE = 30, 10, 5.0  # shells along a plate, bricks along a block, their size [mm]
 
 
-def head(deck, strains=False):
+def head(deck, strains=False, energies=False):
     deck.keyword("KEYWORD")
+    if energies:  # nodout is due in each cycle, and ENDENG has the energies looked at with whatever is due
+        deck.keyword("DATABASE_HISTORY_NODE")
+        deck.card(id1=1)
+        deck.keyword("DATABASE_NODOUT")
+        deck.card(dt=1e-12)
     if strains:
         deck.keyword("DATABASE_EXTENT_BINARY")
         deck.card(neiph=0, neips=0, maxint=3, strflg=1)
     deck.keyword("CONTROL_TERMINATION")
-    deck.card(endtim=1.0)
+    deck.card(endtim=1.0, endcyc=0, dtmin=0.0, endeng=1e6 if energies else 0.0)
     deck.keyword("CONTROL_TIMESTEP")
     deck.card(dtinit=0.0, tssfac=0.7)
     deck.keyword("MAT_PIECEWISE_LINEAR_PLASTICITY")
@@ -53,10 +58,10 @@ def motion(deck, nodes):
         deck.card(nid=n, vx=4e4 * (n * 37 % 19 / 9 - 1), vy=4e4 * (n * 53 % 23 / 11 - 1), vz=4e4 * (n * 71 % 29 / 14 - 1))
 
 
-def plates(elform, layers=1, contact=False, strains=False):
+def plates(elform, layers=1, contact=False, strains=False, energies=False):
     """`layers` plates above each other, 1.2 thick and 1.21 apart: contact has each node near the other plate."""
     deck = Deck()
-    head(deck, strains)
+    head(deck, strains, energies)
     deck.part("plates", pid=1, secid=1, mid=1)
     deck.keyword("SECTION_SHELL")
     deck.card(secid=1, elform=elform, shrf=0.8333, nip=3)
@@ -119,6 +124,7 @@ def count(nugget, folder):
     with_strains = {"shell": ("shell, ELFORM 2", plates(2, strains=True)), "brick": ("brick, hourglass 2", block(2, strains=True))}
     for kind, (without, made) in with_strains.items():
         counts[f"strains of a {kind}"] = per_element_and_cycle(nugget, made, folder) - counts[without]
+    counts["energies of a shell"] = per_element_and_cycle(nugget, plates(2, energies=True), folder) - counts["shell, ELFORM 2"]
     free, touching = (per_element_and_cycle(nugget, plates(2, 2, contact), folder) for contact in (False, True))
     counts["contact, of a shell"] = touching - free
     sys.path.insert(0, str(ROOT / "examples" / "double_hat"))

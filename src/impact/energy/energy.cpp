@@ -2,13 +2,10 @@
 #include "impact/energy/energy.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "model/axes.hpp"
-#include "model/lumped_mass.hpp"
 #include "system/share.hpp"
 
 namespace nugget::impact {
@@ -16,7 +13,6 @@ namespace {
 
 // Elements or nodes: fixed, so that sums do not depend on the number of threads.
 constexpr std::size_t sums_of = system::SumsByRank::in_a_row;
-constexpr std::size_t quadratic = 10;  // nodes of a tetrahedron whose corners have other shares than its middles
 
 Vec3d between(const Vec3d& before, const Vec3d& after, double share) {
   return before + share * (after - before);
@@ -46,26 +42,6 @@ struct Carried {
   return nodal_motion(state, v_before, w_before, k, share);
 }
 
-struct Carrier;
-
-/// What nodes carry, of those that were asked for last: elements beside each other share theirs.
-class Remembered {
- public:
-  void forget() { ++time_; }
-  const Carried& of(int node, const Carrier& carrier);
-
- private:
-  static constexpr std::size_t places = 4096;
-  struct Place {
-    std::uint64_t time = 0;  ///< at which it was filled
-    int node = -1;
-    Carried carried;
-  };
-  std::array<Place, places> place_;
-  std::uint64_t time_ = 0;
-};
-Remembered& remembered_of_thread();
-
 /// What hands nodal masses to parts: kinetic energy and momentum.
 struct Carrier {
   const system::System& system;
@@ -73,51 +49,22 @@ struct Carrier {
   std::span<const Row> v_before, w_before;
   std::span<const NodalMotion> of_others;
   double share;
-  std::vector<char> weightless;       ///< by node: its body's mass is given; empty if none is
-  std::vector<char> has_no_elements;  ///< by node: has lost all its elements; empty if none was lost
+  const PartNodes& nodes;
 
   Carrier(const system::System& s, const system::State& now, std::span<const Row> v, std::span<const Row> w,
-          std::span<const NodalMotion> others)
-      : system(s), state(now), v_before(v), w_before(w), of_others(others), share(share_of_interval(now)) {
-    for (const system::RigidBody& body : s.bodies) {
-      const model::RigidBody& source = s.model.rigid_bodies[body.source];
-      if (!source.given) continue;
-      weightless.resize(s.all_nodes());
-      for (const model::Index n : source.nodes) weightless[s.node_of[n]] = 1;
-    }
-    find_nodes_without_elements();
-  }
-
-  /// Nodes that follow others, tied ones and those of rigid bodies, move with them and count as having elements; nor
-  /// are those with a mass of their own.
-  void find_nodes_without_elements() {
-    const auto lost = [](const std::unique_ptr<system::ElementGroup>& group) {
-      for (std::size_t e = 0; e < group->size(); ++e)
-        if (!group->alive(e)) return true;
-      return false;
-    };
-    if (std::ranges::none_of(system.groups, lost)) return;
-    has_no_elements.assign(system.all_nodes(), 1);
-    for (const auto& group : system.groups)
-      for (std::size_t e = 0; e < group->size(); ++e)
-        if (group->alive(e)) {
-          const system::ElementNodes node = group->nodes(e);
-          for (int a = 0; a < group->nodes_per_element; ++a) has_no_elements[node[a]] = 0;
-        }
-    for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
-      for (int a = 0; a < mass_only.corners; ++a) has_no_elements[mass_only.node[a]] = 0;
-    for (const model::PointMass& m : system.model.masses) has_no_elements[system.node_of[m.node]] = 0;
-    for (const model::PointInertia& p : system.model.inertias) has_no_elements[system.node_of[p.node]] = 0;
-    for (std::size_t k = 0; k < has_no_elements.size(); ++k)
-      if (system.map.dependent(static_cast<int>(k))) has_no_elements[k] = 0;
-  }
-
-  bool is_weightless(std::size_t node) const { return !weightless.empty() && weightless[node] != 0; }
+          std::span<const NodalMotion> others, const PartNodes& of_parts)
+      : system(s),
+        state(now),
+        v_before(v),
+        w_before(w),
+        of_others(others),
+        share(share_of_interval(now)),
+        nodes(of_parts) {}
 
   /// A tied node's mass is, as in the equations of motion, that of the nodes which it follows.
   Carried carried_by(int node) const {
     const auto k = at(node);
-    if (is_weightless(k)) return {};
+    if (nodes.is_weightless(k)) return {};
     if (system.map.dependent(node) && at(system.map.terms(node).front().node) < system.nodes) {
       Carried sum;
       for (const system::ConstraintMap::Term& t : system.map.terms(node)) {
@@ -139,38 +86,16 @@ struct Carrier {
   }
 
   void carry(PartEnergy& part, int node, double m, double inertia) const {
-    carry(part, node, m, inertia, carried_by(node));
-  }
-  void carry(PartEnergy& part, int node, double m, double inertia, const Carried& by) const {
-    (has_no_elements.empty() || !has_no_elements[node] ? part.kinetic : part.eroded_kinetic) +=
-        m * by.by_mass + inertia * by.by_inertia;
+    const Carried by = carried_by(node);
+    (nodes.has_no_elements(at(node)) ? part.eroded_kinetic : part.kinetic) += m * by.by_mass + inertia * by.by_inertia;
     part.momentum += m * by.momentum;
     part.mass += m * by.mass;
   }
 
-  /// What elements [begin, end) of a group add to its part.
-  PartEnergy sum(const system::ElementGroup& group, std::size_t begin, std::size_t end) const {
-    Remembered& remembered = remembered_of_thread();
-    remembered.forget();
-    const std::size_t count = at(group.nodes_per_element);
+  /// What the nodes of a piece add to its part.
+  PartEnergy sum(const PartNodes::Piece& piece) const {
     PartEnergy part;
-    for (std::size_t e = begin; e < end; ++e) {
-      const double internal = group.internal_energy(e), hourglass = group.hourglass_energy(e);
-      part.bulk_viscosity += group.bulk_viscosity_work(e);
-      if (group.alive(e)) {
-        part.internal += internal;
-        part.hourglass += hourglass;
-      } else {
-        part.eroded += internal + hourglass;
-      }
-      const auto nodes = group.nodes(e);
-      const double scale = group.mass_scale(e), inertia = scale * group.nodal_inertia(e), mass = group.mass(e);
-      double at_node = model::mass_at(mass, count, 0);
-      for (std::size_t a = 0; a < count; ++a) {
-        if (count == quadratic) at_node = model::mass_at(mass, count, a);  // that of others is one for all
-        carry(part, nodes[a], scale * at_node, inertia, remembered.of(nodes[a], *this));
-      }
-    }
+    for (const PartNodes::AtNode& n : nodes.of(piece)) carry(part, n.node, n.mass, n.inertia);
     return part;
   }
 
@@ -179,7 +104,7 @@ struct Carrier {
     const int node = system.node_of[point.node];
     const double mean = (point.inertia[0] + point.inertia[3] + point.inertia[5]) / 3.0;
     carry(part, node, point.mass, mean);
-    if (is_weightless(at(node)) || !system.map.dependent(node)) return;
+    if (nodes.is_weightless(at(node)) || !system.map.dependent(node)) return;
     const auto body = at(system.map.terms(node).front().node);
     if (body < system.nodes) return;
     system::Inertia tensor = point.inertia;
@@ -193,24 +118,12 @@ struct Carrier {
   }
 };
 
-/// Apart: where a variable of the thread is, is found once so.
-[[gnu::noinline]] Remembered& remembered_of_thread() {
-  static thread_local Remembered remembered;
-  return remembered;
-}
-
-const Carried& Remembered::of(int node, const Carrier& carrier) {
-  Place& place = place_[at(node) % places];
-  if (place.node != node || place.time != time_) place = {time_, node, carrier.carried_by(node)};
-  return place.carried;
-}
-
 /// What some elements of a group add to its part.
 struct GroupSum {
   const system::ElementGroup* group;
   std::size_t begin, end;
   int rank = 0;  ///< that makes it; below 0: nobody can alone
-  PartEnergy found;
+  system::ElementGroup::Energies found;
 };
 
 /// Of all groups, in order.
@@ -225,13 +138,6 @@ std::vector<GroupSum> rows_of_elements(const system::System& system) {
                       by_rank != nullptr ? by_rank->of_elements(g, begin / sums_of) : 0,
                       {}});
   return rows;
-}
-
-/// Row i of nodes, see system::SumsByRank.
-double sum_of_row(const system::System& system, std::size_t i, const std::function<double(std::size_t)>& term) {
-  double sum = 0.0;
-  for (std::size_t k = i * sums_of; k < std::min(system.nodes, (i + 1) * sums_of); ++k) sum += term(k);
-  return sum;
 }
 
 double energy_of(const system::System& system, const NodalMotion& motion, std::size_t k) {
@@ -262,13 +168,13 @@ double share_before_now(const system::State& state) {
 }
 
 double sum_over_nodes(const system::System& system, std::span<const double> of_others,
-                      const std::function<double(std::size_t)>& term) {
-  if (of_others.empty()) return ordered_sum(system.nodes, term);
-  const system::SumsByRank& by_rank = *system.sums_by_rank();
+                      const std::function<double(std::size_t begin, std::size_t end)>& row) {
   std::vector<double> part(of_others.begin(), of_others.end());
+  part.resize((system.nodes + sums_of - 1) / sums_of);
   parallel_for(part.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (by_rank.of_nodes(i) <= 0) part[i] = sum_of_row(system, i, term);
+      if (of_others.empty() || system.sums_by_rank()->of_nodes(i) <= 0)
+        part[i] = row(i * sums_of, std::min(system.nodes, (i + 1) * sums_of));
   });
   double total = 0.0;
   for (const double p : part) total += p;
@@ -276,30 +182,42 @@ double sum_over_nodes(const system::System& system, std::span<const double> of_o
 }
 
 SumsOfRanks sums_for_first(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                           std::span<const Row> w_before, const std::function<double(std::size_t)>& step_change) {
+                           std::span<const Row> w_before, const PartNodes& nodes,
+                           const std::function<double(std::size_t begin, std::size_t end)>& step_change) {
   const system::SumsByRank& by_rank = *system.sums_by_rank();
   const int own = system.share()->ranks().rank();
   SumsOfRanks sums;
   std::vector<GroupSum> of_elements = rows_of_elements(system);
   sums.elements.resize(of_elements.size());
+  sums.pieces.resize(nodes.pieces().size());
   sums.kinetic.resize(by_rank.rows_of_nodes());
   sums.step_change.resize(by_rank.rows_of_nodes());
   if (own == 0) return sums;
-  const Carrier carrier(system, state, v_before, w_before, {});
-  parallel_for(of_elements.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (const GroupSum& s = of_elements[i]; s.rank == own) sums.elements[i] = carrier.sum(*s.group, s.begin, s.end);
-  });
-  const auto kinetic = [&](std::size_t k) {
-    return energy_of(system, nodal_motion(state, v_before, w_before, k, carrier.share), k);
+  const auto each_own = [own](std::size_t count, const auto& rank_of, const auto& make) {
+    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (rank_of(i) == own) make(i);
+    });
   };
-  parallel_for(sums.kinetic.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (by_rank.of_nodes(i) == own) {
-        sums.kinetic[i] = sum_of_row(system, i, kinetic);
-        sums.step_change[i] = sum_of_row(system, i, step_change);
-      }
-  });
+  each_own(
+      of_elements.size(), [&](std::size_t i) { return of_elements[i].rank; },
+      [&](std::size_t i) {
+        const GroupSum& s = of_elements[i];
+        sums.elements[i] = s.group->energies(s.begin, s.end);
+      });
+  const Carrier carrier(system, state, v_before, w_before, {}, nodes);
+  each_own(
+      sums.pieces.size(), [&](std::size_t i) { return by_rank.of_nodes(nodes.pieces()[i].row); },
+      [&](std::size_t i) { sums.pieces[i] = carrier.sum(nodes.pieces()[i]); });
+  each_own(
+      sums.kinetic.size(), [&](std::size_t i) { return by_rank.of_nodes(i); },
+      [&](std::size_t i) {
+        const std::size_t begin = i * sums_of, end = std::min(system.nodes, begin + sums_of);
+        sums.kinetic[i] = sum_of_row(begin, end, [&](std::size_t k) {
+          return energy_of(system, nodal_motion(state, v_before, w_before, k, carrier.share), k);
+        });
+        sums.step_change[i] = step_change(begin, end);
+      });
   return sums;
 }
 
@@ -307,8 +225,10 @@ double kinetic_energy(const system::System& system, const system::State& state, 
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before,
                       std::span<const NodalMotion> of_others, const SumsOfRanks& sums) {
   const double share = share_of_interval(state);
-  double sum = sum_over_nodes(system, sums.kinetic, [&](std::size_t k) {
-    return energy_of(system, motion_of(system, state, v_before, w_before, of_others, k, share), k);
+  double sum = sum_over_nodes(system, sums.kinetic, [&](std::size_t begin, std::size_t end) {
+    return sum_of_row(begin, end, [&](std::size_t k) {
+      return energy_of(system, motion_of(system, state, v_before, w_before, of_others, k, share), k);
+    });
   });
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const system::RigidBody& body = system.bodies[b];
@@ -321,13 +241,13 @@ double kinetic_energy(const system::System& system, const system::State& state, 
 }
 
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
-                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others,
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before, const PartNodes& nodes,
+                      Energy& energy, std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others,
                       const SumsOfRanks& of_ranks) {
   energy.internal = energy.hourglass = energy.bulk_viscosity = energy.eroded = energy.eroded_kinetic = 0.0;
   energy.lumped = {};
   parts.assign(system.model.parts.size(), {});
-  const Carrier carrier(system, state, v_before, w_before, of_others);
+  const Carrier carrier(system, state, v_before, w_before, of_others, nodes);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const system::RigidBody& body = system.bodies[b];
     const model::RigidBody& source = system.model.rigid_bodies[body.source];
@@ -344,16 +264,31 @@ void element_energies(const system::System& system, const system::State& state, 
   parallel_for(sums.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       GroupSum& s = sums[i];
-      s.found = !of_ranks.elements.empty() && s.rank > 0 ? of_ranks.elements[i] : carrier.sum(*s.group, s.begin, s.end);
+      s.found = !of_ranks.elements.empty() && s.rank > 0 ? of_ranks.elements[i] : s.group->energies(s.begin, s.end);
     }
   });
   for (const GroupSum& s : sums) {
-    parts[s.group->part] += s.found;
+    PartEnergy& part = parts[s.group->part];
+    part.internal += s.found.internal;
+    part.hourglass += s.found.hourglass;
+    part.bulk_viscosity += s.found.bulk_viscosity;
+    part.eroded += s.found.deleted;
     energy.internal += s.found.internal;
     energy.hourglass += s.found.hourglass;
     energy.bulk_viscosity += s.found.bulk_viscosity;
-    energy.eroded += s.found.eroded;
-    energy.eroded_kinetic += s.found.eroded_kinetic;
+    energy.eroded += s.found.deleted;
+  }
+  const std::vector<PartNodes::Piece>& pieces = nodes.pieces();
+  std::vector<PartEnergy> motions(pieces.size());
+  parallel_for(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool by_others = !of_ranks.pieces.empty() && system.sums_by_rank()->of_nodes(pieces[i].row) > 0;
+      motions[i] = by_others ? of_ranks.pieces[i] : carrier.sum(pieces[i]);
+    }
+  });
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    parts[pieces[i].part] += motions[i];
+    energy.eroded_kinetic += motions[i].eroded_kinetic;
   }
   for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
     for (int a = 0; a < mass_only.corners; ++a)

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "impact/energy/part_nodes.hpp"
 #include "system/sums_by_rank.hpp"
 #include "system/system.hpp"
 
@@ -71,18 +72,21 @@ struct NodalMotion {
   Vec3d velocity;                      ///< at t(n)
 };
 /// What a rank of several has summed up, or, on the first one, what all others have: by rows of elements, those of all
-/// groups behind each other, and of nodes (system::SumsByRank). Empty: nobody has.
+/// groups behind each other, by pieces of parts, and by rows of nodes (system::SumsByRank). Empty: nobody has.
 struct SumsOfRanks {
-  std::vector<PartEnergy> elements;
+  std::vector<system::ElementGroup::Energies> elements;
+  std::vector<PartEnergy> pieces;
   std::vector<double> kinetic, step_change;
   /// Calls `visit` with each sum that `rank` makes.
   template <class Visit>
-  void each_of(const system::System& system, int rank, const Visit& visit) {
+  void each_of(const system::System& system, const PartNodes& nodes, int rank, const Visit& visit) {
     const system::SumsByRank& by_rank = *system.sums_by_rank();
     std::size_t row = 0;
     for (std::size_t g = 0; g < system.groups.size(); ++g)
       for (std::size_t i = 0; i < by_rank.rows_of_elements(g); ++i, ++row)
         if (by_rank.of_elements(g, i) == rank) visit(elements[row]);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (by_rank.of_nodes(nodes.pieces()[i].row) == rank) visit(pieces[i]);
     for (std::size_t i = 0; i < by_rank.rows_of_nodes(); ++i)
       if (by_rank.of_nodes(i) == rank) {
         visit(kinetic[i]);
@@ -94,12 +98,12 @@ struct SumsOfRanks {
 /// Of node k; `share`: share_of_interval, all else as of kinetic_energy.
 inline NodalMotion nodal_motion(const system::State& state, std::span<const Row> v_before,
                                 std::span<const Row> w_before, std::size_t k, double share) {
-  const auto between = [](const Vec3d& before, const Vec3d& after, double part) {
-    return before + part * (after - before);
-  };
-  const Vec3d before = vec(v_before[k]), after = vec(state.v[k]), spin = vec(w_before[k]);
-  return {dot(before, between(before, after, share)), dot(spin, between(spin, vec(state.w[k]), share)),
-          between(before, after, 0.5 * share)};
+  const auto between = [](FourReals before, FourReals after, double part) { return before + part * (after - before); };
+  const FourReals v = four(v_before[k]), v_after = four(state.v[k]), w = four(w_before[k]), w_after = four(state.w[k]);
+  const FourReals linear = v * between(v, v_after, share), angular = w * between(w, w_after, share),
+                  velocity = between(v, v_after, 0.5 * share);
+  return {
+      linear[0] + linear[1] + linear[2], angular[0] + angular[1] + angular[2], {velocity[0], velocity[1], velocity[2]}};
 }
 /// Share of the way from t(n-1/2) to t(n+1/2) at which the second velocity of the product v(n-1/2) . v stands, so that
 /// the energy fits the work booked until t(n), 1/2 F . v(n-1/2) dt(n-1): 1 at a constant step, 0 at the start.
@@ -113,23 +117,32 @@ double kinetic_energy(const system::System& system, const system::State& state, 
                       std::span<const Row> w_before, std::span<const Vec3d> momentum_before,
                       std::span<const NodalMotion> of_others = {}, const SumsOfRanks& sums = {});
 
-/// Sum over all nodes, in the order that ordered_sum() has; `of_others`: by rows of nodes, those that other ranks have
-/// made; empty: none.
+/// Sum over all nodes, made of `row(begin, end)` over SumsByRank::in_a_row of them each; `of_others`: by rows, the sums
+/// that other ranks have made; empty: none.
 double sum_over_nodes(const system::System& system, std::span<const double> of_others,
-                      const std::function<double(std::size_t node)>& term);
+                      const std::function<double(std::size_t begin, std::size_t end)>& row);
 
-/// The sums that this rank makes for the first one; on that one, room for those of the others. `step_change`: by node
-/// that it follows.
+/// Sum of `term(k)` over [begin, end), one after the other.
+template <class Term>
+double sum_of_row(std::size_t begin, std::size_t end, const Term& term) {
+  double sum = 0.0;
+  for (std::size_t k = begin; k < end; ++k) sum += term(k);
+  return sum;
+}
+
+/// The sums that this rank makes for the first one; on that one, room for those of the others. `step_change`: over a
+/// row of nodes that it follows.
 SumsOfRanks sums_for_first(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                           std::span<const Row> w_before, const std::function<double(std::size_t node)>& step_change);
+                           std::span<const Row> w_before, const PartNodes& nodes,
+                           const std::function<double(std::size_t begin, std::size_t end)>& step_change);
 
 /// Adds up the elements' energies: internal, hourglass, bulk viscosity, eroded and eroded kinetic of `energy`, and all
 /// of `parts` (size: number of parts). A part whose body's mass is given (*PART_INERTIA) has the kinetic energy and the
 /// momentum of the body. Point masses and nodal rigid bodies with masses of their own belong to no part: they are
 /// `lumped`, so that the parts' kinetic energies, eroded ones too, and theirs are `kinetic_energy`.
 void element_energies(const system::System& system, const system::State& state, std::span<const Row> v_before,
-                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before, Energy& energy,
-                      std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others = {},
+                      std::span<const Row> w_before, std::span<const Vec3d> momentum_before, const PartNodes& nodes,
+                      Energy& energy, std::vector<PartEnergy>& parts, std::span<const NodalMotion> of_others = {},
                       const SumsOfRanks& sums = {});
 
 /// Momentum over mass of all `parts` and of what belongs to none [velocity]; 0 where there is no mass.

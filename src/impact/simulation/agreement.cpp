@@ -284,15 +284,18 @@ void Simulation::collect(system::Carried what, bool to_all) {
       motion_of_others_.resize(system_.sums_by_rank()->travelling());
       step_change_of_others_.resize(motion_of_others_.size());
     }
-    sums_of_ranks_ = sums_for_first(system_, state_, v_before_, w_before_,
-                                    [this](std::size_t k) { return step_change_before_now(k); });
+    part_nodes_.update(system_, PartNodes::Sums::own);
+    sums_of_ranks_ =
+        sums_for_first(system_, state_, v_before_, w_before_, part_nodes_, [this](std::size_t begin, std::size_t end) {
+          return sum_of_row(begin, end, [this](std::size_t k) { return step_change_before_now(k); });
+        });
   }
   if (ranks_ != nullptr) components_.welds.measure(state_);
   if (what == system::Carried::whole) rows = {&state_.x, &state_.v, &state_.w, &state_.f, &state_.m};
   system_.collect(
       what, rows,
       [&](const system::System::Computed& of, system::Parcel& parcel) {
-        if (sums_only) sums_of_ranks_.each_of(system_, of.rank, [&](auto& sum) { parcel(&sum, 1); });
+        if (sums_only) sums_of_ranks_.each_of(system_, part_nodes_, of.rank, [&](auto& sum) { parcel(&sum, 1); });
         for (const int k : of.share.reported_by(of.rank)) {
           if (what != system::Carried::results && !sums_only) break;
           if (!placed.empty() && placed[k] != 0) parcel(&state_.x[k], 1);

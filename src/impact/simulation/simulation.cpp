@@ -614,8 +614,9 @@ void Simulation::transfer_dependent_forces() {
 
 void Simulation::update_energy_balance() {
   const Energy before = energy_;
-  element_energies(system_, state_, v_before_, w_before_, momentum_before_, energy_, parts_, motion_of_others_,
-                   sums_of_ranks_);
+  part_nodes_.update(system_, sums_of_ranks_.pieces.empty() ? PartNodes::Sums::all : PartNodes::Sums::own);
+  element_energies(system_, state_, v_before_, w_before_, momentum_before_, part_nodes_, energy_, parts_,
+                   motion_of_others_, sums_of_ranks_);
   energy_.kinetic =
       kinetic_energy(system_, state_, v_before_, w_before_, momentum_before_, motion_of_others_, sums_of_ranks_) -
       energy_.eroded_kinetic;
@@ -623,13 +624,15 @@ void Simulation::update_energy_balance() {
   components_.for_each([&](const auto& component) {
     if constexpr (requires { component.add_energy(energy_); }) component.add_energy(energy_);
   });
-  energy_.step_change = step_change_ + components_.supports.step_change() +
-                        sum_over_nodes(system_, sums_of_ranks_.step_change, [this](std::size_t k) {
-                          if (system_.follows(k)) return step_change_before_now(k);
-                          if (step_change_of_others_.empty()) return step_change_of_node_[k];
-                          const auto node = static_cast<int>(k);
-                          return step_change_of_others_[system_.sums_by_rank()->place_among_travelling(node)];
-                        });
+  energy_.step_change =
+      step_change_ + components_.supports.step_change() +
+      sum_over_nodes(system_, sums_of_ranks_.step_change, [this](std::size_t begin, std::size_t end) {
+        return sum_of_row(begin, end, [this](std::size_t k) {
+          if (system_.follows(k)) return step_change_before_now(k);
+          if (step_change_of_others_.empty()) return step_change_of_node_[k];
+          return step_change_of_others_[system_.sums_by_rank()->place_among_travelling(static_cast<int>(k))];
+        });
+      });
   if (state_.cycle == 0) energy_.initial = energy_.total();
   gives_energy_ = giving_part() != parts_.end() || contact_gives();
   // Other balances come with the output, which must not change how a run ends.
@@ -670,7 +673,7 @@ void Simulation::archive(Archive& a) {
   a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
           momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
           rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_, shares_,
-          motion_of_others_, step_change_of_others_, sums_of_ranks_, shown_);
+          motion_of_others_, step_change_of_others_, sums_of_ranks_, part_nodes_, shown_);
 }
 
 }  // namespace nugget::impact

@@ -202,6 +202,7 @@ class Simulation {
   std::vector<NodalMotion> motion_of_others_;
   std::vector<double> step_change_of_others_;
   SumsOfRanks sums_of_ranks_;  ///< likewise
+  PartNodes part_nodes_;
   /// What `collect_shown` brings; empty in a run by one process.
   struct Shown {
     std::vector<system::System::ElementLocation> elements;
