@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What resists motion in linear analyses, and what does not: springs askew to the axes, loads where nothing resists and masses that a given body stands for. Closed forms, and the same structure turned."""
+import csv
+import math
+import unittest
+
+import lsda
+from nugget_command import CommandTest
+
+HEAD = "*KEYWORD\n*CONTROL_TERMINATION\n1.0,\n*DEFINE_CURVE\n77,\n0.0,1.0\n10.0,1.0\n"
+STATICS = "*CONTROL_IMPLICIT_GENERAL\n1,1.0,\n*CONTROL_IMPLICIT_SOLUTION\n1,\n"
+MASS, STIFFNESS = 2.0, 10.0
+WAYS = {"along z": (0.0, 0.0, 1.0), "in a plane": (0.0, 0.6, 0.8), "askew": (2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0)}
+
+
+def spring(number, first, place, law="ELASTIC", fields=f"{STIFFNESS}", offset=0.0):
+    """From a node to one that is held."""
+    x, y, z = place
+    return (f"*SECTION_DISCRETE\n{number},0,\n,\n*PART\nspring\n{number},{number},{number}\n*MAT_SPRING_{law}\n{number},{fields},\n"
+            f"*ELEMENT_DISCRETE\n{number},{number},{first},{number},0,1.0,0,{offset}\n*NODE\n{number},{x},{y},{z}\n"
+            f"*BOUNDARY_SPC_NODE\n{number},0,1,1,1\n")
+
+
+def mass_on_a_spring(way, *cards):
+    """At the origin, on a spring of length 10."""
+    return (HEAD + spring(11, 1, [10.0 * c for c in way]) + f"*ELEMENT_MASS\n1,1,{MASS}\n*NODE\n1,0.0,0.0,0.0\n"
+            + "*DATABASE_HISTORY_NODE\n1,\n*DATABASE_NODOUT\n1.0,2\n" + "".join(cards) + "*END\n")
+
+
+def force(vector, node=1):
+    return "*LOAD_NODE_POINT\n" + "".join(f"{node},{i + 1},77,{f}\n" for i, f in enumerate(vector) if f != 0.0)
+
+
+class LinearResistance(CommandTest):
+    def frequencies(self, text, *arguments, command="modes"):
+        self.write(text)
+        self.nugget(command, "model.k", *arguments, "-o", "modes", "--quiet")
+        return [mode["frequency_hz"] for mode in self.json("modes/summary.json")["modes"]]
+
+    def assert_squares(self, text, squares, delta=1e-6, **options):
+        """Of the circular frequencies."""
+        found = self.frequencies(text, **options)
+        self.assertEqual(len(found), len(squares), found)
+        for one, square in zip(found, sorted(squares)):
+            self.assertAlmostEqual((2.0 * math.pi * one) ** 2 / square, 1.0, delta=delta)
+
+    def displacement(self, text):
+        self.write(text)
+        self.nugget("run", "model.k", "-o", "out", "--quiet")
+        last = lsda.states(lsda.read(self.folder / "out/binout0000"), "nodout")[-1]
+        return [last[f"{axis}_displacement"][0] for axis in "xyz"]
+
+    def test_a_spring_that_lies_askew(self):
+        """Across it nothing resists, whichever way it lies: one mode, and statics along it. Sabotage: rows of zeros alone."""
+        for name, way in WAYS.items():
+            with self.subTest(name):
+                self.assert_squares(mass_on_a_spring(way), [STIFFNESS / MASS])
+                moved = self.displacement(mass_on_a_spring(way, STATICS, force([5.0 * c for c in way])))
+                for found, c in zip(moved, way):
+                    self.assertAlmostEqual(found, 0.5 * c, delta=1e-9)
+
+    def test_springs_in_a_plane_that_lies_askew(self):
+        """Two at right angles: across their plane nothing resists."""
+        for second in ((0.0, 0.8, -0.6), (1.0, 0.0, 0.0)):
+            with self.subTest(second):
+                other = spring(12, 1, [10.0 * c for c in second], fields="40.0")
+                self.assert_squares(mass_on_a_spring(WAYS["in a plane"], other), [STIFFNESS / MASS, 40.0 / MASS])
+
+    def test_a_load_that_nothing_resists(self):
+        """Statics refuses it by its line. Sabotage: the load is gone, and the reactions do not hold it."""
+        for name, way, load, words in (
+                ("along z", WAYS["along z"], [5.0, 0.0, 2.0], "nothing resists a force along (1 0 0) at node 1, and nothing holds it"),
+                ("askew", WAYS["in a plane"], [0.0, 0.0, 2.0], "nothing resists a force along (0 -0.8 0.6) at node 1, and nothing holds it")):
+            with self.subTest(name):
+                text = mass_on_a_spring(way, STATICS, force(load))
+                line = text.split("*LOAD_NODE_POINT")[0].count("\n") + 2
+                for command in ("run", "check"):
+                    self.write(text)
+                    said = self.nugget(command, "model.k", "-o", command, expect=1).stderr
+                    self.assertIn(f"model.k:{line}: error: *LOAD_NODE: {words}", said)
+        self.write(mass_on_a_spring(WAYS["along z"], STATICS, "*LOAD_BODY_X\n77,5.0\n*LOAD_BODY_Z\n77,-5.0\n"))
+        said = self.nugget("run", "model.k", "-o", "out", "--quiet").stderr
+        self.assertIn("warning: *LOAD_BODY: nothing resists a force along (-1 0 0) at node 1, and nothing holds it", said)
+
+    def test_loads_on_what_is_not_there(self):
+        """A node of its own, and a moment on a node that only a spring knows."""
+        lone = "*NODE\n99,5.0,5.0,5.0\n" + force([0.0, 0.0, 2.0], node=99)
+        for cards, words in ((lone, "node 99 carries a load, but belongs to no element, mass or rigid body"),
+                             ("*LOAD_NODE_POINT\n1,5,77,3.0\n", "node 1 carries a moment, but nothing there can turn")):
+            self.write(mass_on_a_spring(WAYS["along z"], STATICS, cards))
+            self.assertIn("error: *LOAD_NODE: " + words, self.nugget("run", "model.k", "-o", "out", expect=1).stderr)
+        self.write(mass_on_a_spring(WAYS["along z"], lone, "*INITIAL_VELOCITY\n0,\n0.0,0.0,1.0,\n"))
+        self.assertIn("warning: *LOAD_NODE: node 99 is loaded, but belongs to no element", self.nugget("run", "model.k", "-o", "out").stderr)
+
+    def test_responses_where_nothing_resists(self):
+        frf = "*CONTROL_IMPLICIT_EIGENVALUE\n2,\n*FREQUENCY_DOMAIN_FRF\n1,0,{},3,\n0.02,\n{},0,{},2,\n0.1,0.2,2,\n"
+        deck = lambda load, node, wanted: self.write(mass_on_a_spring(WAYS["along z"], "*NODE\n99,5.0,5.0,5.0\n", frf.format(load, node, wanted)))  # noqa: E731
+        deck(1, 1, 3)
+        said = self.nugget("frf", "model.k", "-o", "frf", "--quiet", expect=1).stderr
+        self.assertIn("error: *FREQUENCY_DOMAIN_FRF: nothing resists motion along (1 0 0) at node 1, which is held there (AUTOSPC)", said)
+        deck(3, 99, 3)
+        said = self.nugget("frf", "model.k", "-o", "frf", "--quiet", expect=1).stderr
+        self.assertIn("error: *FREQUENCY_DOMAIN_FRF: node 99 belongs to no element, mass or rigid body: it has no motion", said)
+        deck(3, 1, 1)
+        said = self.nugget("frf", "model.k", "-o", "frf", "--quiet").stderr
+        self.assertIn("nothing resists motion of node 1 along (1 0 0), which is held there (AUTOSPC)", said)
+        deck(3, 1, 3)
+        self.assertNotIn("resists motion of", self.nugget("frf", "model.k", "-o", "frf", "--quiet").stderr)
+        with open(self.folder / "frf/frf.csv", newline="", encoding="utf-8") as file:
+            row = next(csv.DictReader(file))
+        omega2, square = (2.0 * math.pi * 0.1) ** 2, STIFFNESS / MASS
+        wanted = 1.0 / (MASS * complex(square - omega2, 2.0 * 0.02 * math.sqrt(square * omega2)))
+        self.assertAlmostEqual(float(row["amplitude"]) / abs(wanted), 1.0, delta=1e-6)
+
+    def test_what_moves_freely_is_named(self):
+        """Two masses and a spring between them that nothing holds."""
+        text = HEAD + STATICS + (
+            "*SECTION_DISCRETE\n11,0,\n,\n*PART\nspring\n11,11,11\n*MAT_SPRING_ELASTIC\n11,10.0,\n*ELEMENT_DISCRETE\n11,11,1,2,\n*ELEMENT_MASS\n"
+            "1,1,2.0\n2,2,2.0\n*NODE\n1,0.0,0.0,0.0\n2,0.0,0.0,9.0\n*LOAD_NODE_POINT\n1,3,77,2.0\n*END\n")
+        self.write(text)
+        said = self.nugget("run", "model.k", "-o", "out", expect=3).stderr
+        self.assertRegex(said, r"it moves most at node [12], along \(0 0 -?1\)")
+
+    def test_a_given_mass_stands_for_what_is_tied_to_the_body(self):
+        """As in a run: the modes have the mass that the run has. Sabotage: the nodes of the tie add theirs."""
+        plate = lambda first, x, y: "".join(f"{first + i},{a},{b},{c}\n" for i, (a, b, c) in enumerate((x, y[0], y[1], y[2])))  # noqa: E731
+        text = (HEAD.replace("1.0,\n*DEFINE", "1e-6,\n*DEFINE") + "*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n*MAT_RIGID\n2,7.85e-9,2.1e5,0.3\n,\n,\n"
+                "*SECTION_SHELL\n1,16\n1.5,1.5,1.5,1.5\n*PART_INERTIA\nrigid\n1,1,2\n20.0,20.0,0.0,1e-4,0\n0.03,0.0,0.0,0.06,0.0,0.09\n"
+                "0.0,0.0,0.0,0.0,0.0,0.0\n*PART\nupright\n2,1,1\n*NODE\n" + plate(1, (0, 0, 0), ((40, 0, 0), (40, 40, 0), (0, 40, 0)))
+                + plate(11, (10, 10, 0), ((30, 15, 0), (30, 15, 20), (10, 10, 20))) + "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,2,11,12,13,14\n"
+                "*SET_NODE_LIST\n9,\n11,12\n*CONTACT_TIED_SHELL_EDGE_TO_SURFACE\n9,1,4,3\n0.\n1.\n*END\n")
+        self.frequencies(text, "-n", 8)
+        mass = sum(mode["effective_mass"][0] for mode in self.json("modes/summary.json")["modes"][:6])
+        self.nugget("run", "model.k", "-o", "run", "--quiet")
+        self.assertAlmostEqual(mass / self.json("run/summary.json")["mass"]["physical"], 1.0, delta=1e-6)
+
+    def test_a_spring_whose_loading_curve_has_a_kink(self):
+        """S06, 10 in tension and 20 under compression: the mean, as of other springs."""
+        curve = "*DEFINE_CURVE\n9,\n-1.0,-20.0\n0.0,0.0\n1.0,10.0\n"
+        text = mass_on_a_spring(WAYS["along z"], curve).replace("*MAT_SPRING_ELASTIC\n11,10.0,", "*MAT_SPRING_GENERAL_NONLINEAR\n11,9,9,1.0,5.0,-5.0")
+        self.assert_squares(text, [15.0 / MASS])
+
+    def test_statics_says_what_relaxes(self):
+        deck = mass_on_a_spring(WAYS["along z"], STATICS, force((0.0, 0.0, 2.0)))
+        self.write(deck.replace("*MAT_SPRING_ELASTIC\n11,10.0,", "*MAT_SPRING_MAXWELL\n11,10.0,2.0,1.0"))
+        said = self.nugget("run", "model.k", "-o", "out", "--quiet").stderr
+        self.assertIn("material 11 (*MAT_SPRING_MAXWELL): linear statics takes the stiffness at once (G0, K0)", said)
+        self.write(deck)
+        self.assertNotIn("stiffness at once", self.nugget("run", "model.k", "-o", "out", "--quiet").stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
