@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What resists motion in linear analyses, and what does not: springs askew to the axes, loads where nothing resists and masses that a given body stands for. Closed forms, and the same structure turned."""
+"""What resists motion in linear analyses, and what does not: springs askew to the axes, loads where nothing resists, forces at the arms of rigid
+bodies under preload, masses that a given body stands for. Closed forms, and the same structure turned."""
 import csv
 import math
 import unittest
@@ -9,6 +10,8 @@ from nugget_command import CommandTest
 
 HEAD = "*KEYWORD\n*CONTROL_TERMINATION\n1.0,\n*DEFINE_CURVE\n77,\n0.0,1.0\n10.0,1.0\n"
 STATICS = "*CONTROL_IMPLICIT_GENERAL\n1,1.0,\n*CONTROL_IMPLICIT_SOLUTION\n1,\n"
+PRELOAD = "*CONTROL_IMPLICIT_GENERAL\n1,1.0,,,1\n*CONTROL_IMPLICIT_EIGENVALUE\n{},\n"
+STATIC_PRELOAD = PRELOAD.format(-8) + "*CONTROL_IMPLICIT_SOLUTION\n1,\n*DEFINE_CURVE\n8,\n0.0,0.0\n1.0,9.0\n"
 MASS, STIFFNESS = 2.0, 10.0
 WAYS = {"along z": (0.0, 0.0, 1.0), "in a plane": (0.0, 0.6, 0.8), "askew": (2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0)}
 
@@ -29,6 +32,13 @@ def mass_on_a_spring(way, *cards):
 
 def force(vector, node=1):
     return "*LOAD_NODE_POINT\n" + "".join(f"{node},{i + 1},77,{f}\n" for i, f in enumerate(vector) if f != 0.0)
+
+
+def body(nodes, half, *cards, inertia=50.0):
+    """A rigid body of mass 2 along x from -half to half, about whose middle it has one moment of inertia in all directions."""
+    return (HEAD + f"*SET_NODE_LIST\n1,\n{','.join(map(str, nodes))}\n*CONSTRAINED_NODAL_RIGID_BODY_INERTIA\n50,0,1\n0.0,0.0,0.0,{MASS},0\n"
+            f"{inertia},0.0,0.0,{inertia},0.0,{inertia}\n0.0,0.0,0.0,0.0,0.0,0.0\n*NODE\n1,{-half},0.0,0.0\n2,{half},0.0,0.0\n"
+            + "".join(cards) + "*END\n")
 
 
 class LinearResistance(CommandTest):
@@ -120,6 +130,43 @@ class LinearResistance(CommandTest):
         self.write(text)
         said = self.nugget("run", "model.k", "-o", "out", expect=3).stderr
         self.assertRegex(said, r"it moves most at node [12], along \(0 0 -?1\)")
+
+    def test_a_body_between_stretched_springs(self):
+        """About its middle 2 F a (a + L) / L: the ends swing out by the arm, too. Sabotage: F a^2 / L of the springs alone."""
+        tension, half, length = 6.0, 4.0, 10.0
+        ends = [spring(11 + i, 1 + i, (x, 0.0, 0.0), offset=tension / STIFFNESS) for i, x in enumerate((-half - length, half + length))]
+        turning = 2.0 * tension * half * (half + length) / length
+        for inertia in (50.0, 7.0):
+            squares = [2.0 * STIFFNESS / MASS, 2.0 * tension / length / MASS, 2.0 * tension / length / MASS, turning / inertia, turning / inertia]
+            self.assert_squares(body((1, 2), half, *ends, PRELOAD.format(9), inertia=inertia), squares)
+
+    def test_a_body_that_a_load_stretches(self):
+        """A spring at one end, a force that stays at the other, and two soft springs across that let statics find it. Sabotage: loads have no arm."""
+        pull, half, length, inertia, soft = 6.0, 4.0, 10.0, 50.0, 1e-3
+        guides = spring(13, 1, (-half, 8.0, 0.0), fields=soft) + spring(14, 2, (half, 8.0, 0.0), fields=soft)
+        cards = (spring(11, 1, (-half - length, 0.0, 0.0)), guides, STATIC_PRELOAD, f"*LOAD_NODE_POINT\n2,1,77,{pull}\n")
+        found = [(2.0 * math.pi * f) ** 2 for f in self.frequencies(body((1, 2), half, *cards), command="run")]
+        displaced, coupled = 2.0 * soft + pull / length, -pull * half / length
+        turned = pull * half**2 / length + 2.0 * pull * half + 2.0 * soft * half**2
+        a, b, c = displaced / MASS, turned / inertia, coupled**2 / (MASS * inertia)
+        for sign in (-1.0, 1.0):
+            square = 0.5 * (a + b) + sign * math.sqrt(0.25 * (a - b) ** 2 + c)
+            self.assertLess(min(abs(one / square - 1.0) for one in found), 1e-6, (square, found))
+
+    def test_a_pendulum_on_a_joint(self):
+        """It hangs by a hinge of stiffness 100 from a body that is held: k + m g l about the hinge. Sabotage: joints have no arm."""
+        weight, arm, stiffness, inertia = 300.0, 5.0, 100.0, 40.0
+        text = HEAD + STATIC_PRELOAD + "*NODE\n1,0.0,0.0,0.0\n2,0.0,0.0,0.0\n3,1.0,0.0,0.0\n4,0.0,0.0,-9.0\n5,0.0,1.0,0.0\n"
+        for pid, nodes, height, held in ((50, "1,3,5", 0.0, "1.0,7,7"), (60, "2,4", -arm, "0.0,0,0")):
+            text += (f"*SET_NODE_LIST\n{pid},\n{nodes}\n*CONSTRAINED_NODAL_RIGID_BODY_INERTIA_SPC\n{pid},0,{pid}\n{held},\n0.0,0.0,{height},{MASS},0\n"
+                     f"{inertia},0.0,0.0,{inertia},0.0,{inertia}\n0.0,0.0,0.0,0.0,0.0,0.0\n")
+        text += ("*CONSTRAINED_JOINT_SPHERICAL\n1,2,0,0,0,0,1.0\n*DEFINE_COORDINATE_SYSTEM\n4,0.,0.,0.,1.,0.,0.\n0.,1.,0.\n"
+                 f"*DEFINE_CURVE\n9,\n0.0,0.0\n1.0,{stiffness}\n*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED\n1,50,60,4,4\n9,9,9\n,\n,\n"
+                 f"*LOAD_RIGID_BODY\n60,3,77,{-weight}\n*END\n")
+        swinging = (stiffness + weight * arm) / (inertia + MASS * arm**2)
+        found = [(2.0 * math.pi * f) ** 2 for f in self.frequencies(text, command="run")][:3]
+        for one, square in zip(found, sorted((swinging, swinging, stiffness / inertia))):
+            self.assertAlmostEqual(one / square, 1.0, delta=1e-4)  # the joint's own compliance
 
     def test_a_given_mass_stands_for_what_is_tied_to_the_body(self):
         """As in a run: the modes have the mass that the run has. Sabotage: the nodes of the tie add theirs."""

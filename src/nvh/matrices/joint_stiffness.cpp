@@ -72,7 +72,7 @@ BodyLink link_of(const system::System& system, const model::Joint& joint) {
   BodyLink link;
   link.rigid = true;
   link.scale = joint.stiffness_scale;
-  std::array<Vec3d, 2> arm;
+  std::array<Vec3d, 2>& arm = link.arm;
   for (std::size_t side = 0; side < 2; ++side) {
     const system::RigidBody& body = body_of(system, joint.body[side]);
     link.node[side] = body.node;
@@ -125,7 +125,7 @@ double force_of(const system::System& system, const model::JointStiffness::Freed
 
 BodyLink link_of(const system::System& system, const model::JointStiffness& s) {
   BodyLink link;
-  std::array<Vec3d, 2> arm;
+  std::array<Vec3d, 2>& arm = link.arm;
   for (std::size_t side = 0; side < 2; ++side) {
     const system::RigidBody& body = body_of(system, s.body[side]);
     link.node[side] = body.node;

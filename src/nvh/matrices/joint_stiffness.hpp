@@ -29,6 +29,7 @@ struct ConstrainedMotion {
 /// friction, which sticks.
 struct BodyLink {
   std::array<int, 2> node{};
+  std::array<Vec3d, 2> arm;  ///< from the centres of the bodies to where its forces act
   std::vector<ConstrainedMotion> constrained;
   bool rigid = false;      ///< a joint: springs by `stiffen_joints`
   double scale = 1.0;      ///< RPS

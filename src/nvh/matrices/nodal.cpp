@@ -111,6 +111,7 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
       all.link_energy += 0.5 * constrained.spring * moved * moved;
     }
   }
+  if (m.prestress) m.prestress->add_arm_forces(u, all.force);
   return all;
 }
 
