@@ -153,6 +153,23 @@ class LinearResistance(CommandTest):
             square = 0.5 * (a + b) + sign * math.sqrt(0.25 * (a - b) ** 2 + c)
             self.assertLess(min(abs(one / square - 1.0) for one in found), 1e-6, (square, found))
 
+    def test_a_rigid_end_is_an_end_that_is_very_stiff(self):
+        """A strip pulled by its far end, three eighths of it rigid, or of shells a thousand times as stiff. Sabotage: the rigid end without its arms
+        has 76 Hz, not 97."""
+        def strip(material):
+            number = lambda i, j: 1 + i + 17 * j  # noqa: E731
+            text = HEAD + STATIC_PRELOAD + "*MAT_ELASTIC\n1,7.85e-9,2.1e5,0.3\n" + material + "*SECTION_SHELL\n1,16\n1.5,1.5,1.5,1.5\n"
+            text += "".join(f"*PART\nstrip\n{p},1,{p}\n" for p in (1, 2))
+            text += "*NODE\n" + "".join(f"{number(i, j)},{10.0 * i},{10.0 * j},0.0\n" for j in range(3) for i in range(17))
+            text += "*ELEMENT_SHELL\n" + "".join(
+                f"{1 + i + 16 * j},{1 + (i >= 10)},{number(i, j)},{number(i + 1, j)},{number(i + 1, j + 1)},{number(i, j + 1)}\n"
+                for j in range(2) for i in range(16))
+            text += "*BOUNDARY_SPC_NODE\n" + "".join(f"{number(0, j)},0,1,1,1,1,1,1\n" for j in range(3))
+            return self.frequencies(text + f"*LOAD_NODE_POINT\n{number(16, 1)},1,77,400.0\n*END\n", command="run")
+        rigid, stiff = strip("*MAT_RIGID\n2,7.85e-9,2.1e5,0.3\n,\n,\n"), strip("*MAT_ELASTIC\n2,7.85e-9,2.1e8,0.3\n")
+        self.assertAlmostEqual(rigid[0] / stiff[0], 1.0, delta=2e-3)
+        self.assertAlmostEqual(rigid[1] / stiff[1], 1.0, delta=2e-2)
+
     def test_a_pendulum_on_a_joint(self):
         """It hangs by a hinge of stiffness 100 from a body that is held: k + m g l about the hinge. Sabotage: joints have no arm."""
         weight, arm, stiffness, inertia = 300.0, 5.0, 100.0, 40.0

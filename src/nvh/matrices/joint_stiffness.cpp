@@ -187,6 +187,16 @@ SixDof BodyLink::on_second(const ConstrainedMotion::Row& motion) const {
   return load;
 }
 
+double BodyLink::energy(const ConstrainedMotion::Row& motion) const {
+  double sum = 0.0;
+  for (const ConstrainedMotion& h : constrained) {
+    double moved = 0.0;
+    for (std::size_t a = 0; a < 12; ++a) moved += h.row[a] * motion[a];
+    sum += 0.5 * h.spring * moved * moved;
+  }
+  return sum;
+}
+
 std::vector<BodyLink> body_links(const system::System& system) {
   std::vector<BodyLink> all;
   for (const model::Joint& joint : system.model.joints) all.push_back(link_of(system, joint));

@@ -41,6 +41,7 @@ struct BodyLink {
   bool damps() const;
   /// Force and moment on B at its point, in a motion of the twelve freedoms.
   SixDof on_second(const ConstrainedMotion::Row& motion) const;
+  double energy(const ConstrainedMotion::Row& motion) const;  ///< elastic, in such a motion
 };
 /// Joints in the order of the model, then the stiffnesses of joints.
 std::vector<BodyLink> body_links(const system::System& system);

@@ -251,8 +251,8 @@ Matrices::Matrices(const system::System& s, Findings& findings)
   assemble(*this);
   if (auto_constrained > 0)
     findings.note({s.model.deck, 0, 0}, "*CONTROL_IMPLICIT_SOLVER",
-                  fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)",
-                              auto_constrained));
+                  fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC){}",
+                              auto_constrained, s.model.implicit.geometric ? ", but for what a preload resists" : ""));
 }
 
 void stiffen(Matrices& m, std::shared_ptr<const Prestress> prestress) {
