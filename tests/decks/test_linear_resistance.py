@@ -185,6 +185,23 @@ class LinearResistance(CommandTest):
         for one, square in zip(found, sorted((swinging, swinging, stiffness / inertia))):
             self.assertAlmostEqual(one / square, 1.0, delta=1e-4)  # the joint's own compliance
 
+    def test_a_free_strip_that_is_long_and_thin(self):
+        """10 m of 5 x 1.5 mm, held nowhere: Euler's beam of free ends across its thickness and its width. Round-off moves its rigid motions by more
+        than the shift behind which they are sought. Sabotage: 'the structure is not stable'."""
+        length, width, thickness, young, density, along = 1e4, 5.0, 1.5, 2.1e5, 7.85e-9, 200
+        text = HEAD + f"*MAT_ELASTIC\n1,{density},{young},0.3\n*SECTION_SHELL\n1,16\n" + ",".join([f"{thickness}"] * 4) + "\n*PART\nstrip\n1,1,1\n*NODE\n"
+        text += "".join(f"{1 + i + (along + 1) * j},{length * i / along},{0.5 * width * j},0.0\n" for j in range(3) for i in range(along + 1))
+        text += "*ELEMENT_SHELL\n"
+        for j in range(2):
+            for i in range(along):
+                a = 1 + i + (along + 1) * j
+                text += f"{1 + i + along * j},1,{a},{a + 1},{a + along + 2},{a + along + 1}\n"
+        found = self.frequencies(text + "*END\n", "-n", 10)
+        self.assertLess(found[5], 0.1 * found[6])
+        bent = lambda root, height: root**2 / (2.0 * math.pi * length**2) * math.sqrt(young * height**2 / 12.0 / density)  # noqa: E731
+        for one, expected in zip(found[6:], sorted((bent(4.730041, thickness), bent(7.853205, thickness), bent(10.995608, thickness), bent(4.730041, width)))):
+            self.assertAlmostEqual(one / expected, 1.0, delta=2e-3)
+
     def test_a_given_mass_stands_for_what_is_tied_to_the_body(self):
         """As in a run: the modes have the mass that the run has. Sabotage: the nodes of the tie add theirs."""
         plate = lambda first, x, y: "".join(f"{first + i},{a},{b},{c}\n" for i, (a, b, c) in enumerate((x, y[0], y[1], y[2])))  # noqa: E731

@@ -133,14 +133,16 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressC
                                                                                  : -small_shift(m),
                 s.before};
   if (start.place != s.low) start.below = shifts.below(start.place);
-  double limit = 1e-3 * start.place;
-  if (start.place < 0.0 && start.below > 0) {
-    // Free structures that are slender and fine at once: their rigid motions may lie below the small shift.
-    if (const double behind = -10.0 * round_off_of_zeros(m); behind < start.place) {
-      start.place = limit = behind;
+  double limit = 0.0;
+  if (start.place < 0.0) {
+    // Of free structures that are slender and fine at once rigid motions may lie far from zero, and below the shift.
+    const double round_off = round_off_of_zeros(m);
+    if (start.below > 0 && -10.0 * round_off < start.place) {
+      start.place = -10.0 * round_off;
       start.below = shifts.below(start.place);
     }
     refuse_negative(start.below);
+    limit = std::min(1e-3 * start.place, -round_off);
   }
   if (in_slices) {
     Eigenpairs found = find_in_slices(shifts, s, start, r.slice, modes.proof);
