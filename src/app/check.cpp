@@ -18,6 +18,7 @@
 #include "app/run_log.hpp"
 #include "app/subcycling.hpp"
 #include "impact/simulation/simulation.hpp"
+#include "nvh/statics/static_loads.hpp"
 #include "nvh/statics/statics.hpp"
 #include "output/column_units.hpp"
 #include "weld/tie/disc.hpp"
@@ -136,6 +137,7 @@ void try_linear_setup(const fs::path& directory, const RunArguments& arguments, 
   const model::Model& model = job.deck().model;
   if (job.assembled() && analysis == Analysis::modes_and_responses)
     nvh::report_fixed_motions(job.matrices().equations, model, findings);
+  if (job.assembled() && analysis == Analysis::statics) nvh::check_resistance(job.matrices(), findings);
   if (job.assembled() && analysis != Analysis::statics) check_responses(job.matrices(), model, findings);
   if (analysis != Analysis::statics) check_preload(model, nullptr, findings);
 }

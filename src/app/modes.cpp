@@ -19,6 +19,7 @@
 #include "model/units.hpp"
 #include "nvh/eigen/mode_files.hpp"
 #include "nvh/matrices/ranks.hpp"
+#include "nvh/statics/static_loads.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
 
@@ -160,6 +161,8 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
   const model::Model& model = job.deck().model;
   if (job.assembled()) nvh::report_fixed_motions(job.matrices().equations, model, findings);
   if (job.assembled() && arguments.response) check_responses(job.matrices(), model, findings);
+  if (job.assembled() && model.implicit.modes < 0 && model.implicit.geometric && !model.implicit.after_run)
+    nvh::check_resistance(job.matrices(), findings);
   check_preload(model, after, findings);
   if (after == nullptr) note_what_takes_no_part(model, model.implicit.modes < 0, findings);
   if (!job.accepted()) return ExitCode::refused;

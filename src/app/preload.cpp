@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "nvh/matrices/prestress.hpp"
+#include "nvh/statics/static_loads.hpp"
 #include "nvh/statics/statics.hpp"
 
 namespace nugget::app {
@@ -33,6 +34,7 @@ std::string stiffen_by_preload(nvh::Matrices& m, const impact::Simulation* after
   std::string text = "Preload\n\n";
   if (after != nullptr) {
     prestress->add(after->system(), after->state());
+    prestress->add_loads(nvh::external_loads(m, model.control.end_time));
     text += fmt::format(" the explicit run at time {:.6g}\n", after->state().time);
   } else {
     prestress->add_initial();
@@ -41,6 +43,7 @@ std::string stiffen_by_preload(nvh::Matrices& m, const impact::Simulation* after
     Findings ignored_findings;  // by check_preload
     const nvh::Statics statics = nvh::solve_statics(m, ignored_findings);
     prestress->add(statics.motion);
+    prestress->add_loads(nvh::external_loads(m, model.control.end_time));
     double largest = 0.0;
     for (const nvh::SixDof& u : statics.motion) largest = std::max(largest, norm(Vec3d{u[0], u[1], u[2]}));
     text += fmt::format(" linear statics at time {:.6g}: largest displacement {:.6g}, out of balance {:.2g}\n",

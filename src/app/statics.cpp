@@ -10,6 +10,7 @@
 #include "app/linear_job.hpp"
 #include "model/units.hpp"
 #include "nvh/statics/static_files.hpp"
+#include "nvh/statics/static_loads.hpp"
 #include "output/history.hpp"
 
 namespace nugget::app {
@@ -79,9 +80,10 @@ ExitCode statics_of(const fs::path& directory, const RunArguments& arguments, Pr
                     Findings& findings) {
   nvh::check_statics(prepared.model, findings);
   LinearJob job(directory, arguments, std::move(prepared), findings);
+  if (job.assembled()) nvh::check_resistance(job.matrices(), findings);
   return job.attempt([&] {
     std::optional<nvh::Statics> statics;
-    if (job.assembled()) statics.emplace(nvh::solve_statics(job.matrices(), findings));
+    if (job.assembled() && findings.errors() == 0) statics.emplace(nvh::solve_statics(job.matrices(), findings));
     const double solve = job.seconds();
     if (!job.accepted()) return ExitCode::refused;
 

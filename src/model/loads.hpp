@@ -63,6 +63,7 @@ struct NodalLoad {
   std::array<Index, 3> follower_nodes{none, none, none};  ///< DOF 4, 8: along the normal of these three nodes
   Index curve = none;
   double scale = 1.0;
+  Place place;
 };
 
 /// Base acceleration: each node feels the inertial force -m a (a positive value in z pulls down, LS-DYNA's way).

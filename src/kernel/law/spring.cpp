@@ -112,7 +112,7 @@ double Spring::advance(State& state, double increment, double velocity, double d
 }
 
 double ReversingSpring::stiffness_at(double first) const {
-  if (first == 0.0) return load.slope(0.0);
+  if (first == 0.0) return 0.5 * (load.slope(0.0) + load.slope(std::nextafter(0.0, -1.0)));
   State state;
   advance(state, first);
   return state.yielded ? unload.slope(first - state.shift) : load.slope(first);

@@ -60,13 +60,23 @@ void refuse_negative(std::ptrdiff_t count) {
         "{} eigenvalues are negative: the structure is not stable, it buckles or has negative stiffness", count)};
 }
 
-/// Of pairs found from a place below zero: those of rigid motions are round-off.
-void refuse_negative(const Eigenpairs& found, double place) {
-  refuse_negative(std::ranges::count_if(found.value, [&](double v) { return v < 1e-3 * place; }));
+/// Of pairs found from a place below zero: those of rigid motions are round-off, which lies above `limit`.
+void refuse_negative(const Eigenpairs& found, double limit) {
+  refuse_negative(std::ranges::count_if(found.value, [&](double v) { return v < limit; }));
+}
+
+/// How far round-off in K moves eigenvalues that are zero: a share of the stiffest translation's k/m.
+double round_off_of_zeros(const Matrices& m) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < m.size(); ++i)
+    if (m.mass.diagonal(i) > 0.0 && !m.equations.is_rotation(static_cast<int>(i)))
+      most = std::max(most, m.stiffness.diagonal(i) / m.mass.diagonal(i));
+  return 1e-15 * most;
 }
 
 /// The pairs nearest to `start`, where `shifts` stand; `take` of them at first, more where no gap shows behind them.
-Eigenpairs find_around(Shifts& shifts, const Spectrum& s, const Counted& start, std::size_t take, Modes::Proof& proof) {
+Eigenpairs find_around(Shifts& shifts, const Spectrum& s, const Counted& start, double limit, std::size_t take,
+                       Modes::Proof& proof) {
   const double place = start.place;
   const int left = start.below - s.before;
   const std::size_t all = shifts.matrices().size();
@@ -78,7 +88,7 @@ Eigenpairs find_around(Shifts& shifts, const Spectrum& s, const Counted& start, 
       take += found.order.size() < s.wanted ? take : 4;
       continue;
     }
-    if (place < 0.0) refuse_negative(found.pairs, place);
+    if (place < 0.0) refuse_negative(found.pairs, limit);
     proof.found = static_cast<int>(found.end);
     if (found.end > 0 && found.end < at(s.inside)) {
       double from = place - found.radius(), to = place + found.radius();
@@ -123,10 +133,20 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressC
                                                                                  : -small_shift(m),
                 s.before};
   if (start.place != s.low) start.below = shifts.below(start.place);
-  if (start.place < 0.0) refuse_negative(start.below);
+  double limit = 0.0;
+  if (start.place < 0.0) {
+    // Of free structures that are slender and fine at once rigid motions may lie far from zero, and below the shift.
+    const double round_off = round_off_of_zeros(m);
+    if (start.below > 0 && -10.0 * round_off < start.place) {
+      start.place = -10.0 * round_off;
+      start.below = shifts.below(start.place);
+    }
+    refuse_negative(start.below);
+    limit = std::min(1e-3 * start.place, -round_off);
+  }
   if (in_slices) {
     Eigenpairs found = find_in_slices(shifts, s, start, r.slice, modes.proof);
-    if (start.place < 0.0) refuse_negative(found, start.place);
+    if (start.place < 0.0) refuse_negative(found, limit);
     return found;
   }
   // One more than wanted shows the gap; where there are pairs on both sides, as many again.
@@ -134,7 +154,7 @@ Eigenpairs search_modes(const Matrices& m, const ModeRequest& r, const ProgressC
   if (start.place < 0.0 && !s.whole()) ++take;
   const int left = start.below - s.before;
   if (start.place > 0.0 && !interval) take += 1 + (left <= 0 || left >= s.inside ? 0 : s.wanted);
-  return find_around(shifts, s, start, take, modes.proof);
+  return find_around(shifts, s, start, limit, take, modes.proof);
 }
 
 }  // namespace nugget::nvh

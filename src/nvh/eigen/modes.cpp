@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "nvh/eigen/mode_search.hpp"
 
@@ -56,6 +57,20 @@ void fix_signs(Columns& shape) {
     if (largest < 0.0)
       for (double& v : x) v = -v;
   }
+}
+
+/// By group and element the weld that it is, or is a part of; the number of welds: none. Rigid welds have no elements.
+std::vector<std::vector<std::size_t>> welds_of_elements(const system::System& system) {
+  const std::vector<weld::Weld>& welds = system.ties.welds;
+  std::vector<std::vector<std::size_t>> weld_of;
+  for (const auto& group : system.groups) weld_of.emplace_back(group->size(), welds.size());
+  for (std::size_t w = 0; w < welds.size(); ++w) {
+    if (welds[w].kind == weld::Weld::Kind::rigid) continue;
+    for (const model::Index element : welds[w].elements)
+      if (const auto location = system.location_of(welds[w], element); location.group >= 0)
+        weld_of[at(location.group)][at(location.element)] = w;
+  }
+  return weld_of;
 }
 
 }  // namespace
@@ -122,10 +137,9 @@ EnergyShares energy_shares(const Matrices& m, const Modes& modes) {
   const std::size_t count = modes.eigenvalue.size();
   EnergyShares shares{Columns(system.model.parts.size(), count), Columns(system.ties.welds.size(), count)};
   std::vector<double> whole(count, 0.0);  // omega^2 / 2, but for the work of preloads
-  std::vector<std::size_t> weld_of(system.model.beams.size(), system.ties.welds.size());
-  for (std::size_t w = 0; w < system.ties.welds.size(); ++w)
-    if (system.ties.welds[w].kind == weld::Weld::Kind::beam) weld_of[system.ties.welds[w].element] = w;
-  for (const auto& group : system.groups) {
+  const std::vector<std::vector<std::size_t>> weld_of = welds_of_elements(system);
+  for (std::size_t g = 0; g < system.groups.size(); ++g) {
+    const auto& group = system.groups[g];
     std::vector<std::vector<double>> energies(group->size());
     parallel_for(group->size(), 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e)
@@ -137,12 +151,18 @@ EnergyShares energy_shares(const Matrices& m, const Modes& modes) {
         if (!modes.elastic(mode)) continue;
         whole[mode] += energies[e][mode];
         shares.part[mode][group->part] += energies[e][mode];
-        if (group->kind != model::ElementKind::beam) continue;
-        const std::size_t w = weld_of[group->element[e]];
-        if (w < system.ties.welds.size()) shares.weld[mode][w] += energies[e][mode];
+        if (const std::size_t w = weld_of[g][e]; w < system.ties.welds.size())
+          shares.weld[mode][w] += energies[e][mode];
       }
     }
   }
+  for (const BodyLink& link : m.links)  // what joints hold is no part's
+    for (std::size_t mode = 0; mode < count; ++mode) {
+      if (!modes.elastic(mode)) continue;
+      ConstrainedMotion::Row motion;
+      for (std::size_t i = 0; i < 12; ++i) motion[i] = m.equations.motion(link.node[i / 6], modes.shape[mode])[i % 6];
+      whole[mode] += link.energy(motion);
+    }
   for (Columns* share : {&shares.part, &shares.weld})
     for (std::size_t mode = 0; mode < count; ++mode)
       for (double& v : (*share)[mode]) v *= whole[mode] > 0.0 ? 1.0 / whole[mode] : 0.0;

@@ -250,6 +250,7 @@ Equations::Equations(const system::System& system, Findings& findings) {
       for (int i = 0; i < 3; ++i)
         if (component[i] != 0.0) own[6 * node + at(first + i)].push_back({size_, component[i]});
       owner_.push_back(static_cast<int>(node));
+      rotation_.push_back(first == 3);
       ++size_;
     }
   };
@@ -310,10 +311,12 @@ Equations::Equations(const system::System& system, Findings& findings) {
   if (!linear.empty()) {
     linear.finish();
     std::vector<int> renumbered(at(size_), -1), owner;
+    std::vector<char> rotation;
     for (int i = 0; i < size_; ++i) {
       if (linear.given(i)) continue;
       renumbered[at(i)] = static_cast<int>(owner.size());
       owner.push_back(owner_[at(i)]);
+      rotation.push_back(rotation_[at(i)]);
     }
     for (std::vector<Term>& row : own) {
       linear.replace(row);
@@ -321,6 +324,7 @@ Equations::Equations(const system::System& system, Findings& findings) {
     }
     size_ = static_cast<int>(owner.size());
     owner_ = std::move(owner);
+    rotation_ = std::move(rotation);
   }
 
   start_.reserve(own.size() + 1);
@@ -332,21 +336,57 @@ Equations::Equations(const system::System& system, Findings& findings) {
 }
 
 void Equations::constrain(const std::vector<char>& marked) {
-  std::vector<int> number(at(size_), -1), owner;
-  for (std::size_t i = 0; i < marked.size(); ++i) {
-    if (marked[i]) continue;
-    number[i] = static_cast<int>(owner.size());
-    owner.push_back(owner_[i]);
+  std::vector<Turned> held;
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    if (marked[i]) held.push_back({static_cast<int>(i), 1, 0, {1.0}});
+  turn(held);
+}
+
+void Equations::turn(std::span<const Turned> blocks) {
+  // Of each old unknown its block, or -1, and the number that it has now; of a block that of its first direction.
+  std::vector<int> block(at(size_), -1), number(at(size_), -1), owner;
+  std::vector<char> rotation;
+  std::size_t next = 0;
+  for (int i = 0; i < size_;) {
+    const bool turned = next < blocks.size() && blocks[next].first == i;
+    const int count = turned ? blocks[next].count : 1, kept = turned ? blocks[next].kept : 1;
+    for (int k = 0; k < count; ++k) {
+      if (turned) block[at(i + k)] = static_cast<int>(next);
+      number[at(i + k)] = static_cast<int>(owner.size());
+    }
+    owner.insert(owner.end(), at(kept), owner_[at(i)]);
+    rotation.insert(rotation.end(), at(kept), rotation_[at(i)]);
+    next += turned;
+    i += count;
   }
   std::vector<Term> kept;
   std::vector<std::size_t> start{0};
+  const auto add = [&](int equation, double factor) {
+    const auto own = kept.begin() + static_cast<std::ptrdiff_t>(start.back());
+    const auto same = std::find_if(own, kept.end(), [&](const Term& t) { return t.equation == equation; });
+    if (same != kept.end())
+      same->factor += factor;
+    else
+      kept.push_back({equation, factor});
+  };
   for (std::size_t row = 0; row + 1 < start_.size(); ++row) {
-    for (std::size_t t = start_[row]; t < start_[row + 1]; ++t)
-      if (const int n = number[terms_[t].equation]; n >= 0) kept.push_back({n, terms_[t].factor});
+    for (std::size_t t = start_[row]; t < start_[row + 1]; ++t) {
+      const Term& term = terms_[t];
+      const int first = number[at(term.equation)], b = block[at(term.equation)];
+      if (b < 0) {
+        kept.push_back({first, term.factor});
+        continue;
+      }
+      const Turned& of = blocks[b];
+      for (int k = 0; k < of.kept; ++k)
+        if (const double share = of.basis[at((term.equation - of.first) * of.count + k)]; share != 0.0)
+          add(first + k, term.factor * share);
+    }
     start.push_back(kept.size());
   }
   size_ = static_cast<int>(owner.size());
   owner_ = std::move(owner);
+  rotation_ = std::move(rotation);
   terms_ = std::move(kept);
   start_ = std::move(start);
 }

@@ -44,6 +44,15 @@ class Equations {
   /// Takes unknowns out: those marked stay zero, the others are counted anew.
   void constrain(const std::vector<char>& marked);
 
+  /// Unknowns of one node, `count` of them from `first` on, in other directions, the columns of `basis` (row-major,
+  /// orthonormal). Those from `kept` on stay zero.
+  struct Turned {
+    int first = 0, count = 0, kept = 0;
+    std::array<double, 9> basis{};
+  };
+  /// Puts such directions in the place of these unknowns, which stand in ascending order, and counts anew.
+  void turn(std::span<const Turned> blocks);
+
   struct Term {
     int equation;
     double factor;
@@ -55,6 +64,7 @@ class Equations {
   }
   /// Node whose unknown an equation is (a virtual node for a rigid body's).
   int node_of(int equation) const { return owner_[equation]; }
+  bool is_rotation(int equation) const { return rotation_[equation] != 0; }
 
   /// Motion of a node.
   SixDof motion(int node, std::span<const double> q) const;
@@ -66,6 +76,7 @@ class Equations {
   std::vector<std::size_t> start_;  ///< 6 a node
   std::vector<Term> terms_;
   std::vector<int> owner_;
+  std::vector<char> rotation_;  ///< by unknown
   std::vector<Support> supports_;
 };
 

@@ -34,7 +34,8 @@ void Factorization::check() const {
   if (code < 0)
     throw SolverError{code == -10   ? "the matrix is singular: something can move without any stiffness"
                       : code == -13 ? "not enough memory to factor the matrix"
-                                    : fmt::format("MUMPS gave up with INFOG(1) = {}", code)};
+                                    : fmt::format("MUMPS gave up with INFOG(1) = {}", code),
+                      code == -10};
 }
 
 Factorization::Factorization(Factorization&&) noexcept = default;

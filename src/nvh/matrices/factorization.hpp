@@ -48,6 +48,7 @@ class Factorization {
 
 struct Factorization::SolverError {
   std::string text;
+  bool singular = false;
 
   /// Of a solution for which MUMPS gave INFOG(1) = code.
   static SolverError of_solution(int code);

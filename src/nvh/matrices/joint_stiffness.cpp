@@ -72,7 +72,7 @@ BodyLink link_of(const system::System& system, const model::Joint& joint) {
   BodyLink link;
   link.rigid = true;
   link.scale = joint.stiffness_scale;
-  std::array<Vec3d, 2> arm;
+  std::array<Vec3d, 2>& arm = link.arm;
   for (std::size_t side = 0; side < 2; ++side) {
     const system::RigidBody& body = body_of(system, joint.body[side]);
     link.node[side] = body.node;
@@ -125,7 +125,7 @@ double force_of(const system::System& system, const model::JointStiffness::Freed
 
 BodyLink link_of(const system::System& system, const model::JointStiffness& s) {
   BodyLink link;
-  std::array<Vec3d, 2> arm;
+  std::array<Vec3d, 2>& arm = link.arm;
   for (std::size_t side = 0; side < 2; ++side) {
     const system::RigidBody& body = body_of(system, s.body[side]);
     link.node[side] = body.node;
@@ -185,6 +185,16 @@ SixDof BodyLink::on_second(const ConstrainedMotion::Row& motion) const {
     for (std::size_t i = 0; i < 3; ++i) load[i + (h.rotation ? 3 : 0)] += component[i];
   }
   return load;
+}
+
+double BodyLink::energy(const ConstrainedMotion::Row& motion) const {
+  double sum = 0.0;
+  for (const ConstrainedMotion& h : constrained) {
+    double moved = 0.0;
+    for (std::size_t a = 0; a < 12; ++a) moved += h.row[a] * motion[a];
+    sum += 0.5 * h.spring * moved * moved;
+  }
+  return sum;
 }
 
 std::vector<BodyLink> body_links(const system::System& system) {

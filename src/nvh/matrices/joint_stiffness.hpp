@@ -29,6 +29,7 @@ struct ConstrainedMotion {
 /// friction, which sticks.
 struct BodyLink {
   std::array<int, 2> node{};
+  std::array<Vec3d, 2> arm;  ///< from the centres of the bodies to where its forces act
   std::vector<ConstrainedMotion> constrained;
   bool rigid = false;      ///< a joint: springs by `stiffen_joints`
   double scale = 1.0;      ///< RPS
@@ -40,6 +41,7 @@ struct BodyLink {
   bool damps() const;
   /// Force and moment on B at its point, in a motion of the twelve freedoms.
   SixDof on_second(const ConstrainedMotion::Row& motion) const;
+  double energy(const ConstrainedMotion::Row& motion) const;  ///< elastic, in such a motion
 };
 /// Joints in the order of the model, then the stiffnesses of joints.
 std::vector<BodyLink> body_links(const system::System& system);

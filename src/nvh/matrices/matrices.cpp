@@ -11,6 +11,7 @@
 #include "base/parallel.hpp"
 #include "nvh/matrices/assembly.hpp"
 #include "nvh/matrices/prestress.hpp"
+#include "nvh/matrices/resistance.hpp"
 
 namespace nugget::nvh {
 namespace {
@@ -100,9 +101,12 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
   for (const model::PointInertia& p : system.model.inertias) put(system.node_of[p.node], {p.mass, p.inertia, {}});
   for (const system::RigidBody& body : system.bodies) {
     const model::RigidBody& source = system.model.rigid_bodies[body.source];
-    if (!source.given) continue;
-    for (const model::Index n : source.nodes) at_node[system.node_of[n]] = {};
-    at_node[body.node] = {source.inertia.mass, source.inertia.inertia, {}};
+    if (source.given) at_node[body.node] = {source.inertia.mass, source.inertia.inertia, {}};
+  }
+  // A given mass stands for all that the body carries, nodes that are tied to it included, as in a run.
+  for (std::size_t k = 0; k < system.nodes; ++k) {
+    const int b = system.rigid_body_of_node(static_cast<int>(k));
+    if (b >= 0 && system.model.rigid_bodies[system.bodies[b].source].given) at_node[k] = {};
   }
   return at_node;
 }
@@ -157,15 +161,6 @@ Symmetric assemble_stiffness(Matrices& m) {
   return k;
 }
 
-/// Marks the unknowns whose row of K is zero.
-std::vector<char> unresisted(const Symmetric& k) {
-  std::vector<char> loose(k.size(), 1);
-  for (std::size_t j = 0; j < k.size(); ++j)
-    for (std::size_t i = 0; i < k.rows(j).size(); ++i)
-      if (k.values(j)[i] != 0.0) loose[j] = loose[k.rows(j)[i]] = 0;
-  return loose;
-}
-
 Symmetric assemble_mass(const Equations& equations, const std::vector<NodalMass>& nodal) {
   std::vector<std::vector<int>> lists;
   const auto dof_map = [&](std::size_t k) {
@@ -185,12 +180,16 @@ void assemble(Matrices& m) {
     return m.prestress ? sum(k, m.prestress->stiffness(m.equations)) : std::move(k);
   };
   m.stiffness = stiffness();
-  const std::vector<char> loose = unresisted(m.stiffness);
-  m.auto_constrained = static_cast<int>(std::count(loose.begin(), loose.end(), 1));
-  if (m.auto_constrained > 0) {
+  const std::size_t all = m.size();
+  if (const std::vector<char> loose = unresisted(m.stiffness); std::ranges::count(loose, 1) > 0) {
     m.equations.constrain(loose);
     m.stiffness = stiffness();
   }
+  if (const std::vector<Equations::Turned> askew = unresisted_askew(m.equations, m.stiffness); !askew.empty()) {
+    m.equations.turn(askew);
+    m.stiffness = stiffness();
+  }
+  m.auto_constrained = static_cast<int>(all - m.size());
   m.mass = assemble_mass(m.equations, m.nodal_mass);
   // What cancels between elements or belongs to another direction is left as round-off of a few 1e-16.
   m.stiffness.drop_small(1e-14);
@@ -252,8 +251,8 @@ Matrices::Matrices(const system::System& s, Findings& findings)
   assemble(*this);
   if (auto_constrained > 0)
     findings.note({s.model.deck, 0, 0}, "*CONTROL_IMPLICIT_SOLVER",
-                  fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC)",
-                              auto_constrained));
+                  fmt::format("{} directions of nodes are held, since nothing resists motion in them (AUTOSPC){}",
+                              auto_constrained, s.model.implicit.geometric ? ", but for what a preload resists" : ""));
 }
 
 void stiffen(Matrices& m, std::shared_ptr<const Prestress> prestress) {

@@ -52,6 +52,16 @@ std::vector<double> tangent_stiffness(const Matrices& m, const system::ElementGr
   return k;
 }
 
+std::vector<double> element_force(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
+  const std::vector<double> k = element_stiffness(m, group, e);
+  const system::ElementNodes node = group.nodes(e);
+  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
+  std::vector<double> f(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) f[i] += k[i * n + j] * u[node[j / per_node]][j % per_node];
+  return f;
+}
+
 Nodal forces_at_start(const Matrices& m) {
   Nodal all(m.system.all_nodes());
   for (const auto& group : m.system.groups) {
@@ -101,6 +111,7 @@ Internal internal_forces(const Matrices& m, const Nodal& u) {
       all.link_energy += 0.5 * constrained.spring * moved * moved;
     }
   }
+  if (m.prestress) m.prestress->add_arm_forces(u, all.force);
   return all;
 }
 

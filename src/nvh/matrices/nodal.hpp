@@ -23,6 +23,10 @@ std::vector<double> element_stiffness(const Matrices& matrices, const system::El
 /// The same with the geometric stiffness of what it carries at rest.
 std::vector<double> tangent_stiffness(const Matrices& matrices, const system::ElementGroup& group, std::size_t e);
 
+/// Internal forces K_e u_e of one element, in its freedoms.
+std::vector<double> element_force(const Matrices& matrices, const system::ElementGroup& group, std::size_t e,
+                                  const Nodal& motion);
+
 /// Motion of the twelve freedoms of the bodies that a link joins.
 ConstrainedMotion::Row motion_of(const BodyLink& link, const Nodal& motion);
 

@@ -8,6 +8,7 @@
 #include "base/index.hpp"
 #include "kernel/element/quadratic_tetrahedron.hpp"
 #include "nvh/matrices/assembly.hpp"
+#include "nvh/matrices/nodal.hpp"
 #include "nvh/matrices/stresses.hpp"
 #include "system/shell_elements.hpp"
 #include "system/thick_shell_element.hpp"
@@ -182,9 +183,18 @@ bool any(const Tensor& t) {
   return std::any_of(t.begin(), t.end(), [](double c) { return c != 0.0; });
 }
 
+/// Adds the stiffness that a force has at an arm, 1/2 (f r + r f) - (f . r) 1, row-major.
+void add_arm(const Vec3d& f, const Vec3d& r, std::array<double, 9>& k) {
+  const double force[3] = {f.x, f.y, f.z}, arm[3] = {r.x, r.y, r.z};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      k[3 * i + j] += 0.5 * (force[i] * arm[j] + arm[i] * force[j]) - (i == j ? dot(f, r) : 0.0);
+}
+
 }  // namespace
 
-Prestress::Prestress(const Matrices& m) : system_(m.system), rest_(m.rest) {
+Prestress::Prestress(const Matrices& m)
+    : matrices_(m), system_(m.system), rest_(m.rest), force_(m.system.nodes), joint_arms_(m.system.bodies.size()) {
   for (const auto& group : m.system.groups) tensor_.emplace_back(group->size(), Tensor{});
 }
 
@@ -201,6 +211,50 @@ void Prestress::add_along(const ElementLocation& location, const Vec3d& force) {
   const system::ElementNodes node = group.nodes(at(location.element));
   const Vec3d line = vec(rest_.x[node[1]]) - vec(rest_.x[node[0]]);
   if (norm(line) > 0.0) add_to(of(location), dot(unit(line), force), along(unit(line)));
+}
+
+bool Prestress::at_body(const system::ElementGroup& group, std::size_t e) const {
+  const system::ElementNodes nodes = group.nodes(e);
+  return std::ranges::any_of(element_nodes(group, nodes), [&](int k) { return system_.rigid_body_of_node(k) >= 0; });
+}
+
+void Prestress::add_forces_of_stresses() {
+  std::vector<Vec3d> gradient;
+  for (std::size_t g = 0; g < tensor_.size(); ++g) {
+    const system::ElementGroup& group = *system_.groups[g];
+    const std::vector<Point> points = points_of(at(group.nodes_per_element), dimension_of(group));
+    for (std::size_t e = 0; e < group.size(); ++e) {
+      if (!group.alive(e) || !any(tensor_[g][e]) || !at_body(group, e)) continue;
+      const system::ElementNodes node = group.nodes(e);
+      const std::vector<Vec3d> x = places_of(group, e, rest_);
+      for (const Point& p : points) {
+        const double measure = p.weight * gradients(p, dimension_of(group), x, gradient);
+        if (measure == 0.0) continue;
+        for (std::size_t a = 0; a < x.size(); ++a) force_[node[a]] += measure * product(tensor_[g][e], gradient[a]);
+      }
+    }
+  }
+}
+
+void Prestress::add_loads(const std::vector<SixDof>& loads) {
+  for (std::size_t k = 0; k < force_.size(); ++k) force_[k] -= Vec3d{loads[k][0], loads[k][1], loads[k][2]};
+}
+
+std::vector<std::array<double, 9>> Prestress::arms() const {
+  std::vector<std::array<double, 9>> all = joint_arms_;
+  for (std::size_t k = 0; k < force_.size(); ++k)
+    if (const int body = system_.rigid_body_of_node(static_cast<int>(k)); body >= 0 && norm(force_[k]) > 0.0)
+      add_arm(force_[k], vec(rest_.x[k]) - system_.bodies[body].center0, all[at(body)]);
+  return all;
+}
+
+void Prestress::add_arm_forces(const std::vector<SixDof>& motion, std::vector<SixDof>& force) const {
+  const std::vector<std::array<double, 9>> all = arms();
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    const std::size_t node = at(system_.bodies[b].node);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) force[node][3 + i] += all[b][3 * i + j] * motion[node][3 + j];
+  }
 }
 
 void Prestress::add_initial() {
@@ -228,6 +282,10 @@ void Prestress::add_initial() {
       if (norm(line) > 0.0)
         add_to(of(location), f.scale * system.model.curves[f.curve].clamped(0.0), along(unit(line)));
     }
+  add_forces_of_stresses();
+  const Nodal start = forces_at_start(matrices_);
+  for (std::size_t k = 0; k < force_.size(); ++k) force_[k] += part_of(start[k], false);
+  add_joints(nullptr);
   for (std::size_t g = 0; g < tensor_.size(); ++g) {
     const system::ElementGroup& group = *system.groups[g];
     if (dimension_of(group) != 1) continue;
@@ -256,6 +314,13 @@ void Prestress::add(const std::vector<SixDof>& motion) {
       if (dimension_of(group) == 2)
         for (int k = 0; k < layers; ++k)
           add_to(of(location), group.thickness(e) * rule.weight[k], elastic.stress(location, k));
+      if (at_body(group, e)) {
+        const std::vector<double> f = element_force(matrices_, group, e, motion);
+        const system::ElementNodes node = group.nodes(e);
+        const std::size_t freedoms = at(group.freedoms());
+        for (std::size_t a = 0; a < at(group.nodes_per_element); ++a)
+          force_[node[a]] += Vec3d{f[a * freedoms], f[a * freedoms + 1], f[a * freedoms + 2]};
+      }
       if (dimension_of(group) > 1) continue;
       // Along a line: the force at its second end.
       const std::size_t per_node = at(group.freedoms()), n = 2 * per_node;
@@ -269,6 +334,24 @@ void Prestress::add(const std::vector<SixDof>& motion) {
       add_along(location, {force[0], force[1], force[2]});
     }
   }
+  add_joints(&motion);
+}
+
+/// Forces of joints on their bodies, by a motion; without one those with which the stiffnesses of joints begin.
+void Prestress::add_joints(const std::vector<SixDof>* motion) {
+  for (const BodyLink& link : matrices_.links) {
+    const ConstrainedMotion::Row moved = motion != nullptr ? motion_of(link, *motion) : ConstrainedMotion::Row{};
+    Vec3d force{};
+    for (const ConstrainedMotion& h : link.constrained) {
+      if (h.rotation) continue;
+      double way = 0.0;
+      for (std::size_t i = 0; i < 12; ++i) way += h.row[i] * moved[i];
+      force += (motion != nullptr ? h.spring * way : h.start) * h.direction;
+    }
+    if (!(norm(force) > 0.0)) continue;
+    for (std::size_t side = 0; side < 2; ++side)
+      add_arm(side == 0 ? -force : force, link.arm[side], joint_arms_[at(link.node[side]) - system_.nodes]);
+  }
 }
 
 void Prestress::add(const system::System& run, const system::State& now) {
@@ -280,6 +363,8 @@ void Prestress::add(const system::System& run, const system::State& now) {
       if (!group.alive(e)) continue;
       if (dimension_of(group) == 1) {
         add_along(to[i], run.nodal_force(from[i], 1));
+        const system::ElementNodes node = system_.groups[to[i].group]->nodes(at(to[i].element));
+        for (const int a : {0, 1}) force_[node[a]] += run.nodal_force(from[i], a);
         continue;
       }
       const int layers = group.layers();
@@ -295,6 +380,7 @@ void Prestress::add(const system::System& run, const system::State& now) {
   };
   carry(run.shell_location, system_.shell_location);
   carry(run.solid_location, system_.solid_location);
+  add_forces_of_stresses();
   carry(run.beam_location, system_.beam_location);
   carry(run.discrete_location, system_.discrete_location);
 }
@@ -323,6 +409,16 @@ Symmetric Prestress::stiffness(const Equations& equations) const {
                         element_stiffness(group, places_of(group, e, rest_), points, tensor_[g][e])});
       lists.push_back(pieces.back().dof_map.equations());
     }
+  }
+  const std::vector<std::array<double, 9>> of_arms = arms();
+  for (std::size_t b = 0; b < of_arms.size(); ++b) {
+    if (std::ranges::all_of(of_arms[b], [](double v) { return v == 0.0; })) continue;
+    std::vector<double> own(36, 0.0);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) own[6 * (3 + i) + 3 + j] = of_arms[b][3 * i + j];
+    const int node = system_.bodies[b].node;
+    pieces.push_back({DofMap(equations, {&node, 1}, 6), std::move(own)});
+    lists.push_back(pieces.back().dof_map.equations());
   }
   Symmetric k(pattern(at(equations.size()), lists));
   for (const Piece& p : pieces) scatter(p.dof_map, p.k, k);

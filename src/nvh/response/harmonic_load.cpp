@@ -8,6 +8,7 @@
 
 #include "base/index.hpp"
 #include "nvh/eigen/modes.hpp"
+#include "nvh/matrices/resistance.hpp"
 #include "nvh/response/static_answer.hpp"
 
 namespace nugget::nvh {
@@ -99,10 +100,24 @@ Nodal motion_of_base(const Matrices& m, const Excitation& e) {
   return u;
 }
 
-/// Forces act where something can move; what supports carry moves nothing.
+/// Forces act where something can move and something resists; what supports carry moves nothing. What only a preload
+/// resists is not known yet.
 void check_effect(const Matrices& m, const Excitation& e, const char* keyword, Findings& findings) {
   std::vector<double> load(m.size(), 0.0);
   const Nodal f = applied_forces(m, e);
+  if (const auto lost = unresisted_loads(m, f); !lost.empty() && !m.system.model.implicit.geometric) {
+    const UnresistedLoad& first = lost.front();
+    const Vec3d& d = first.direction;
+    const std::string node = name_of(m.system, first.node);
+    findings.error(e.place, keyword,
+                   first.nothing_there
+                       ? fmt::format("{} is loaded, but belongs to no element, mass or rigid body", node)
+                       : fmt::format("nothing resists motion along ({:.3g} {:.3g} {:.3g}) at {}, which is held there "
+                                     "(AUTOSPC): the load would move nothing",
+                                     d.x, d.y, d.z, node),
+                   "give the node stiffness in that direction, or load another one");
+    return;
+  }
   add_load(m, f, 1.0, load);
   const auto zero = [](double v) { return v == 0.0; };
   if (std::ranges::all_of(load, zero))

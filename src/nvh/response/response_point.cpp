@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/index.hpp"
+#include "nvh/matrices/resistance.hpp"
 #include "nvh/response/harmonic_load.hpp"
 
 namespace nugget::nvh {
@@ -78,6 +79,34 @@ bool is_supported(const Equations& equations, int node, bool rotation, const Vec
   });
 }
 
+/// Whether nothing knows a node: no element, mass, body or tie, and no support.
+bool is_unknown(const Matrices& m, int node) {
+  if (m.system.map.dependent(node)) return false;
+  for (int i = 0; i < 6; ++i)
+    if (!m.equations.terms(node, i).empty()) return false;
+  return m.nodal_mass[at(node)].none() &&
+         std::ranges::none_of(m.equations.supports(), [&](const Equations::Support& s) { return s.node == node; });
+}
+
+/// What is asked for where the node is held since nothing resists its motion there.
+void warn_of_held_responses(const Matrices& m, const Response& response, const char* keyword, Findings& findings) {
+  if (m.auto_constrained == 0 || m.system.model.implicit.geometric) return;
+  for (const Vec3d& d : response.directions) {
+    Nodal along(m.system.all_nodes());
+    for (const model::Index n : response.nodes)
+      if (const int node = m.system.node_of[n]; !m.system.map.dependent(node))
+        add_to(along[at(node)], response.rotation, d);
+    for (const UnresistedLoad& held : unresisted_loads(m, std::move(along)))
+      if (!held.nothing_there)
+        findings.warning(response.place, keyword,
+                         fmt::format("nothing resists {} of {} along ({:.3g} {:.3g} {:.3g}), which is held there "
+                                     "(AUTOSPC): the response has none of it",
+                                     held.moment ? "rotation" : "motion", name_of(m.system, held.node),
+                                     held.direction.x, held.direction.y, held.direction.z),
+                         "give the node stiffness in that direction, or ask for another one");
+  }
+}
+
 }  // namespace
 
 double Form::of(const Nodal& motion) const {
@@ -123,6 +152,12 @@ void check_response(const Matrices& m, const Response& response, const char* key
   const bool force = response.quantity == model::FrequencyResponse::Quantity::force;
   for (const model::Index n : response.nodes) {
     const int node = m.system.node_of[n], id = m.system.model.nodes.id[n];
+    if (is_unknown(m, node)) {
+      findings.error(response.place, keyword,
+                     fmt::format("node {} belongs to no element, mass or rigid body: it has no motion", id),
+                     "ask for a node of the structure");
+      continue;
+    }
     if (response.rotation && !turns(m.equations, node))
       findings.error(response.place, keyword, fmt::format("nothing turns at node {}: it has no rotations", id),
                      "ask for translations, or for a node of shells, beams or a rigid body");
@@ -134,6 +169,7 @@ void check_response(const Matrices& m, const Response& response, const char* key
                                    id, d.x, d.y, d.z),
                        "ask for a node with *BOUNDARY_SPC or enforced motion in that direction");
   }
+  if (!force) warn_of_held_responses(m, response, keyword, findings);
 }
 
 }  // namespace nugget::nvh

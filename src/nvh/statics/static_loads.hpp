@@ -42,7 +42,14 @@ void refuse_unknown(const Load& load, Findings& findings) {
                    "take it out, or solve the deck by explicit dynamics (*CONTROL_IMPLICIT_GENERAL IMFLAG 0)");
 }
 
-/// All loads of the model that linear statics knows, at a time, and what springs and discrete beams do to their nodes
+/// Loads that act where nothing resists motion: an error by the load's place; of body loads a warning. With a
+/// preload, which resists motion in the end, all are warnings: its statics leaves such loads out.
+void check_resistance(const Matrices& matrices, Findings& findings);
+
+/// All loads of the model that linear statics knows, at a time.
+Nodal external_loads(const Matrices& matrices, double time);
+
+/// The same, and what springs and discrete beams do to their nodes
 /// by the offsets and preloads that they have at time 0.
 Nodal static_loads(const Matrices& matrices, double time);
 

@@ -9,8 +9,11 @@
 
 #include "base/axis_across.hpp"
 #include "base/index.hpp"
+#include "kernel/law/law_components.hpp"
 #include "model/circular_motion.hpp"
+#include "nvh/eigen/modes.hpp"
 #include "nvh/matrices/nodal.hpp"
+#include "nvh/matrices/resistance.hpp"
 #include "nvh/statics/static_loads.hpp"
 #include "weld/failure/brick_section.hpp"
 #include "weld/failure/failure.hpp"
@@ -56,17 +59,6 @@ Nodal prescribed(const Matrices& m, double time, Findings& findings) {
   }
   apply_constraints(m.system, u);
   return u;
-}
-
-/// Internal forces K_e u_e of one element, in its freedoms.
-std::vector<double> element_force(const Matrices& m, const system::ElementGroup& group, std::size_t e, const Nodal& u) {
-  const std::vector<double> k = element_stiffness(m, group, e);
-  const system::ElementNodes node = group.nodes(e);
-  const std::size_t per_node = at(group.freedoms()), n = at(group.nodes_per_element) * per_node;
-  std::vector<double> f(n, 0.0);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) f[i] += k[i * n + j] * u[node[j / per_node]][j % per_node];
-  return f;
 }
 
 /// Of a weld beam, by equilibrium from the forces at its second end: moments about its middle. s and t are those with
@@ -122,6 +114,69 @@ std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, c
   return WeldForce{load.resultants, (*function)(load).value};
 }
 
+/// Where the softest motion of K with a little of M is largest, " (softest at node 7 along (0 0 1))", after a few steps
+/// of inverse iteration: what moves without stiffness shows there. Empty where it is not found.
+std::string place_of_softest_motion(const Matrices& m) {
+  try {
+    const Factorization shifted(m, small_shift(m));
+    Columns x(m.size(), 1);
+    for (std::size_t i = 0; i < m.size(); ++i) x.value[i] = 1.0 + 0.5 * std::sin(static_cast<double>(i));
+    for (int pass = 0; pass < 3; ++pass) {
+      std::vector<double> momentum(m.size());
+      m.mass.multiply(x[0], momentum);
+      x.value = std::move(momentum);
+      shifted.solve(x);
+      const double most = largest(x[0]);
+      if (!(most > 0.0) || !std::isfinite(most)) return {};
+      for (double& v : x.value) v /= most;
+    }
+    int node = -1;
+    Vec3d along{};
+    for (std::size_t k = 0; k < m.system.all_nodes(); ++k) {
+      const Vec3d u = part_of(m.equations.motion(static_cast<int>(k), x[0]), false);
+      if (norm(u) <= norm(along) * (1.0 + 1e-9)) continue;
+      along = u;
+      node = static_cast<int>(k);
+    }
+    if (node < 0) return {};
+    const Vec3d d = unit(along);
+    return fmt::format(" (it moves most at {}, along ({:.3g} {:.3g} {:.3g}))", name_of(m.system, node), d.x, d.y, d.z);
+  } catch (const Factorization::SolverError&) {
+    return {};
+  }
+}
+
+/// K = L D L^t; where K is singular, the error says where.
+Factorization factor_stiffness(const Matrices& m) {
+  try {
+    return Factorization(m, 0.0);
+  } catch (const Factorization::SolverError& error) {
+    if (!error.singular) throw;
+    throw Factorization::SolverError{error.text + place_of_softest_motion(m) +
+                                     "; hold it (*BOUNDARY_SPC_...), or ask for its modes (NEIG)"};
+  }
+}
+
+/// What relaxes counts with its stiffness at once: a structure at rest is softer.
+void warn_of_relaxation(const model::Model& model, Findings& findings) {
+  std::vector<std::string> relaxing;
+  for (const model::Material& material : model.materials) {
+    const auto* law = std::get_if<kernel::ComposedLaw>(&material.law);
+    const auto* spring = std::get_if<kernel::Spring>(&material.law);
+    const bool is_viscoelastic =
+        law != nullptr && (std::holds_alternative<kernel::Viscoelastic>(law->components->flow) ||
+                           std::holds_alternative<kernel::GeneralViscoelastic>(law->components->flow));
+    if (is_viscoelastic || (spring != nullptr && std::holds_alternative<kernel::MaxwellSpring>(spring->law)))
+      relaxing.push_back(fmt::format("{} (*{})", material.id, material.keyword));
+  }
+  if (!relaxing.empty())
+    findings.warning(
+        {model.deck, 0, 0}, "*CONTROL_IMPLICIT_GENERAL",
+        fmt::format("material{} {}: linear statics takes the stiffness at once (G0, K0), which relaxes in time",
+                    relaxing.size() == 1 ? "" : "s", fmt::join(relaxing, ", ")),
+        "for the structure after that time write the long-term stiffness (GI, KI) in its place");
+}
+
 }  // namespace
 
 void check_statics(const model::Model& model, Findings& findings) {
@@ -167,6 +222,7 @@ void check_statics(const model::Model& model, Findings& findings) {
     findings.warning(deck, keyword,
                      "initial stresses load nothing in linear statics: results are what the loads add to them",
                      "put loads in their place where the structure is not in balance with them");
+  warn_of_relaxation(model, findings);
   if (!model.initial_velocity.empty() || !model.initial_spin.empty())
     findings.warning(deck, keyword, "initial velocities take no part in linear statics");
   findings.note(deck, keyword, "linear statics: materials are elastic, welds do not fail, geometry is that of time 0");
@@ -192,12 +248,13 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
   const std::vector<double> right(q.value);
   const double most = largest(right);
   if (m.size() > 0) {
-    const Factorization factor(m, 0.0);
+    const Factorization factor = factor_stiffness(m);
     if (factor.negative() > 0)
-      throw Factorization::SolverError{fmt::format(
-          "the stiffness matrix has {} negative eigenvalues: the structure is not held; hold it so that it cannot move "
-          "as a rigid body (*BOUNDARY_SPC_..., *MAT_RIGID), or ask for its modes (NEIG)",
-          factor.negative())};
+      throw Factorization::SolverError{
+          fmt::format("the stiffness matrix has {} negative eigenvalues: the structure is not held{}; hold it so that "
+                      "it cannot move "
+                      "as a rigid body (*BOUNDARY_SPC_..., *MAT_RIGID), or ask for its modes (NEIG)",
+                      factor.negative(), place_of_softest_motion(m))};
     factor.solve(q);
     s.cost = factor.cost();
   }
@@ -207,9 +264,9 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
   s.residual = most > 0.0 ? largest(back) / most : 0.0;
   if (!(s.residual < 1e-6))
     throw Factorization::SolverError{fmt::format(
-        "forces are out of balance by {:.2g} of the largest: something can move without stiffness; hold the structure "
-        "so that it cannot move as a rigid body",
-        s.residual)};
+        "forces are out of balance by {:.2g} of the largest: something can move without stiffness{}; hold the "
+        "structure so that it cannot move as a rigid body",
+        s.residual, place_of_softest_motion(m))};
 
   for (std::size_t k = 0; k < s.motion.size(); ++k) {
     const SixDof more = m.equations.motion(static_cast<int>(k), q[0]);

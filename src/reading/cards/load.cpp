@@ -140,6 +140,7 @@ void read_force(Builder& builder, const Block& block, const Options&) {
       load.moment = dof >= 5;
       load.scale = row->sf;
       load.curve = b.curve(row[&ForceCard::lcid]);
+      load.place = row.place();
       if (dof == 4 || dof == 8)
         resolve_follower(b, row, load);
       else

@@ -253,6 +253,17 @@ void count_free_nodes(Builder& b) {
   std::ranges::for_each(b.nodes_of_rings, use);
   for (const auto& body : m.rigid_bodies) std::for_each(body.nodes.begin(), body.nodes.end(), use);
   for (const auto& weld : m.interpolation_spotwelds) std::for_each(weld.nodes.begin(), weld.nodes.end(), use);
+  for (const auto& interpolation : m.interpolations) use(interpolation.node);
+  for (const auto& belt : m.belts.elements) std::for_each(belt.node.begin(), belt.node.end(), use);
+  for (const NodalLoad& load : m.nodal_loads) {
+    const auto lone = std::find_if(load.nodes.begin(), load.nodes.end(), [&](Index n) { return used[n] == 0; });
+    if (lone != load.nodes.end())
+      b.findings.warning(load.place, "*LOAD_NODE",
+                         fmt::format("node {} is loaded, but belongs to no element, mass or rigid body: the load moves "
+                                     "nothing",
+                                     m.nodes.id[*lone]),
+                         "load a node of the structure");
+  }
   const auto free = std::count(used.begin(), used.end(), 0);
   if (free == 0) return;
   const auto first = static_cast<std::size_t>(std::find(used.begin(), used.end(), 0) - used.begin());
