@@ -103,6 +103,21 @@ void open_failed_welds(model::Model& model, const system::System& after) {
   }
 }
 
+/// Nodes that have torn off each other in the run are as free; the one that leads stands first.
+void part_torn_nodes(model::Model& model, const system::System& after) {
+  for (model::TiedNodes& tied : model.tied_nodes) {
+    std::vector<model::Index> still;
+    for (const model::Index n : tied.nodes) {
+      const int node = after.node_of[n];
+      if (!after.map.dependent(node)) continue;
+      if (still.empty()) still.push_back(after.model_node[at(after.map.terms(node).front().node)]);
+      still.push_back(n);
+    }
+    tied.nodes = std::move(still);
+  }
+  std::erase_if(model.tied_nodes, [](const model::TiedNodes& tied) { return tied.nodes.empty(); });
+}
+
 /// SPOTDEL = 1: a weld goes with its ties to one of its sheets.
 void remove_welds_of(const std::vector<model::Index>& lost, system::System& system) {
   if (system.model.control.weld_of_deleted_shell != 1) return;
@@ -136,6 +151,7 @@ LinearJob::LinearJob(const std::filesystem::path& directory, const RunArguments&
       ties_(nvh::linear_ties(deck_.ties, findings)) {
   if (findings.errors() == 0) model_.emplace(nvh::linear_model(deck_.model, findings));
   if (model_ && after != nullptr) open_failed_welds(*model_, *after);
+  if (model_ && after != nullptr) part_torn_nodes(*model_, *after);
   std::vector<model::Index> lost;
   if (findings.errors() == 0) lost = end_ties(*model_, after, ties_, findings);
   if (findings.errors() == 0) system_.emplace(*model_, ties_, findings);

@@ -59,6 +59,9 @@ void check_subcycling(const impact::Simulation& simulation, Findings& findings) 
     refuse("joints of welds of bricks or of stacks of welds", "which share out motions with the forces of each cycle");
   if (!acting.linear_constraints.empty())
     refuse("linear equations between nodes", "which share out the forces of each cycle");
+  if (!model.tied_nodes.empty())
+    refuse("nodes that are tied until the mesh tears (*CONSTRAINED_TIED_NODES_FAILURE)",
+           "at which elements of several periods would meet");
   in_each_cycle(acting.rigid_welds.size() > 0, "rigid welds");
   in_each_cycle(acting.rivets.size() > 0, "rivets");
   in_each_cycle(!acting.joints.empty(), "joints");

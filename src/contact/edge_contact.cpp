@@ -221,6 +221,9 @@ bool EdgeContact::face_each_other(int a, int b) const {
 bool EdgeContact::belong_together(int a, int b) const {
   const Edge &e = setup_.edges[a], &f = setup_.edges[b];
   if (e.part >= 0 && e.part == f.part) return true;
+  for (const int n : e.node)
+    for (const int other : f.node)
+      if (at_one_place(setup_.places, n, other)) return true;
   return share_a_node(e, f) || std::find_first_of(e.elements.begin(), e.elements.end(), f.elements.begin(),
                                                   f.elements.end()) != e.elements.end();
 }

@@ -48,6 +48,7 @@ struct EdgeContactSetup {
   std::vector<Edge> edges;       ///< all edges, interior ones too: they become exterior as shells are deleted
   bool interior = false;         ///< edges that more than one active shell has take part as well
   bool two_sides = false;        ///< edges of either side meet those of the other alone
+  CommonPlaces places;           ///< edges that stand at one of these together never press each other
   double stiffness_scale = 0.1;  ///< SLSFAC
   kernel::PenaltyLaw law;
   double birth = 0.0, death = 1e20;

@@ -34,6 +34,18 @@ struct Segment : Facet {
   unsigned side = 1;    ///< of the contact: bit 0 the tracked side (SURFA), bit 1 the reference side (SURFB)
 };
 
+/// By node: which of the places it stands at where nodes of several elements are tied until the mesh tears, -1: at
+/// none. Empty: there are none. What stands at one of them is no stranger to what else does, tied or torn.
+using CommonPlaces = std::vector<int>;
+inline bool at_one_place(const CommonPlaces& places, int a, int b) {
+  return !places.empty() && places[a] >= 0 && places[a] == places[b];
+}
+/// Whether any corner of a facet stands at one place with the node.
+inline bool meets_at_place(const CommonPlaces& places, const Facet& facet, int n) {
+  return !places.empty() && (at_one_place(places, facet.node[0], n) || at_one_place(places, facet.node[1], n) ||
+                             at_one_place(places, facet.node[2], n) || at_one_place(places, facet.node[3], n));
+}
+
 /// How deep into a brick its face presses a node out again, as a share of the brick's depth.
 inline constexpr double pressing_depth = 0.3;
 

@@ -42,6 +42,7 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
       birth_(setup.birth),
       death_(setup.death),
       edges_meet_(setup.edges_meet),
+      places_(setup.places),
       around_(setup.segments),
       outline_(setup.whole ? std::make_unique<SurfaceOutline>(*setup.whole) : nullptr),
       thickest_segment_(setup.thickest),
@@ -588,10 +589,11 @@ void SurfaceContact::archive(Archive& a) {
     a(here ? blocks_[b] : of_others);
   });
   if (a.reading() && share_ != nullptr) hold_what_was_read();
-  a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, covers_, faces_, nodes_, around_, outline_, excluded_,
-          stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_, results_need_hits_,
-          share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, by_share_,
-          held_, at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, rank_of_part_, out_, in_, hits_for_);
+  a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, places_, covers_, faces_, nodes_, around_, outline_,
+          excluded_, stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_,
+          results_need_hits_, share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_,
+          followed_, by_share_, held_, at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, rank_of_part_, out_, in_,
+          hits_for_);
 }
 
 }  // namespace nugget::contact

@@ -52,6 +52,7 @@ struct SurfaceContactSetup {
   kernel::PenaltyLaw law;        ///< SOFT, SOFSCL, VDC, friction
   double deepest = 0.0;          ///< PENMAX: a node deeper than so many thicknesses is released; 0: none
   bool edges_meet = false;       ///< an EdgeContact presses the free edges of shells apart
+  CommonPlaces places;           ///< a node is not pressed by segments that stand at one of these with it
   double birth = 0.0, death = 1e20;
   // Of the surface that this is a part of (part_of); of a whole one they follow from the segments.
   double margin = 0.0;    ///< of its search, see search_margin() [length]
@@ -493,6 +494,7 @@ class SurfaceContact {
   kernel::PenaltyLaw law_;
   double deepest_allowed_ = 0.0, birth_ = 0.0, death_ = 0.0;
   bool edges_meet_ = false, covers_ = false;  // covers_: deleted elements expose segments
+  CommonPlaces places_;
   // The segments and the tracked nodes. Of several ranks each holds those that it looks at; of others all is 0.
   ZeroedVector<Face> faces_;
   ZeroedVector<Tracked> nodes_;

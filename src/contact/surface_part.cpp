@@ -63,6 +63,7 @@ SurfaceContactSetup part_of(const SurfaceContactSetup& whole, std::span<const Ro
   own.law = whole.law;
   own.deepest = whole.deepest;
   own.edges_meet = whole.edges_meet;
+  own.places = whole.places;
   own.birth = whole.birth;
   own.death = whole.death;
   own.margin = search_margin(whole, x);

@@ -155,7 +155,8 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
       if (!its_box.overlaps(box)) continue;
       const Face& face = faces_[segment];
       const double far = contact_distance(t, segment) + reach(block, t, segment) + margin_;
-      if (!(face.side & tracked.against) || face.has(tracked.node)) continue;
+      if (!(face.side & tracked.against) || face.has(tracked.node) || meets_at_place(places_, face, tracked.node))
+        continue;
       const kernel::Corners corners = corners_of(face, x);
       if (kernel::least_distance(corners, p) > far) continue;
       const kernel::Foot foot = kernel::closest_point(corners, face.triangle(), p);

@@ -36,6 +36,7 @@
 #include "model/rigid_weld.hpp"
 #include "model/run_ends.hpp"
 #include "model/sensors.hpp"
+#include "model/tied_nodes.hpp"
 #include "model/user_function.hpp"
 #include "model/weld_law.hpp"
 #include "model/weld_library.hpp"
@@ -233,6 +234,7 @@ struct Model : LoadLists {
   std::vector<RigidWeld> rigid_welds;
   std::vector<Interpolation> interpolations;
   std::vector<HangingNode> hanging_nodes;
+  std::vector<TiedNodes> tied_nodes;
   std::vector<InterpolationSpotweld> interpolation_spotwelds;
   std::vector<Joint> joints;
   std::vector<Accelerometer> accelerometers;

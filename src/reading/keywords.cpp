@@ -25,6 +25,7 @@ std::vector<Keyword> all_families() {
            sensor_control_keywords,
            stopper_keywords,
            linear_constraint_keywords,
+           tied_node_keywords,
            part_keywords,
            section_keywords,
            material_keywords,

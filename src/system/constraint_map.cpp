@@ -133,6 +133,7 @@ std::vector<int> ConstraintMap::sort_rows(int nodes) {
     row_of_[sorted.back().dependent] = static_cast<int>(i);
   }
   levels_.push_back(rows_.size());
+  all_levels_ = levels_;
   rows_ = std::move(sorted);
   applied_.resize(rows_.size());
   std::iota(applied_.begin(), applied_.end(), 0);
@@ -149,6 +150,12 @@ void ConstraintMap::keep_to(const std::function<bool(int)>& followed) {
     last = kept.size();
   }
   applied_ = std::move(kept);
+}
+
+void ConstraintMap::follow_all() {
+  levels_ = all_levels_;
+  applied_.resize(rows_.size());
+  std::iota(applied_.begin(), applied_.end(), 0);
 }
 
 void ConstraintMap::carry(const std::function<bool(int)>& chosen, Parcel& parcel) {
@@ -328,7 +335,7 @@ std::vector<ConstraintMap::Block> ConstraintMap::blocks(int dependent) const {
 
 void ConstraintMap::archive(Archive& a) {
   a(rows_, terms_, corners_, row_of_);
-  a.built(applied_, levels_);
+  a.built(applied_, levels_, all_levels_);
 }
 
 }  // namespace nugget::system

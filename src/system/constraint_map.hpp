@@ -76,6 +76,8 @@ class ConstraintMap {
   }
   /// From now on applies only the rows of dependent nodes for which `followed` is true: other processes apply the rest.
   void keep_to(const std::function<bool(int dependent)>& followed);
+  /// Takes that back: a copy of the map is to apply all rows, with places and arms that have come from others.
+  void follow_all();
   /// Arms of the rows of dependent nodes for which `chosen` is true, to or from another process.
   void carry(const std::function<bool(int dependent)>& chosen, Parcel& parcel);
   bool rotations(int node) const { return rows_[row_of_[node]].rotations; }
@@ -123,6 +125,7 @@ class ConstraintMap {
   std::vector<int> row_of_;
   std::vector<int> applied_;         // rows that this process applies, in order: all of them, but after keep_to
   std::vector<std::size_t> levels_;  // of these: those of a level depend on nodes of lower levels only; where each ends
+  std::vector<std::size_t> all_levels_;  // of all rows
 };
 
 /// Rodrigues' formula: `a` turned by the rotation vector `phi`.

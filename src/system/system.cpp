@@ -165,6 +165,13 @@ void System::make_constraints(Findings& findings) {
         {{node_of[h.ends[0]], 1.0 - share, arm}, {node_of[h.ends[1]], share, arm}}};
     map.add(node_of[h.node], true, terms);
   }
+  for (std::size_t k = 0; k < model.tied_nodes.size(); ++k) {
+    const model::TiedNodes& tied = model.tied_nodes[k];
+    const ConstraintMap::Term first{node_of[tied.nodes.front()], 1.0, {}};
+    for (const model::Index n : tied.nodes)
+      if (claim(n, {Kind::tied, static_cast<model::Index>(k)}, tied.place) && n != tied.nodes.front())
+        map.add(node_of[n], true, {&first, 1});
+  }
   for (const model::LinearConstraint& equation : model.linear_constraints)
     for (const model::LinearConstraint::Term& term : equation.terms)
       if (const ConstraintSource& held = constraint_source_[node_of[term.node]]; !held.none())
@@ -229,6 +236,8 @@ std::string System::name(const ConstraintSource& constraint_name) const {
     case ConstraintSource::Kind::interpolation:
       return fmt::format("*CONSTRAINED_INTERPOLATION {}", model.interpolations[i].id);
     case ConstraintSource::Kind::side: return "the side of a shell (*CONSTRAINED_ADAPTIVITY)";
+    case ConstraintSource::Kind::tied:
+      return fmt::format("*CONSTRAINED_TIED_NODES_FAILURE of set {}", model.tied_nodes[i].set);
     case ConstraintSource::Kind::none: break;
   }
   return "nothing";
@@ -237,6 +246,18 @@ std::string System::name(const ConstraintSource& constraint_name) const {
 void System::release(std::size_t tie) {
   const int node = node_of[ties.ties[tie].node];
   if (map.dependent(node)) map.remove(node);
+}
+
+void System::part_tied_nodes(std::span<const int> staying, std::span<const int> leaving) {
+  const auto free = [this](int node) {
+    if (map.dependent(node)) map.remove(node);
+  };
+  std::ranges::for_each(leaving, free);
+  if (staying.empty()) return;
+  // The first that stays leads: no row is about it, so the order of rows holds.
+  free(staying.front());
+  if (staying.size() == 1) return;
+  for (const int node : staying.subspan(1)) map.terms(node).front().node = staying.front();
 }
 
 void System::set_disc_weights(std::size_t tie, std::span<const double> weights) {
@@ -402,6 +423,21 @@ State System::initial_state() {
     set(state.x[i], ties.x[k]);
     if (!model.initial_velocity.empty()) set(state.v[i], model.initial_velocity[k]);
     if (!model.initial_spin.empty()) set(state.w[i], model.initial_spin[k]);
+  }
+  // Nodes that are tied until the mesh tears start with the momentum of all of them.
+  for (const model::TiedNodes& tied : model.tied_nodes) {
+    Vec3d momentum, angular_momentum;
+    double sum_of_masses = 0.0, sum_of_inertias = 0.0;
+    for (const model::Index node : tied.nodes) {
+      const std::size_t k = at(node_of[node]);
+      momentum += own_mass[k] * vec(state.v[k]);
+      angular_momentum += own_inertia_[k] * vec(state.w[k]);
+      sum_of_masses += own_mass[k];
+      sum_of_inertias += own_inertia_[k];
+    }
+    const std::size_t first = at(node_of[tied.nodes.front()]);
+    if (sum_of_masses > 0.0) set(state.v[first], (1.0 / sum_of_masses) * momentum);
+    if (sum_of_inertias > 0.0) set(state.w[first], (1.0 / sum_of_inertias) * angular_momentum);
   }
   // A body starts with the momentum of its nodes.
   std::vector<Vec3d> linear(bodies.size()), angular(bodies.size()), first(bodies.size()), turning(bodies.size());

@@ -85,6 +85,11 @@ class System {
   void release(std::size_t tie);
   /// Other weights for the nodes of the disc of a tie by area; then the same.
   void set_disc_weights(std::size_t tie, std::span<const double> weights);
+  /// Of nodes that are tied until the mesh tears (model::TiedNodes), those of one place: `leaving` are free from now on
+  /// with the velocity they have, `staying` move as one, or are free if it is one alone. Then the same.
+  void part_tied_nodes(std::span<const int> staying, std::span<const int> leaving);
+  /// Whether such a tie is why a node is dependent: then it is held and driven as the one that it follows is.
+  bool follows_tied_node(int node) const { return constraint_source_[node].kind == ConstraintSource::Kind::tied; }
   /// Masses and inertias of dependent nodes to those that they follow.
   void transfer_dependent_mass();
 
@@ -322,9 +327,10 @@ class System {
   int mass_changes_ = 0;
   mutable Masses masses_;  ///< by the masses of then
   mutable int masses_are_of_ = -1;
-  /// What makes a node dependent: a rigid body, a tie contact, an interpolation or a side of a shell of the model.
+  /// What makes a node dependent: a rigid body, a tie contact, an interpolation or a side of a shell of the model. Of
+  /// nodes that are tied until the mesh tears all have it, the one that the others follow too.
   struct ConstraintSource {
-    enum class Kind : unsigned char { none, body, contact, interpolation, side };
+    enum class Kind : unsigned char { none, body, contact, interpolation, side, tied };
     Kind kind = Kind::none;
     model::Index index = model::none;
     bool none() const { return kind == Kind::none; }

@@ -117,6 +117,30 @@ class LawCards(CommandTest):
         self.expect(self.brick(damage + curve(8, (0, 0), (0.1, 0.5))), "lcdm", "nothing fails")
         self.expect(self.brick(damage + curve(8, (0, 0.5), (0.1, 1))), "lcdm", "leaps to 0.5")
 
+    def test_another_modulus_in_compression(self):
+        """A cube in uniaxial strain stores half of its modulus of waves times the square of the strain: that of EC pressed, of E pulled. Its natural
+        frequencies are those of a modulus between them, which is the mean where PC and PT say nothing. Sabotage: EC that holds in tension too."""
+        def plastic(ec, rpct=""):
+            curves = curve(5, (0, 500), (1, 600)) + curve(6, (0, 400), (1, 500))
+            return "*MAT_124\n" + card(1, 1.1e-9, 2000.0, 0.35) + card(5, 6, "", "", "", "", ec, rpct) + card(30.0, 15.0) + curves
+        waves, elastic = 0.65 / (1.35 * 0.3), "*CONTROL_BULK_VISCOSITY\n" + card(1e-6, 1e-6)
+        for ec in (3000.0, 1200.0):
+            for speed, modulus in ((200.0, 2000.0), (-200.0, ec)):
+                self.write(self.brick(plastic(ec), speed, elastic))
+                self.nugget("run", "model.k", "--quiet")
+                states = self.glstat()
+                strain = math.log(1.0 + speed * states[-1]["time"])
+                self.assertAlmostEqual(states[-1]["internal energy"] / (0.5 * waves * modulus * strain ** 2), 1.0, delta=0.01)
+        hz = {}
+        for ec, rpct in ((2000.0, ""), (3000.0, ""), (3000.0, 0.5)):
+            free = self.brick(plastic(ec, rpct)).split("*BOUNDARY_PRESCRIBED_MOTION_NODE")[0] + "*BOUNDARY_SPC_NODE\n"
+            free = free.replace("*SECTION_SOLID\n" + card(1, 1), "*SECTION_SOLID\n" + card(1, 2))  # without hourglass patterns
+            self.write(free + "".join(card(i + 1, 0, 1, 1, 1) for i in range(4)) + "*END\n")
+            self.nugget("modes", "model.k", "-n", 3, "--quiet")
+            hz[ec, rpct] = self.json("summary.json")["modes"][0]["frequency_hz"]
+        self.assertAlmostEqual(hz[3000.0, ""] / hz[2000.0, ""], math.sqrt(2500.0 / 2000.0), delta=1e-5)
+        self.assertAlmostEqual(hz[3000.0, 0.5] / hz[2000.0, ""], math.sqrt((2000.0 + 1000.0 / 3.0) / 2000.0), delta=1e-5)
+
     def test_criteria_that_never_or_always_hold(self):
         for first, second, field, words in ((("",), (), "mid", "none of the criteria"),
                                             (("", "", "", -0.1), (), "effeps", "plastic strain"),

@@ -164,8 +164,10 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
   for (std::size_t s = 0; s < model.spcs.size(); ++s) {
     const model::SinglePointConstraint& spc = model.spcs[s];
     const int node = system.node_of[spc.node];
-    // A node that is tied by its translations alone has its own rotations.
-    const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;
+    // A node that is tied by its translations alone has its own rotations. Nodes that are tied until the mesh tears are
+    // all held alike, and each goes on being held when it is free.
+    const bool is_own = !system.map.dependent(node) || system.follows_tied_node(node);
+    const unsigned own = is_own ? 63u : system.map.rotations(node) ? 0u : 56u;
     const unsigned obeyed = spc.fixed & own;
     if (obeyed != spc.fixed)
       findings.warning({model.deck, 0, 0}, "*BOUNDARY_SPC",
@@ -209,7 +211,7 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
     if (motion.target == model::PrescribedMotion::Target::nodes) {
       for (model::Index n : motion.nodes) {
         const int node = system.node_of[n];
-        if (system.map.dependent(node)) {
+        if (system.map.dependent(node) && !system.follows_tied_node(node)) {
           findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
                          "node " + std::to_string(model.nodes.id[n]) + " moves with " + system.constraint_name(node) +
                              " and cannot be driven on its own",

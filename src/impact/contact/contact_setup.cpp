@@ -535,6 +535,15 @@ double bulk_modulus(const model::Model& model, const model::Part& part) {
   return part.stiffness_scale * material.contact_young() / (3.0 * (1.0 - 2.0 * std::min(material.poisson(), 0.49)));
 }
 
+/// Where nodes are tied until the mesh tears.
+static contact::CommonPlaces places_of_tied_nodes(const ContactMesh& mesh) {
+  contact::CommonPlaces places;
+  if (!mesh.model.tied_nodes.empty()) places.assign(mesh.nodes, -1);
+  for (std::size_t k = 0; k < mesh.model.tied_nodes.size(); ++k)
+    for (const model::Index n : mesh.model.tied_nodes[k].nodes) places[mesh.node_of[n]] = static_cast<int>(k);
+  return places;
+}
+
 /// The penalty law that the card asks for.
 static kernel::PenaltyLaw law_of(const model::Contact& card, const FrictionKinds& rough) {
   kernel::PenaltyLaw law;
@@ -615,6 +624,7 @@ contact::SurfaceContactSetup contact_setup(const ContactMesh& mesh, const model:
   setup.stiffness_scale = mesh.model.control.penalty_scale;
   setup.deepest = card.deepest;
   setup.edges_meet = checks_edges(card);
+  setup.places = places_of_tied_nodes(mesh);
   setup.law = law_of(card, rough);
   setup.birth = card.birth;
   setup.death = card.death;

@@ -66,6 +66,7 @@ std::optional<contact::EdgeContactSetup> edge_setup(const ContactMesh& mesh, con
     for (contact::Edge& bar : bars(mesh, card, card.takes_welds)) setup.edges.push_back(std::move(bar));
   setup.interior = checks_all_edges(card);
   setup.two_sides = card.kind == model::Contact::Kind::two_surfaces;
+  setup.places = surface.places;
   setup.stiffness_scale = surface.stiffness_scale;
   setup.law = surface.law;
   setup.birth = surface.birth;

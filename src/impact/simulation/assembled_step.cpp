@@ -164,7 +164,9 @@ class AssembledStep::Vibration {
         m_(v_.size()),
         now_(step.independent_.size()),
         before_(now_.size()),
-        slots_(step.rows_) {}
+        slots_(step.rows_) {
+    map_.follow_all();  // over several ranks each looks at all
+  }
 
   /// The largest eigenvalue of M^-1 (dt^2 K + 2 dt C); 0 where nothing can move.
   double largest(double dt) {
@@ -462,6 +464,8 @@ void AssembledStep::link_slots() {
     }
     for (const system::ConstraintMap::Block& b : system_.map.blocks(static_cast<int>(k)))
       independent_.push_back(b.node);
+    // What may come to be free: as long as it is not it has no mass, and stays where it is led.
+    if (system_.follows_tied_node(static_cast<int>(k))) independent_.push_back(static_cast<int>(k));
     // Without a row for its spin the node keeps its own.
     if (!system_.map.rotations(static_cast<int>(k))) independent_.push_back(static_cast<int>(k));
   }

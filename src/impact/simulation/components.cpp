@@ -15,6 +15,7 @@ Components::Components(system::System& system, std::span<const Row> x, Findings&
       connectors(system),
       tie_forces(system),
       tie_releases(system, welds, tie_forces),
+      torn_nodes(system),
       joints(system),
       belts(system, findings),
       element_alive(system.model),

@@ -19,6 +19,7 @@
 #include "impact/connections/rivets.hpp"
 #include "impact/connections/tie_forces.hpp"
 #include "impact/connections/tie_release.hpp"
+#include "impact/connections/torn_nodes.hpp"
 #include "impact/connections/welds.hpp"
 #include "impact/contact/contacts.hpp"
 #include "impact/contact/element_alive.hpp"
@@ -46,6 +47,7 @@ struct Components {
   Connectors connectors;
   TieForces tie_forces;
   TieReleases tie_releases;  ///< of `welds` and `tie_forces`
+  TornNodes torn_nodes;
   Joints joints;
   Belts belts;
   ElementAlive element_alive;
@@ -95,8 +97,8 @@ struct Components {
   static void visit_all(Self& c, Visit& visit) {
     const auto all = [&](auto&... component) { (visit(component), ...); };
     all(c.supports, c.loads, c.damping, c.preloads, c.welds, c.rigid_welds, c.rivets, c.linear_constraints,
-        c.connectors, c.tie_forces, c.tie_releases, c.joints, c.belts, c.element_alive, c.erosion, c.crash_fronts,
-        c.nodal_forces, c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
+        c.connectors, c.tie_forces, c.tie_releases, c.torn_nodes, c.joints, c.belts, c.element_alive, c.erosion,
+        c.crash_fronts, c.nodal_forces, c.accelerometers, c.contacts, c.interiors, c.walls, c.stoppers, c.sensors);
   }
 };
 

@@ -599,9 +599,9 @@ void Simulation::remove_deleted_elements() {
   const ElementAlive::Deletions deletions = components_.element_alive.update(system_);
   if (deletions.any) components_.contacts.surface_changed();
   if (deletions.shells) components_.crash_fronts.update(system_);
-  if (!components_.tie_releases.update(state_, components_.element_alive.all(), deletions.shells, deletions.any))
-    return;
-  update_mass_bounds();
+  const bool released =
+      components_.tie_releases.update(state_, components_.element_alive.all(), deletions.shells, deletions.any);
+  if (components_.torn_nodes.update(state_) || released) update_mass_bounds();
 }
 
 void Simulation::transfer_dependent_forces() {

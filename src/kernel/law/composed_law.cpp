@@ -277,10 +277,14 @@ void LawKernel<ComposedLaw>::set_pressure(SolidTensor<R>& s, const SolidTensor<R
 }
 
 LawKernel<ComposedLaw> LawKernel<ComposedLaw>::linear_at_start() const {
-  if (!parts_->pressure) return *this;
   LawKernel linear = *this;
   auto parts = std::make_shared<Parts>(*parts_);
-  parts->pressure = parts_->pressure->linear_at_start();
+  if (parts_->pressure) parts->pressure = parts_->pressure->linear_at_start();
+  std::visit(
+      [](auto& flow) {
+        if constexpr (requires { flow.make_linear_at_start(); }) flow.make_linear_at_start();
+      },
+      parts->flow);
   linear.parts_ = std::move(parts);
   return linear;
 }

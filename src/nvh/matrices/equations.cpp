@@ -114,6 +114,7 @@ Supports supports_of(const system::System& system, Findings& findings) {
     if (!model.holds_at_start(spc)) continue;
     if (held_alike[spc.node]) continue;  // what it follows is held in the same way
     const int node = system.node_of[spc.node];
+    if (system.map.dependent(node) && system.follows_tied_node(node)) continue;  // likewise
     // A node that is tied by its translations alone has its own rotations.
     const unsigned own = !system.map.dependent(node) ? 63u : system.map.rotations(node) ? 0u : 56u;
     const unsigned obeyed = spc.fixed & own;
@@ -162,6 +163,7 @@ Supports supports_of(const system::System& system, Findings& findings) {
     }
     for (model::Index n : motion.nodes) {
       const int node = system.node_of[n];
+      if (system.map.dependent(node) && system.follows_tied_node(node)) continue;  // what it follows is driven alike
       if (system.map.dependent(node))
         findings.error(motion.place, "*BOUNDARY_PRESCRIBED_MOTION",
                        fmt::format("node {} moves with {} and cannot be driven on its own", model.nodes.id[n],

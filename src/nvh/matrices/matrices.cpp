@@ -97,6 +97,11 @@ std::vector<NodalMass> nodal_masses(const system::System& system, const system::
       put(mass_only.node[a], {mass_only.nodal_mass(a), {inertia, 0, 0, inertia, 0, inertia}, {}});
     }
   for (const model::PointMass& m : system.model.masses) put(system.node_of[m.node], {m.mass, {}, {}});
+  // Where nodes move as one until the mesh tears there is no edge.
+  for (const model::TiedNodes& tied : system.model.tied_nodes)
+    for (const model::Index n : tied.nodes)
+      if (const int node = system.node_of[n]; system.map.dependent(node))
+        at_node[system.map.terms(node).front().node].add(std::exchange(at_node[node], {}));
   for (NodalMass& n : at_node) add_least_inertia(n);
   for (const model::PointInertia& p : system.model.inertias) put(system.node_of[p.node], {p.mass, p.inertia, {}});
   for (const system::RigidBody& body : system.bodies) {

@@ -35,8 +35,9 @@ void check_thick_shells(Builder& builder);  ///< sections, laws and hourglass co
 void check_parts(Builder& builder);  ///< parts without elements; sections, laws and hourglass that do not go together
 /// What CMO of *MAT_RIGID or a nodal rigid body's SPC holds and a prescribed motion drives: the motion counts.
 void release_driven_bodies(Builder& builder);
-void check_relaxation(Builder& builder);          ///< what dynamic relaxation cannot hold still
-void check_units(Builder& builder);               ///< do modulus and density fit a usual system of units?
+void check_tied_nodes(Builder& builder);  ///< sets of nodes that stay tied until they tear become groups at a place
+void check_relaxation(Builder& builder);  ///< what dynamic relaxation cannot hold still
+void check_units(Builder& builder);       ///< do modulus and density fit a usual system of units?
 void check_initial_velocities(Builder& builder);  ///< elements between moving nodes and standing ones
 
 }  // namespace nugget::reading

@@ -541,9 +541,9 @@ std::vector<Keyword> constrained_keywords() {
 
       refused("CONSTRAINED_INTERPOLATION_LOCAL",
               "weights in local axes are not built; give weights that are the same in all directions"),
-      refused("CONSTRAINED_TIE_BREAK", "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
-      refused("CONSTRAINED_TIED_NODES_FAILURE",
-              "tied nodes that break are not built; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE"),
+      refused("CONSTRAINED_TIE_BREAK",
+              "edges that are tied along a line until they tear are not built; mesh them node on node and use "
+              "*CONSTRAINED_TIED_NODES_FAILURE"),
       refused("CONSTRAINED_NODE_INTERPOLATION", "nodes interpolated between others are not built"),
       refused("CONSTRAINED_LINEAR*", "this form is not built; *CONSTRAINED_LINEAR_GLOBAL and _LOCAL are"),
       refused("CONSTRAINED_SHELL_TO_SOLID",

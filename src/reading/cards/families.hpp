@@ -15,6 +15,7 @@ std::vector<Keyword> move_keywords();                    ///< nodes moved before
 std::vector<Keyword> node_merge_keywords();              ///< nodes at one place that become one
 std::vector<Keyword> stopper_keywords();                 ///< *CONSTRAINED_RIGID_BODY_STOPPERS
 std::vector<Keyword> linear_constraint_keywords();       ///< *CONSTRAINED_LINEAR_GLOBAL, _LOCAL
+std::vector<Keyword> tied_node_keywords();               ///< *CONSTRAINED_TIED_NODES_FAILURE
 std::vector<Keyword> belt_keywords();                    ///< *ELEMENT_SEATBELT..., *MAT_SEATBELT
 std::vector<Keyword> sensor_define_keywords();           ///< *SENSOR_DEFINE_...
 std::vector<Keyword> sensor_keywords();                  ///< *SENSOR_SWITCH..., *TERMINATION_...

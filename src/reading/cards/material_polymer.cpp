@@ -98,7 +98,7 @@ void read_polymer(Builder& b, const Block& block, const Options& options) {
 // ---- 124
 
 struct TwoCurves : MaterialCard, kernel::CompressionTension {
-  double c = 0, p = 0, ec = 0, srflag = 0, srfilt = 0;
+  double c = 0, p = 0, ec = 0, rpct = 0, srflag = 0, srfilt = 0;
   int lcidc = 0, lcidt = 0, lcsrc = 0, lcsrt = 0, lcfail = 0;
 };
 const CardOf<TwoCurves> two_curves_card{
@@ -122,7 +122,8 @@ const CardOf<TwoCurves> two_curves_rate_card{
          "which rate: no effect, as the rate of the plastic strain is found together with the stress"),
     {&TwoCurves::lcfail, id("lcfail", IdSpace::function, 0, "curve: plastic strain at failure over the strain rate")},
     {&TwoCurves::ec, real("ec", dimension::stress, 0, at_least(0), "Young's modulus in compression, if it is another")},
-    real("rpct", dimension::number, 0, any_value, "of EC"),
+    {&TwoCurves::rpct, real("rpct", dimension::number, 0, at_least(0),
+                            "share of PC and PT from which on EC and E count alone, weighted in between")},
 };
 const CardOf<TwoCurves> pressures_card{
     {&kernel::CompressionTension::full_compression,
@@ -174,7 +175,16 @@ void set_two_curves(Builder& b, Index material, const TwoCurves& cards, const de
     flow.rate_c = cards.c;
     flow.rate_p = cards.p;
   }
+  const double in_tension = flow.E;
+  if (cards.ec > 0.0 && cards.ec != flow.E) {
+    flow.E = std::max(cards.E, cards.ec);
+    flow.tension_share = cards.E / flow.E;
+    flow.compression_share = cards.ec / flow.E;
+    flow.soft_compression = cards.rpct * cards.full_compression;
+    flow.soft_tension = cards.rpct * cards.full_tension;
+  }
   kernel::LawComponents law = components_of(std::move(flow));
+  if (cards.ec > 0.0) law.contact_modulus = in_tension;
   law.failure_strain = plastic_strain_at_failure(law.failure_strain);
   if (const Index failure = b.curve(rate[&TwoCurves::lcfail]); failure != none)
     law.failure_strain_over_rate = b.model.curves[failure];
@@ -194,9 +204,6 @@ void read_two_curves(Builder& b, const Block& block, const Options& options) {
   if (cards.c > 0.0 && (cards.lcsrc != 0 || cards.lcsrt != 0))
     row[&TwoCurves::c].report(b.findings, Severity::warning, "C and P are not obeyed with LCSRC and LCSRT",
                               "leave them empty");
-  if (cards.ec > 0.0 && cards.ec != cards.E)
-    refuse(b, rate[&TwoCurves::ec], "a Young's modulus of compression that differs from E is not built",
-           "leave it empty, or write that of E");
   const Index material =
       add_material(b, row, std::move(title), "MAT_PLASTICITY_COMPRESSION_TENSION", kernel::Elastic{cards.E, cards.nu});
   b.defer(Phase::parts, [=](Builder& later) { set_two_curves(later, material, cards, rate); });

@@ -66,7 +66,16 @@ TEST(Polymers, CompressionAndTension) {
   EXPECT_TRUE(of(",40.4,5", "5,6,7\n").warning("C and P are not obeyed", "c"));
   EXPECT_TRUE(of(",40.4", "5,6\n").warning("needs both constants", "p"));
   EXPECT_EQ(of("", "5,6,0,0,0,0,2000.0\n").findings.errors(), 0);
-  EXPECT_TRUE(of("", "5,6,0,0,0,0,1000.0\n").error("Young's modulus of compression", "ec"));
+  EXPECT_TRUE(of("", "5,6,0,0,0,0,-1000.0\n").error("expected 0 or more", "ec"));
+  // The larger modulus is that of the step, contact has E; bounds of the change are shares of PC and PT.
+  const auto two = of("", "5,6,0,0,0,0,3000.0,0.5\n30.0,10.0\n");
+  EXPECT_EQ(two.findings.errors(), 0) << two.all_findings();
+  EXPECT_DOUBLE_EQ(flow<kernel::CompressionTension>(two).E, 3000.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::CompressionTension>(two).tension_share, 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::CompressionTension>(two).compression_share, 1.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::CompressionTension>(two).soft_compression, 15.0);
+  EXPECT_DOUBLE_EQ(flow<kernel::CompressionTension>(two).soft_tension, 5.0);
+  EXPECT_DOUBLE_EQ(composition(two).contact_modulus, 2000.0);
   EXPECT_TRUE(of("", "5,6\n,,1.0,1.0,1.0\n").error("only 0 is supported", "pcutf"));
   EXPECT_TRUE(of("", "5,6\n\n100.0\n").error("only 0 is supported", "k"));
   EXPECT_TRUE(of("", "5,6\n\n\n1.0,2.0\n").error("only 0 is supported", "gi"));
