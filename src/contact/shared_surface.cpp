@@ -244,7 +244,7 @@ void SurfaceContact::exchange_hits() {
       block.hits.resize(at(head.hits));
       std::memcpy(static_cast<void*>(block.hits.data()), data.data() + place, block.hits.size() * sizeof(Hit));
       place += block.hits.size() * sizeof(Hit);
-      share_out(block, work_of_thread().shares);
+      share_out(block);
       arrived_.push_back(head.block);
     }
   std::ranges::sort(arrived_);

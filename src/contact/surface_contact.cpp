@@ -196,7 +196,7 @@ SurfaceContact::Touch& SurfaceContact::Block::touch(Pair& pair) {
 
 void SurfaceContact::Block::clear_hits() {
   hits.clear();
-  shares.clear();
+  places.clear();
   parts.clear();
   resultant = {};
   deepest = 0.0;
@@ -226,14 +226,18 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
     const Awake::Node& node = work.awake.nodes[n];
     if (n + 1 < work.awake.nodes.size())
       ask_for_touching(block, work.awake, node.end, work.awake.nodes[n + 1].end, step);
-    const Candidates candidates = gather_candidates(block, work, node, first, step);
-    if (!candidates.empty() || block.depth_of(node.tracked) > 0.0) check_node(block, candidates, node.tracked, step);
+    const Work::Alone alone = work.look_alone(*this, block, node, first, step);
+    if (alone == Work::Alone::no) {
+      const Candidates candidates = gather_candidates(block, work, node, first, step);
+      if (!candidates.empty() || block.depth_of(node.tracked) > 0.0) check_node(block, candidates, node.tracked, step);
+    }
+    if (alone == Work::Alone::may_press) press_alone(block, work, node.tracked, step);
     first = node.end;
     if (node.touching > 0 && block.depth_of(node.tracked) > 0.0) wake_all(block, node.tracked);
   }
   block.asleep_until = *std::min_element(block.next_check_travel.begin(), block.next_check_travel.end());
   sum_up(block);
-  share_out(block, work.shares);
+  share_out(block);
 }
 
 /// By how much more than the contact distance pairs of a node reach: one that became softer has an overlap with a
@@ -398,6 +402,17 @@ void SurfaceContact::fill(Candidate& c, const Block& block, Pair& pair, const Wo
   c.extended = c.to_an_edge = c.over_an_edge = c.came_through = false;
   c.came_from = 0.0;
   if (face.inner > 0.0) measure_inside_brick(c, face.inner, p, step);
+}
+
+/// Presses the pairs of a node that look_alone() has found.
+void SurfaceContact::press_alone(Block& block, Work& work, int tracked, const Step& step) const {
+  const std::size_t count = work.touching_count;
+  if (work.candidates.size() < count) work.candidates.resize(count);
+  const Candidates candidates = std::span(work.candidates).first(count);
+  for (std::size_t k = 0; k < count; ++k)
+    fill(candidates[k], block, *work.at_rest[k].pair, work, at(work.at_rest[k].turn), tracked, step);
+  for (std::size_t k = 0; k < count; ++k) block.release(*work.at_rest[k].pair);
+  for (const Candidate& candidate : candidates) press(block, candidates, candidate, tracked, step);
 }
 
 /// Stiffness of the pair where its foot is.
@@ -567,7 +582,7 @@ Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& can
 
 void SurfaceContact::Block::archive(Archive& a) {
   a(asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, resultant, deepest, energies);
-  a.built(begin, end, shares, parts);
+  a.built(begin, end, places, parts);
 }
 
 /// With the search lists: a pair remembers on which side it stands, and a search at another cycle would give other

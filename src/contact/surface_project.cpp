@@ -24,8 +24,7 @@ void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, st
                                       const Step& step) const {
   for (std::size_t i = begin; i < end; ++i) {
     const Pair& pair = block.pairs[awake.pairs[i].pair];
-    if (pair.touch == none) continue;
-    ask_for_lines(&block.touches[pair.touch], sizeof(Touch));
+    if (!block.pressed(pair)) continue;
     for (const int n : faces_[pair.segment].node) {
       __builtin_prefetch(&step.v[n]);
       step.mass.ask_for(n);
@@ -54,29 +53,29 @@ void SurfaceContact::wake(const Block& block, Awake& awake) const {
     if (block.next_check_travel[t - block.begin] > travelled) continue;
     if (excluded_ != nullptr && (*excluded_)[t]) continue;
     double asleep_until = Box::infinity;
-    const int node = nodes_[t].node, begin = block.first[t - block.begin];
+    const int node = nodes_[t].node, first = count;
     const int end = block.first[t - block.begin + 1];
-    std::size_t touching = 0;  // where others may wait for these
-    if (!block.touches.empty() && !(block.depth_of(t) > 0.0))
-      for (int i = begin; i < end; ++i) touching += pairs[i].touch != none ? 1 : 0;
-    for (int i = begin; i < end; ++i) {
+    int touching = 0;  // where others may wait for these
+    for (int i = block.first[t - block.begin]; i < end; ++i) {
       const Pair& pair = pairs[i];
-      if (pair.next_check_travel > travelled) {
+      touching += pair.touch != none ? 1 : 0;
+      if (pair.next_check_travel > travelled)
         asleep_until = std::min(asleep_until, pair.next_check_travel);
-        continue;
-      }
-      __builtin_prefetch(faces + pair.segment);
-      if (touching > 0 && pair.touch == none) {
+      else
         ones[count++] = {i, node, none};
-        continue;
-      }
-      ones[count] = {i, node, inside};
+    }
+    if (block.depth_of(t) > 0.0) touching = 0;
+    for (int k = first; k < count; ++k) {
+      const Pair& pair = pairs[ones[k].pair];
+      __builtin_prefetch(faces + pair.segment);
+      if (touching > 0 && pair.touch == none) continue;
+      ones[k].turn = inside;
       const int border = std::max(std::abs(pair.xi), std::abs(pair.eta)) >= 1.0 ? 1 : 0;
       on_border -= border;
-      order[border != 0 ? on_border : inside] = count++;
+      order[border != 0 ? on_border : inside] = k;
       inside += 1 - border;
     }
-    awake.nodes.push_back({t, at(count), asleep_until, touching});
+    awake.nodes.push_back({t, at(count), asleep_until, at(touching)});
   }
   std::copy(order + on_border, order + listed, order + inside);
   const int projected = inside + listed - on_border;
@@ -136,6 +135,10 @@ void SurfaceContact::project(const Block& block, Work& work, const std::vector<i
     real_store(found.xi.data(), feet.xi);
     real_store(found.eta.data(), feet.eta);
     real_store(found.distance.data(), feet.distance);
+    const Vec3<R> r = x - feet.point, away = (R(1.0) / feet.distance) * r;
+    real_store(found.height.data(), dot(r, feet.normal));
+    real_store(found.length.data(), dot(r, away));
+    real_store(found.up.data(), dot(away, feet.normal));
     if (special != 0 || any(!(feet.distance < work.close_by)))
       real_store(found.least.data(), kernel::least_distance(corners, x));
     for (; special != 0; special &= special - 1) found.distance[std::countr_zero(special)] = Box::infinity;

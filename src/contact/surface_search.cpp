@@ -18,6 +18,10 @@ namespace {
 constexpr std::size_t nodes_per_group = 4096;
 constexpr double nodes_close_together = 16.0;  // side of their box, in margins: four elements
 
+FourReals four_of(const Vec3d& a) {
+  return FourReals{a.x, a.y, a.z, 0.0};
+}
+
 }  // namespace
 
 /// By how much two of the active points can have approached each other if the i-th was displaced by `displacement(i)`:
@@ -29,10 +33,14 @@ double SurfaceContact::approach(const Displacement& displacement) {
   moved_.resize((count + nodes_per_group - 1) / nodes_per_group);
   parallel_for(moved_.size(), 1, [this, count, &displacement](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
-      Box box;
-      for (std::size_t i = g * nodes_per_group; i < std::min(count, (g + 1) * nodes_per_group); ++i)
-        box.add(displacement(share_ != nullptr ? at(followed_[i]) : i));
-      moved_[g] = box;
+      constexpr double most = Box::infinity;
+      FourReals low{most, most, most, most}, high = -low;
+      for (std::size_t i = g * nodes_per_group; i < std::min(count, (g + 1) * nodes_per_group); ++i) {
+        const FourReals moved = displacement(share_ != nullptr ? at(followed_[i]) : i);
+        low = moved < low ? moved : low;
+        high = high < moved ? moved : high;
+      }
+      moved_[g] = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
     }
   });
   Box all;
@@ -43,9 +51,9 @@ double SurfaceContact::approach(const Displacement& displacement) {
 
 bool SurfaceContact::moved_too_far(std::span<const Row> x) {
   travelled_ += approach([this, &x](std::size_t i) {
-    const Vec3d now = vec(x[active_nodes_[i]]), step = now - seen_at_[i];
-    seen_at_[i] = now;
-    return step;
+    const FourReals now = four(x[active_nodes_[i]]), was = four_of(seen_at_[i]);
+    seen_at_[i] = {now[0], now[1], now[2]};
+    return now - was;
   });
   // Steps added up are never less than the whole way: while they are short that need not be measured.
   return travelled_ - searched_when_ > margin_ && !lists_are_good_for(x);
@@ -53,7 +61,8 @@ bool SurfaceContact::moved_too_far(std::span<const Row> x) {
 
 /// Whether no two points have come closer by more than the margin since the search.
 bool SurfaceContact::lists_are_good_for(std::span<const Row> x) {
-  return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - searched_at_[i]; }) <= margin_;
+  return approach([this, &x](std::size_t i) { return four(x[active_nodes_[i]]) - four_of(searched_at_[i]); }) <=
+         margin_;
 }
 
 void SurfaceContact::search(const Step& step) {
