@@ -182,8 +182,9 @@ void SurfaceContact::Block::release(Pair& pair) {
   pair.touch = none;
 }
 
-/// What the pair will remember from now on.
+/// What the pair will remember from now on, in the place that it has or in a new one.
 SurfaceContact::Touch& SurfaceContact::Block::touch(Pair& pair) {
+  if (pair.touch != none) return touches[pair.touch] = {};
   if (free.empty()) {
     pair.touch = static_cast<int>(touches.size());
     make_room(touches);
@@ -205,12 +206,16 @@ void SurfaceContact::Block::clear_hits() {
 /// Works on some of the active blocks. A body has more pairs and segments than a cache holds: the pairs of the block
 /// after the next, and the segments of the next, are on their way meanwhile.
 void SurfaceContact::look_at(std::size_t begin, std::size_t end, Work& work, const Step& step) {
-  wake(blocks_[active_blocks_[begin]], work.next);
+  const auto follow_and_wake = [&](std::size_t b) {
+    follow(blocks_[active_blocks_[b]], step.x);
+    wake(blocks_[active_blocks_[b]], work.next);
+  };
+  follow_and_wake(begin);
   for (std::size_t b = begin; b < end; ++b) {
     if (b + 4 < end) ask_for_lines(&blocks_[active_blocks_[b + 4]], sizeof(Block));
     if (b + 2 < end) ask_for(blocks_[active_blocks_[b + 2]]);
     std::swap(work.awake, work.next);
-    if (b + 1 < end) wake(blocks_[active_blocks_[b + 1]], work.next);
+    if (b + 1 < end) follow_and_wake(b + 1);
     look_at(blocks_[active_blocks_[b]], work, step);
   }
 }
@@ -304,7 +309,7 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   Pair* const pairs = block.pairs.data();
   const Face* const faces = faces_.data();
   int* const close = work.close.data();
-  const double travelled = travelled_;
+  const double travelled = block.travelled;
   for (std::size_t i = first; i < node.end; ++i) {
     const Awake::One one = ones[i];
     if (one.turn < 0) {
@@ -411,7 +416,6 @@ void SurfaceContact::press_alone(Block& block, Work& work, int tracked, const St
   const Candidates candidates = std::span(work.candidates).first(count);
   for (std::size_t k = 0; k < count; ++k)
     fill(candidates[k], block, *work.at_rest[k].pair, work, at(work.at_rest[k].turn), tracked, step);
-  for (std::size_t k = 0; k < count; ++k) block.release(*work.at_rest[k].pair);
   for (const Candidate& candidate : candidates) press(block, candidates, candidate, tracked, step);
 }
 
@@ -535,7 +539,7 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   }
   if (pair.inside || pair.offset < 0.0) {
     // It may be farther apart than those are that can touch.
-    candidate.pair->next_check_travel = std::min(candidate.pair->next_check_travel, travelled_);
+    candidate.pair->next_check_travel = std::min(candidate.pair->next_check_travel, block.travelled);
     first_check_travel = std::min(first_check_travel, candidate.pair->next_check_travel);
   }
   Vec3d force = size * direction;
@@ -581,7 +585,8 @@ Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& can
 }
 
 void SurfaceContact::Block::archive(Archive& a) {
-  a(asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, resultant, deepest, energies);
+  a(travelled, near, seen, asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, resultant, deepest,
+    energies);
   a.built(begin, end, places, parts);
 }
 

@@ -255,7 +255,7 @@ class SurfaceContact {
     unsigned near_own : 1 = 0;  ///< the segment has a corner of one of the node's own
     int touch = none;           ///< place of what it remembers, while it touches
     double xi = 0.0, eta = 0.0;
-    double next_check_travel = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
+    double next_check_travel = 0.0;  ///< before `travelled` of the block gets here the two cannot touch [length]
   };
   static constexpr int none = -1;
   /// What a pair that touches remembers from cycle to cycle.
@@ -317,9 +317,12 @@ class SurfaceContact {
   struct Work;
   /// A fixed group of tracked nodes: what one thread works on at a time.
   struct Block {
-    int begin = 0, end = 0;                 // tracked nodes
-    double asleep_until = 0.0;              // the first of `next_check_travel`
-    std::vector<int> first;                 // of the pairs of each node; empty before its first search
+    int begin = 0, end = 0;     // tracked nodes
+    double travelled = 0.0;     // by how much two points of its pairs can have approached each other, at most [length]
+    std::vector<int> near;      // the nodes of its pairs: tracked ones and corners; since the last search
+    std::vector<Vec3d> seen;    // where they were in the cycle before
+    double asleep_until = 0.0;  // the first of `next_check_travel`
+    std::vector<int> first;     // of the pairs of each node; empty before its first search
     std::vector<double> next_check_travel;  // of each node: the first of its pairs'; empty likewise
     std::vector<double> deep;    // of each node: how deep it was inside in the cycle before, if it was; empty: none was
     std::vector<Pair> pairs;     // by node, then by segment
@@ -408,6 +411,8 @@ class SurfaceContact {
   double approach(const Displacement& displacement);
   double widest(int tracked) const { return 0.5 * (nodes_[tracked].thickness + thickest_segment_); }
   void search(const Step& step);
+  static void follow(Block& block, std::span<const Row> x);
+  void list_near(Block& block, std::span<const Row> x) const;
   void forget_lists();
   Box box_of_own_blocks(std::span<const Row> x) const;
   /// Whether this process looks at a block.
@@ -499,7 +504,7 @@ class SurfaceContact {
   bool searched_ = false;
   long searches_ = 0;
   ZeroedVector<Vec3d> seen_at_;  // the same in the cycle before
-  double travelled_ = 0.0;       // by how much two points can have approached each other since the start, at most
+  double travelled_ = 0.0;       // by how much two points can have approached each other in all cycles, at most
   double searched_when_ = 0.0;   // travelled_ at the last search
   std::vector<Box> moved_;       // displacements of active_nodes_, by group of nodes
   std::vector<Block> blocks_;

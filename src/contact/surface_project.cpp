@@ -11,8 +11,10 @@
 namespace nugget::contact {
 
 void SurfaceContact::ask_for(const Block& block) const {
-  if (block.asleep_until > travelled_) return;
   const auto lines = [](const auto& list) { ask_for_lines(list.data(), list.size() * sizeof list[0]); };
+  lines(block.near);
+  lines(block.seen);
+  if (block.asleep_until > block.travelled) return;
   lines(block.next_check_travel);
   lines(block.first);
   lines(block.pairs);
@@ -38,16 +40,19 @@ void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, st
 void SurfaceContact::wake(const Block& block, Awake& awake) const {
   awake.nodes.clear();
   awake.pairs.clear();
-  if (block.asleep_until > travelled_) return;
+  if (block.asleep_until > block.travelled) return;
   const int listed = static_cast<int>(block.pairs.size());
-  awake.pairs.resize(at(listed));
-  awake.order.resize(at(listed));
+  Work& work = work_of_thread();
+  if (work.waking.size() < at(listed)) {
+    work.waking.resize(at(listed));
+    work.in_order.resize(at(listed));
+  }
   // Kept in registers: what is stored could be them, for all that the compiler knows.
-  const double travelled = travelled_;
+  const double travelled = block.travelled;
   const Pair* const pairs = block.pairs.data();
   const Face* const faces = faces_.data();
-  Awake::One* const ones = awake.pairs.data();
-  int* const order = awake.order.data();
+  Awake::One* const ones = work.waking.data();
+  int* const order = work.in_order.data();
   int count = 0, inside = 0, on_border = listed;
   for (int t = block.begin; t < block.end; ++t) {
     if (block.next_check_travel[t - block.begin] > travelled) continue;
@@ -80,8 +85,8 @@ void SurfaceContact::wake(const Block& block, Awake& awake) const {
   std::copy(order + on_border, order + listed, order + inside);
   const int projected = inside + listed - on_border;
   for (int turn = inside; turn < projected; ++turn) ones[order[turn]].turn = turn;
-  awake.pairs.resize(at(count));
-  awake.order.resize(at(projected));
+  awake.pairs.assign(ones, ones + count);
+  awake.order.assign(order, order + projected);
 }
 
 /// Projects the nodes of the pairs that are awake and do not wait onto their segments.
@@ -194,7 +199,7 @@ void SurfaceContact::let_hidden_sleep(Block& block, Work& work, const Step& step
     real_store(room.data(), kernel::room_at_first(corners, real_load<R>(edge.data()), x, real_load<R>(tilt.data())));
     for (std::size_t l = 0; l < filled; ++l)
       if (room[l] > 0.0)
-        block.pairs[awake.pairs[one[l]].pair].next_check_travel = travelled_ + room[l];
+        block.pairs[awake.pairs[one[l]].pair].next_check_travel = block.travelled + room[l];
       else
         left.push_back(one[l]);
     filled = 0;
@@ -242,8 +247,9 @@ void SurfaceContact::let_hidden_sleep(Block& block, Work& work, const Step& step
 /// All pairs of a node are looked at in the next cycle: it came behind a sheet, where other rules hold.
 void SurfaceContact::wake_all(Block& block, int tracked) const {
   for (int i = block.first[tracked - block.begin]; i < block.first[tracked - block.begin + 1]; ++i)
-    block.pairs[i].next_check_travel = std::min(block.pairs[i].next_check_travel, travelled_);
-  block.next_check_travel[tracked - block.begin] = std::min(block.next_check_travel[tracked - block.begin], travelled_);
+    block.pairs[i].next_check_travel = std::min(block.pairs[i].next_check_travel, block.travelled);
+  double& first_check_travel = block.next_check_travel[tracked - block.begin];
+  first_check_travel = std::min(first_check_travel, block.travelled);
 }
 
 }  // namespace nugget::contact

@@ -41,24 +41,37 @@ bool SurfaceContact::Work::stays(const SurfaceContact& contact, Rest& rest, cons
   return !(rest.depth > 0.0);
 }
 
-/// The same of a pair that stands simply: over the inside of its segment or over an edge, on the side that is known. By
-/// what was found of a register full of pairs together; false also where that does not say.
-bool SurfaceContact::Work::stays_alone(Rest& rest) const {
-  const Touch& touch = *rest.touch;
-  if (touch.pressed() || touch.memory.stiffness > 0.0 || touch.side == 0) return false;
+/// Finds where a pair stands that is over the inside of its segment, or over an edge on the side that is known, by what
+/// was found of a register full of pairs together: `depth` is its overlap, the offset not yet taken off. False where it
+/// stands otherwise.
+bool SurfaceContact::Work::stands_simply(Rest& rest) const {
+  const int side = rest.touch->side;
   const std::size_t batch = at(rest.turn) / width, l = at(rest.turn) % width;
   const Found& here = found[batch];
-  double height = touch.side * here.height[l];
   const bool over_border = kernel::stored_lane(feet[batch].boundary, static_cast<int>(l)) != 0.0;
-  if (over_border) {
-    if (!(touch.side * here.up[l] >= side_change_cosine)) return false;
-    height = here.length[l];
-  }
-  const double overlap = rest.contact_distance - height;
-  if (!(overlap <= touch.offset) || overlap - touch.depth > touch.offset) return false;
-  rest.offset = overlap;
+  if (side == 0 || (over_border && !(side * here.up[l] >= side_change_cosine))) return false;
+  const double height = over_border ? here.length[l] : side * here.height[l];
+  rest.side = side;
   rest.inside = !over_border && height < 0.0;
+  rest.depth = rest.contact_distance - height;
   return true;
+}
+
+/// What press() finds of a pair of look_alone() that was not pressed; false where it may be pressed now.
+bool SurfaceContact::Work::stays_alone(const SurfaceContact& contact, Rest& rest, int tracked, const Step& step) const {
+  const Touch& touch = *rest.touch;
+  if (touch.pressed() || touch.memory.stiffness > 0.0) return false;
+  if (!stands_simply(rest)) {
+    find_foot(rest, contact, {0, rest.node, rest.turn}, tracked, step);
+    return stays(contact, rest, step);
+  }
+  const double overlap = rest.depth;
+  const auto velocity = [&] {
+    return vec(step.v[rest.node]) - interpolate(contact.faces_[rest.segment], Lane(*this, rest.turn).weight(), step.v);
+  };
+  rest.offset = offset_of(touch, overlap, velocity, step.dt);
+  rest.depth = overlap - rest.offset;
+  return !(rest.depth > 0.0);
 }
 
 /// Looks at a node whose pairs that touched in the cycle before, of shells, are all that is awake and not hidden, and
@@ -88,27 +101,29 @@ SurfaceContact::Work::Alone SurfaceContact::Work::look_alone(const SurfaceContac
     rest.pair = &pair;
     rest.touch = &block.touches[pair.touch];
     rest.turn = one.turn;
+    rest.node = one.node;
   }
-  if (count == 0 || !contact.node_alive(contact.nodes_[node.tracked].node, step.element_alive)) return Alone::no;
+  if (count == 0 || (!all_exposed && !contact.node_alive(at_rest[0].node, step.element_alive))) return Alone::no;
   if (count > 1 && shared_corners(contact.faces_[at_rest[0].segment], contact.faces_[at_rest[1].segment]) != 0)
     return Alone::no;
   touching_count = 0;
-  block.next_check_travel[node.tracked - block.begin] = contact.travelled_;
+  block.next_check_travel[node.tracked - block.begin] = block.travelled;
   for (std::size_t k = 0; k < count; ++k) {
     Rest& rest = at_rest[k];
     const std::size_t batch = at(rest.turn) / width, l = at(rest.turn) % width;
     rest.pair->xi = found[batch].xi[l];
     rest.pair->eta = found[batch].eta[l];
-    if (!stays_alone(rest)) {
-      at_rest[touching_count++] = rest;
+    if (!stays_alone(contact, rest, node.tracked, step)) {
+      if (touching_count++ < k) at_rest[0] = rest;
       continue;
     }
     Touch& touch = *rest.touch;
     touch.xi = rest.pair->xi;
     touch.eta = rest.pair->eta;
     touch.inside = rest.inside;
+    touch.side = static_cast<signed char>(rest.side);
     touch.offset = rest.offset;
-    touch.depth = 0.0;
+    touch.depth = rest.depth;
     touch.friction = {};
     touch.memory = {};
   }

@@ -60,6 +60,8 @@ struct SurfaceContact::Work {
   static constexpr double surely_close = 1.0 - 1e-6;
 
   Awake awake, next;                            ///< of the block, and of the one after it
+  std::vector<Awake::One> waking;               ///< room for their pairs
+  std::vector<int> in_order;                    ///< and for the order of these
   std::vector<kernel::Feet<NativeBatch>> feet;  ///< of the pairs that are awake
   /// Of the same what is looked at first; the distance of a triangle and of the face of a brick is infinite there.
   /// Where one of them may sleep: least_distance(). Of the way from the foot to the node: `height` is its share along
@@ -171,7 +173,8 @@ struct SurfaceContact::Work {
   enum class Alone { no, rests, may_press };
   Alone look_alone(const SurfaceContact& contact, Block& block, const Awake::Node& node, std::size_t first,
                    const Step& step);
-  bool stays_alone(Rest& rest) const;
+  bool stands_simply(Rest& rest) const;
+  bool stays_alone(const SurfaceContact& contact, Rest& rest, int tracked, const Step& step) const;
   enum class Resting { yes, may_press, others_matter, unknown };
   Resting rest(const SurfaceContact& contact, Block& block, std::size_t count, int tracked, const Step& step);
   void find_foot(Rest& rest, const SurfaceContact& contact, const Awake::One& one, int tracked, const Step& step) const;
