@@ -70,6 +70,17 @@ class NodalForces {
     sum.force += force;
     sum.friction += friction;
   }
+  /// Adds to places of one part: `visit(add)` calls add(place, factor, force, friction) for each, of which `factor`
+  /// times both is added.
+  template <class Visit>
+  void add_to_part(std::size_t part, const Visit& visit) {
+    Touched& now = parts_[part].now;
+    visit([&now](int place, double factor, const Vec3d& force, const Vec3d& friction) {
+      Sum& sum = now.at(place);
+      sum.force += factor * force;
+      sum.friction += factor * friction;
+    });
+  }
   /// What was now becomes what was before; now there are no forces.
   void next_cycle();
   void add_to(std::span<Row> force) const;
@@ -131,9 +142,11 @@ class NodalForces {
     }
     Sum& at(int at) {
       if (slot.empty()) slot.resize(part_size);
-      unsigned short& here = slot[at % part_size];
-      if (here < place.size() && place[here] == at) return sum[here];
-      here = static_cast<unsigned short>(place.size());
+      const unsigned short here = slot[at % part_size];
+      return here < place.size() && place[here] == at ? sum[here] : add(at);
+    }
+    [[gnu::noinline]] Sum& add(int at) {
+      slot[at % part_size] = static_cast<unsigned short>(place.size());
       make_room(place);
       make_room(sum);
       place.push_back(at);

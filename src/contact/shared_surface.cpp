@@ -84,6 +84,8 @@ void SurfaceContact::take_share(const SharedNodes& shared, const SurfaceSource& 
 void SurfaceContact::leave(Block& block) {
   block.clear_hits();
   free_room(block.first);
+  free_room(block.near);
+  free_room(block.seen);
   free_room(block.next_check_travel);
   free_room(block.deep);
   free_room(block.pairs);
@@ -136,7 +138,7 @@ void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& cos
   }
   if (outline_ != nullptr) fill_near_own_blocks(source, x);
   list_all(x, {});
-  const auto touches = [&](int t, const Pair& pair) {
+  const auto touches = [&](const Block&, int t, const Pair& pair) {
     const kernel::Corners corners = corners_of(faces_[pair.segment], x);
     return kernel::least_distance(corners, vec(x[at(nodes_[t].node)])) <= contact_distance(t, pair.segment);
   };
@@ -156,7 +158,9 @@ void SurfaceContact::add_costs(std::span<const Row> x, system::ContactCosts& cos
 void SurfaceContact::add_costs_now(std::size_t nodes, system::ContactCosts& costs, Ranks* ranks) const {
   if (!costs_something()) return;
   costs.of_node.resize(nodes);
-  const auto is_awake = [this](int, const Pair& pair) { return pair.next_check_travel <= travelled_; };
+  const auto is_awake = [](const Block& block, int, const Pair& pair) {
+    return pair.next_check_travel <= block.travelled;
+  };
   const auto touches = [](int, const Pair& pair) { return pair.touch != none; };
   add_to_first(costs_of_own_blocks(is_awake, touches), costs, ranks);
 }
@@ -176,7 +180,7 @@ SurfaceContact::OwnCosts SurfaceContact::costs_of_own_blocks(const IsAwake& is_a
       if (block.first.empty()) continue;
       for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i) {
         const Pair& pair = block.pairs[i];
-        const bool looks = is_awake(t, pair);
+        const bool looks = is_awake(block, t, pair);
         cost.value += looks ? awake : 1.0;
         if (looks && touches(t, pair)) own.pairs.push_back({nodes_[t].node, faces_[pair.segment].node[0]});
       }
@@ -208,6 +212,8 @@ void SurfaceContact::add_to_first(OwnCosts own, system::ContactCosts& costs, Ran
 void SurfaceContact::forget_lists() {
   for (Block& block : blocks_) {
     free_room(block.pairs);
+    free_room(block.near);
+    free_room(block.seen);
     std::ranges::fill(block.first, 0);
     std::ranges::fill(block.next_check_travel, 0.0);
     block.asleep_until = 0.0;
@@ -244,7 +250,7 @@ void SurfaceContact::exchange_hits() {
       block.hits.resize(at(head.hits));
       std::memcpy(static_cast<void*>(block.hits.data()), data.data() + place, block.hits.size() * sizeof(Hit));
       place += block.hits.size() * sizeof(Hit);
-      share_out(block, work_of_thread().shares);
+      share_out(block);
       arrived_.push_back(head.block);
     }
   std::ranges::sort(arrived_);

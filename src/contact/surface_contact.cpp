@@ -183,8 +183,9 @@ void SurfaceContact::Block::release(Pair& pair) {
   pair.touch = none;
 }
 
-/// What the pair will remember from now on.
+/// What the pair will remember from now on, in the place that it has or in a new one.
 SurfaceContact::Touch& SurfaceContact::Block::touch(Pair& pair) {
+  if (pair.touch != none) return touches[pair.touch] = {};
   if (free.empty()) {
     pair.touch = static_cast<int>(touches.size());
     make_room(touches);
@@ -197,7 +198,7 @@ SurfaceContact::Touch& SurfaceContact::Block::touch(Pair& pair) {
 
 void SurfaceContact::Block::clear_hits() {
   hits.clear();
-  shares.clear();
+  places.clear();
   parts.clear();
   resultant = {};
   deepest = 0.0;
@@ -206,12 +207,16 @@ void SurfaceContact::Block::clear_hits() {
 /// Works on some of the active blocks. A body has more pairs and segments than a cache holds: the pairs of the block
 /// after the next, and the segments of the next, are on their way meanwhile.
 void SurfaceContact::look_at(std::size_t begin, std::size_t end, Work& work, const Step& step) {
-  wake(blocks_[active_blocks_[begin]], work.next);
+  const auto follow_and_wake = [&](std::size_t b) {
+    follow(blocks_[active_blocks_[b]], step.x);
+    wake(blocks_[active_blocks_[b]], work.next);
+  };
+  follow_and_wake(begin);
   for (std::size_t b = begin; b < end; ++b) {
     if (b + 4 < end) ask_for_lines(&blocks_[active_blocks_[b + 4]], sizeof(Block));
     if (b + 2 < end) ask_for(blocks_[active_blocks_[b + 2]]);
     std::swap(work.awake, work.next);
-    if (b + 1 < end) wake(blocks_[active_blocks_[b + 1]], work.next);
+    if (b + 1 < end) follow_and_wake(b + 1);
     look_at(blocks_[active_blocks_[b]], work, step);
   }
 }
@@ -227,14 +232,18 @@ void SurfaceContact::look_at(Block& block, Work& work, const Step& step) const {
     const Awake::Node& node = work.awake.nodes[n];
     if (n + 1 < work.awake.nodes.size())
       ask_for_touching(block, work.awake, node.end, work.awake.nodes[n + 1].end, step);
-    const Candidates candidates = gather_candidates(block, work, node, first, step);
-    if (!candidates.empty() || block.depth_of(node.tracked) > 0.0) check_node(block, candidates, node.tracked, step);
+    const Work::Alone alone = work.look_alone(*this, block, node, first, step);
+    if (alone == Work::Alone::no) {
+      const Candidates candidates = gather_candidates(block, work, node, first, step);
+      if (!candidates.empty() || block.depth_of(node.tracked) > 0.0) check_node(block, candidates, node.tracked, step);
+    }
+    if (alone == Work::Alone::may_press) press_alone(block, work, node.tracked, step);
     first = node.end;
     if (node.touching > 0 && block.depth_of(node.tracked) > 0.0) wake_all(block, node.tracked);
   }
   block.asleep_until = *std::min_element(block.next_check_travel.begin(), block.next_check_travel.end());
   sum_up(block);
-  share_out(block, work.shares);
+  share_out(block);
 }
 
 /// By how much more than the contact distance pairs of a node reach: one that became softer has an overlap with a
@@ -301,7 +310,7 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   Pair* const pairs = block.pairs.data();
   const Face* const faces = faces_.data();
   int* const close = work.close.data();
-  const double travelled = travelled_;
+  const double travelled = block.travelled;
   for (std::size_t i = first; i < node.end; ++i) {
     const Awake::One one = ones[i];
     if (one.turn < 0) {
@@ -399,6 +408,16 @@ void SurfaceContact::fill(Candidate& c, const Block& block, Pair& pair, const Wo
   c.extended = c.to_an_edge = c.over_an_edge = c.came_through = false;
   c.came_from = 0.0;
   if (face.inner > 0.0) measure_inside_brick(c, face.inner, p, step);
+}
+
+/// Presses the pairs of a node that look_alone() has found.
+void SurfaceContact::press_alone(Block& block, Work& work, int tracked, const Step& step) const {
+  const std::size_t count = work.touching_count;
+  if (work.candidates.size() < count) work.candidates.resize(count);
+  const Candidates candidates = std::span(work.candidates).first(count);
+  for (std::size_t k = 0; k < count; ++k)
+    fill(candidates[k], block, *work.at_rest[k].pair, work, at(work.at_rest[k].turn), tracked, step);
+  for (const Candidate& candidate : candidates) press(block, candidates, candidate, tracked, step);
 }
 
 /// Stiffness of the pair where its foot is.
@@ -521,7 +540,7 @@ void SurfaceContact::press(Block& block, Candidates candidates, const Candidate&
   }
   if (pair.inside || pair.offset < 0.0) {
     // It may be farther apart than those are that can touch.
-    candidate.pair->next_check_travel = std::min(candidate.pair->next_check_travel, travelled_);
+    candidate.pair->next_check_travel = std::min(candidate.pair->next_check_travel, block.travelled);
     first_check_travel = std::min(first_check_travel, candidate.pair->next_check_travel);
   }
   Vec3d force = size * direction;
@@ -567,8 +586,9 @@ Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& can
 }
 
 void SurfaceContact::Block::archive(Archive& a) {
-  a(asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, resultant, deepest, energies);
-  a.built(begin, end, shares, parts);
+  a(travelled, near, seen, asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, resultant, deepest,
+    energies);
+  a.built(begin, end, places, parts);
 }
 
 /// With the search lists: a pair remembers on which side it stands, and a search at another cycle would give other

@@ -256,7 +256,7 @@ class SurfaceContact {
     unsigned near_own : 1 = 0;  ///< the segment has a corner of one of the node's own
     int touch = none;           ///< place of what it remembers, while it touches
     double xi = 0.0, eta = 0.0;
-    double next_check_travel = 0.0;  ///< before `travelled_` gets here the two cannot touch [length]
+    double next_check_travel = 0.0;  ///< before `travelled` of the block gets here the two cannot touch [length]
   };
   static constexpr int none = -1;
   /// What a pair that touches remembers from cycle to cycle.
@@ -295,13 +295,8 @@ class SurfaceContact {
   };
   /// Those of one node.
   using Candidates = std::span<Candidate>;
-  /// What of a hit goes to one node.
-  struct Share {
-    static constexpr signed char the_node = -1;  ///< in place of a corner: the force on the tracked node
-    int place = 0;                               ///< of the node, see NodalForces
-    int hit = 0;                                 ///< of the block
-    signed char corner = 0;                      ///< of the segment, or `the_node`
-  };
+  /// Places in NodalForces of the node that is hit and of the corners of the segment, -1 where nothing is to be added.
+  using Places = std::array<int, 5>;
   /// The pairs of a block that can touch in this cycle. Those of a node that did not touch in the cycle before wait for
   /// those that did, which hide most of them: see let_hidden_sleep().
   struct Awake {
@@ -321,27 +316,22 @@ class SurfaceContact {
     std::vector<int> order;  ///< in which those that do not wait are projected: those with a foot inside first
   };
   struct Work;
-  /// Shares of one part of the nodes, see NodalForces; they end where those of the next begin.
-  struct Shares {
-    int part = 0, begin = 0;
-  };
-  /// The same seen from the part.
-  struct Source {
-    int block = 0, begin = 0, end = 0;
-  };
   /// A fixed group of tracked nodes: what one thread works on at a time.
   struct Block {
-    int begin = 0, end = 0;                 // tracked nodes
-    double asleep_until = 0.0;              // the first of `next_check_travel`
-    std::vector<int> first;                 // of the pairs of each node; empty before its first search
+    int begin = 0, end = 0;     // tracked nodes
+    double travelled = 0.0;     // by how much two points of its pairs can have approached each other, at most [length]
+    std::vector<int> near;      // the nodes of its pairs: tracked ones and corners; since the last search
+    std::vector<Vec3d> seen;    // where they were in the cycle before
+    double asleep_until = 0.0;  // the first of `next_check_travel`
+    std::vector<int> first;     // of the pairs of each node; empty before its first search
     std::vector<double> next_check_travel;  // of each node: the first of its pairs'; empty likewise
     std::vector<double> deep;    // of each node: how deep it was inside in the cycle before, if it was; empty: none was
     std::vector<Pair> pairs;     // by node, then by segment
     std::vector<Touch> touches;  // of pairs, where Pair::touch says
     std::vector<int> free;       // of these, those that no pair has
     std::vector<Hit> hits;
-    std::vector<Share> shares;  // of the hits, by part of the nodes, in the order of the hits
-    std::vector<Shares> parts;
+    std::vector<Places> places;  // of the hits
+    std::vector<int> parts;      // of the nodes: those in which they are, in the order in which they are met
     // Of the hits: their sum as it stands in rcforc, the deepest.
     Vec3d resultant;
     double deepest = 0.0;
@@ -422,6 +412,8 @@ class SurfaceContact {
   double approach(const Displacement& displacement);
   double widest(int tracked) const { return 0.5 * (nodes_[tracked].thickness + thickest_segment_); }
   void search(const Step& step);
+  static void follow(Block& block, std::span<const Row> x);
+  void list_near(Block& block, std::span<const Row> x) const;
   void forget_lists();
   Box box_of_own_blocks(std::span<const Row> x) const;
   /// Whether this process looks at a block.
@@ -481,13 +473,14 @@ class SurfaceContact {
   };
   Spring spring(const Candidate& candidate, int tracked, const Step& step) const;
   void press(Block& block, Candidates candidates, const Candidate& candidate, int tracked, const Step& step) const;
+  void press_alone(Block& block, Work& work, int tracked, const Step& step) const;
   bool has_parted(Candidates candidates, const Candidate& candidate) const;
   double part(Block& block, const Candidate& candidate, int tracked, const Step& step) const;
   bool is_handed_on(Candidates candidates, const Candidate& candidate) const;
   void book_drop(Block& block, Candidates candidates, const Candidate& candidate, int tracked, double given_back,
                  const Step& step) const;
   void sum_up(Block& block) const;
-  void share_out(Block& block, std::vector<Share>& shares) const;
+  void share_out(Block& block) const;
   void spread(std::size_t part, const Step& step);
   void add_forces(const Step& step, std::span<Row> force);
 
@@ -513,13 +506,13 @@ class SurfaceContact {
   bool searched_ = false;
   long searches_ = 0;
   ZeroedVector<Vec3d> seen_at_;  // the same in the cycle before
-  double travelled_ = 0.0;       // by how much two points can have approached each other since the start, at most
+  double travelled_ = 0.0;       // by how much two points can have approached each other in all cycles, at most
   double searched_when_ = 0.0;   // travelled_ at the last search
   std::vector<Box> moved_;       // displacements of active_nodes_, by group of nodes
   std::vector<Block> blocks_;
-  std::vector<int> active_blocks_;            // blocks that have pairs and that this process looks at
-  std::vector<std::vector<Source>> sources_;  // of forces, by part of the nodes
-  bool acts_ = false;                         // in the last cycle, by birth and death
+  std::vector<int> active_blocks_;         // blocks that have pairs and that this process looks at
+  std::vector<std::vector<int>> sources_;  // of forces, by part of the nodes: blocks
+  bool acts_ = false;                      // in the last cycle, by birth and death
   bool results_need_hits_ = false;
   // Over several ranks, of which each looks at some of the blocks:
   const system::Share* share_ = nullptr;  // null: one process

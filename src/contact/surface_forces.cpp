@@ -2,7 +2,6 @@
 // What the hits of a surface contact do to its nodes, and what they add up to.
 #include <algorithm>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "base/index.hpp"
@@ -21,81 +20,74 @@ void SurfaceContact::sum_up(Block& block) const {
   }
 }
 
-/// Lists what of the hits goes to which node, by parts of these; parts in the order in which they are met. Nodes that
-/// other ranks follow are left out. `shares`: room for the same in the order of the hits.
-void SurfaceContact::share_out(Block& block, std::vector<Share>& shares) const {
-  shares.clear();
+/// Lists to which nodes the hits go, and the parts in which these are. Nodes that other ranks follow are left out.
+void SurfaceContact::share_out(Block& block) const {
+  block.places.resize(block.hits.size());
   for (std::size_t h = 0; h < block.hits.size(); ++h) {
     const Face& face = faces_[block.hits[h].segment];
     const Tracked& tracked = nodes_[block.hits[h].tracked];
-    const auto add = [&](int node, signed char corner) {
-      const int place = forces_.place(node);
-      if (!forces_.left_out(place)) shares.push_back({place, static_cast<int>(h), corner});
+    Places& places = block.places[h];
+    int last = -1;  // most of a hit is in one part, or two
+    const auto put = [&](std::size_t k, bool goes, int node) {
+      const int place = goes ? forces_.place(node) : -1;
+      places[k] = place;
+      if (place < 0) return;
+      if (forces_.left_out(place)) {
+        places[k] = -1;
+        return;
+      }
+      const int part = place / NodalForces::part_size;
+      if (part == last) return;
+      last = part;
+      for (const int known : block.parts)
+        if (known == part) return;
+      block.parts.push_back(part);
     };
     // What is not held here has no node whose forces this rank adds up.
-    if (tracked.against != 0) add(tracked.node, Share::the_node);
-    for (int c = 0; face.side != 0 && c < face.corners(); ++c) add(face.node[c], static_cast<signed char>(c));
+    put(0, tracked.against != 0, tracked.node);
+    for (std::size_t c = 0; c < 4; ++c) put(c + 1, face.side != 0 && (c < 3 || !face.triangle()), face.node[c]);
   }
-  const auto shares_of = [&block](const Share& share) -> Shares& {
-    const int part = share.place / NodalForces::part_size;
-    for (Shares& known : block.parts)
-      if (known.part == part) return known;
-    return block.parts.emplace_back(Shares{part, 0});
-  };
-  // Counted, then put behind each other.
-  for (const Share& share : shares) ++shares_of(share).begin;
-  int sum = 0;
-  for (Shares& of_part : block.parts) sum += std::exchange(of_part.begin, sum);
-  block.shares.resize(shares.size());
-  for (const Share& share : shares) block.shares[shares_of(share).begin++] = share;
-  int begin = 0;
-  for (Shares& of_part : block.parts) begin = std::exchange(of_part.begin, begin);
 }
 
-/// Adds to the nodes of a part what of the hits is theirs.
+/// Adds to the nodes of a part what of the hits is theirs, in the order of blocks, hits, and corners.
 void SurfaceContact::spread(std::size_t part, const Step& step) {
-  constexpr int shares_ahead = 24;
-  const std::vector<Source>& sources = sources_[part];
+  const std::vector<int>& sources = sources_[part];
+  const int begin = static_cast<int>(part) * NodalForces::part_size, end = begin + NodalForces::part_size;
   for (std::size_t s = 0; s < sources.size(); ++s) {
-    const Source& source = sources[s];
-    const Block& block = blocks_[source.block];
-    if (s + 2 < sources.size()) __builtin_prefetch(&blocks_[sources[s + 2].block].hits);
+    const Block& block = blocks_[sources[s]];
+    if (s + 2 < sources.size()) ask_for_lines(&blocks_[sources[s + 2]], sizeof(Block));
     if (s + 1 < sources.size()) {
-      const Source& next = sources[s + 1];
-      ask_for_lines(&blocks_[next.block].shares[next.begin], at(next.end - next.begin) * sizeof(Share));
-      ask_for_lines(blocks_[next.block].hits.data(), 4 * sizeof(Hit));
+      const Block& next = blocks_[sources[s + 1]];
+      ask_for_lines(next.places.data(), next.places.size() * sizeof(Places));
+      ask_for_lines(next.hits.data(), next.hits.size() * sizeof(Hit));
     }
-    for (int i = source.begin; i < source.end; ++i) {
-      const Share& share = block.shares[i];
-      if (share.corner == Share::the_node && i + shares_ahead < source.end)
-        ask_for_lines(&block.hits[block.shares[i + shares_ahead].hit], sizeof(Hit));
-      const Hit& hit = block.hits[share.hit];
-      if (share.corner == Share::the_node) {
-        forces_.add_at(share.place, hit.force, hit.friction);
-        continue;
+    forces_.add_to_part(part, [&](const auto& add) {
+      for (std::size_t h = 0; h < block.hits.size(); ++h) {
+        const Hit& hit = block.hits[h];
+        const Places& places = block.places[h];
+        if (places[0] >= begin && places[0] < end) add(places[0], 1.0, hit.force, hit.friction);
+        for (std::size_t c = 0; c < 4; ++c) {
+          const int place = places[c + 1];
+          if (place < begin || place >= end) continue;
+          add(place, -hit.weight[c], hit.force, hit.friction);
+          if (!law_.balances_friction) continue;
+          const Face& face = faces_[hit.segment];
+          const Vec3d lever = vec(step.x[nodes_[hit.tracked].node]) - interpolate(face, hit.weight, step.x);
+          const auto back = [&](const Vec3d& force) {
+            return couple({face.node.data(), at(face.corners())}, -cross(lever, force), step.x)[c];
+          };
+          add(place, 1.0, back(hit.force), back(hit.friction));
+        }
       }
-      const double weight = -hit.weight[share.corner];
-      forces_.add_at(share.place, weight * hit.force, weight * hit.friction);
-      if (!law_.balances_friction) continue;
-      const Face& face = faces_[hit.segment];
-      const Vec3d lever = vec(step.x[nodes_[hit.tracked].node]) - interpolate(face, hit.weight, step.x);
-      const auto back = [&](const Vec3d& force) {
-        return couple({face.node.data(), at(face.corners())}, -cross(lever, force), step.x)[share.corner];
-      };
-      forces_.add_at(share.place, back(hit.force), back(hit.friction));
-    }
+    });
   }
 }
 
 /// Sums up what the blocks found, and books the work of the step.
 void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
-  for (std::vector<Source>& sources : sources_) sources.clear();
+  for (std::vector<int>& sources : sources_) sources.clear();
   const auto add = [this](int b) {
-    const Block& block = blocks_[b];
-    for (std::size_t i = 0; i < block.parts.size(); ++i) {
-      const int end = i + 1 < block.parts.size() ? block.parts[i + 1].begin : static_cast<int>(block.shares.size());
-      sources_[block.parts[i].part].push_back({b, block.parts[i].begin, end});
-    }
+    for (const int part : blocks_[b].parts) sources_[part].push_back(b);
   };
   if (acts_) {
     auto next = arrived_.begin();
@@ -105,8 +97,8 @@ void SurfaceContact::add_forces(const Step& step, std::span<Row> force) {
     }
     std::for_each(next, arrived_.end(), add);
   }
-  parallel_for(forces_.parts(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
+  parallel_for(forces_.parts(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) {
       forces_.next_cycle(p);
       spread(p, step);
       forces_.add_to(p, force);

@@ -36,10 +36,10 @@ std::vector<Penetration> SurfaceContact::penetrations(std::span<const Row> x) {
 
 void SurfaceContact::find_overlaps(Block& block, const Step& step, std::vector<Penetration>& found) const {
   Work& work = work_of_thread();
-  std::fill(block.next_check_travel.begin(), block.next_check_travel.end(), travelled_);
+  std::fill(block.next_check_travel.begin(), block.next_check_travel.end(), block.travelled);
   for (Pair& pair : block.pairs) {
     pair.xi = pair.eta = 0.0;
-    pair.next_check_travel = travelled_;
+    pair.next_check_travel = block.travelled;
   }
   wake(block, work.awake);
   // From the middle, as a search does, and from there again, as the first cycle does: so the feet have its bits.

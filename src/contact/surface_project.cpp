@@ -11,8 +11,10 @@
 namespace nugget::contact {
 
 void SurfaceContact::ask_for(const Block& block) const {
-  if (block.asleep_until > travelled_) return;
   const auto lines = [](const auto& list) { ask_for_lines(list.data(), list.size() * sizeof list[0]); };
+  lines(block.near);
+  lines(block.seen);
+  if (block.asleep_until > block.travelled) return;
   lines(block.next_check_travel);
   lines(block.first);
   lines(block.pairs);
@@ -24,8 +26,7 @@ void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, st
                                       const Step& step) const {
   for (std::size_t i = begin; i < end; ++i) {
     const Pair& pair = block.pairs[awake.pairs[i].pair];
-    if (pair.touch == none) continue;
-    ask_for_lines(&block.touches[pair.touch], sizeof(Touch));
+    if (!block.pressed(pair)) continue;
     for (const int n : faces_[pair.segment].node) {
       __builtin_prefetch(&step.v[n]);
       step.mass.ask_for(n);
@@ -39,50 +40,53 @@ void SurfaceContact::ask_for_touching(const Block& block, const Awake& awake, st
 void SurfaceContact::wake(const Block& block, Awake& awake) const {
   awake.nodes.clear();
   awake.pairs.clear();
-  if (block.asleep_until > travelled_) return;
+  if (block.asleep_until > block.travelled) return;
   const int listed = static_cast<int>(block.pairs.size());
-  awake.pairs.resize(at(listed));
-  awake.order.resize(at(listed));
+  Work& work = work_of_thread();
+  if (work.waking.size() < at(listed)) {
+    work.waking.resize(at(listed));
+    work.in_order.resize(at(listed));
+  }
   // Kept in registers: what is stored could be them, for all that the compiler knows.
-  const double travelled = travelled_;
+  const double travelled = block.travelled;
   const Pair* const pairs = block.pairs.data();
   const Face* const faces = faces_.data();
-  Awake::One* const ones = awake.pairs.data();
-  int* const order = awake.order.data();
+  Awake::One* const ones = work.waking.data();
+  int* const order = work.in_order.data();
   int count = 0, inside = 0, on_border = listed;
   for (int t = block.begin; t < block.end; ++t) {
     if (block.next_check_travel[t - block.begin] > travelled) continue;
     if (excluded_ != nullptr && (*excluded_)[t]) continue;
     double asleep_until = Box::infinity;
-    const int node = nodes_[t].node, begin = block.first[t - block.begin];
+    const int node = nodes_[t].node, first = count;
     const int end = block.first[t - block.begin + 1];
-    std::size_t touching = 0;  // where others may wait for these
-    if (!block.touches.empty() && !(block.depth_of(t) > 0.0))
-      for (int i = begin; i < end; ++i) touching += pairs[i].touch != none ? 1 : 0;
-    for (int i = begin; i < end; ++i) {
+    int touching = 0;  // where others may wait for these
+    for (int i = block.first[t - block.begin]; i < end; ++i) {
       const Pair& pair = pairs[i];
-      if (pair.next_check_travel > travelled) {
+      touching += pair.touch != none ? 1 : 0;
+      if (pair.next_check_travel > travelled)
         asleep_until = std::min(asleep_until, pair.next_check_travel);
-        continue;
-      }
-      __builtin_prefetch(faces + pair.segment);
-      if (touching > 0 && pair.touch == none) {
+      else
         ones[count++] = {i, node, none};
-        continue;
-      }
-      ones[count] = {i, node, inside};
+    }
+    if (block.depth_of(t) > 0.0) touching = 0;
+    for (int k = first; k < count; ++k) {
+      const Pair& pair = pairs[ones[k].pair];
+      __builtin_prefetch(faces + pair.segment);
+      if (touching > 0 && pair.touch == none) continue;
+      ones[k].turn = inside;
       const int border = std::max(std::abs(pair.xi), std::abs(pair.eta)) >= 1.0 ? 1 : 0;
       on_border -= border;
-      order[border != 0 ? on_border : inside] = count++;
+      order[border != 0 ? on_border : inside] = k;
       inside += 1 - border;
     }
-    awake.nodes.push_back({t, at(count), asleep_until, touching});
+    awake.nodes.push_back({t, at(count), asleep_until, at(touching)});
   }
   std::copy(order + on_border, order + listed, order + inside);
   const int projected = inside + listed - on_border;
   for (int turn = inside; turn < projected; ++turn) ones[order[turn]].turn = turn;
-  awake.pairs.resize(at(count));
-  awake.order.resize(at(projected));
+  awake.pairs.assign(ones, ones + count);
+  awake.order.assign(order, order + projected);
 }
 
 /// Projects the nodes of the pairs that are awake and do not wait onto their segments.
@@ -136,6 +140,10 @@ void SurfaceContact::project(const Block& block, Work& work, const std::vector<i
     real_store(found.xi.data(), feet.xi);
     real_store(found.eta.data(), feet.eta);
     real_store(found.distance.data(), feet.distance);
+    const Vec3<R> r = x - feet.point, away = (R(1.0) / feet.distance) * r;
+    real_store(found.height.data(), dot(r, feet.normal));
+    real_store(found.length.data(), dot(r, away));
+    real_store(found.up.data(), dot(away, feet.normal));
     if (special != 0 || any(!(feet.distance < work.close_by)))
       real_store(found.least.data(), kernel::least_distance(corners, x));
     for (; special != 0; special &= special - 1) found.distance[std::countr_zero(special)] = Box::infinity;
@@ -191,7 +199,7 @@ void SurfaceContact::let_hidden_sleep(Block& block, Work& work, const Step& step
     real_store(room.data(), kernel::room_at_first(corners, real_load<R>(edge.data()), x, real_load<R>(tilt.data())));
     for (std::size_t l = 0; l < filled; ++l)
       if (room[l] > 0.0)
-        block.pairs[awake.pairs[one[l]].pair].next_check_travel = travelled_ + room[l];
+        block.pairs[awake.pairs[one[l]].pair].next_check_travel = block.travelled + room[l];
       else
         left.push_back(one[l]);
     filled = 0;
@@ -239,8 +247,9 @@ void SurfaceContact::let_hidden_sleep(Block& block, Work& work, const Step& step
 /// All pairs of a node are looked at in the next cycle: it came behind a sheet, where other rules hold.
 void SurfaceContact::wake_all(Block& block, int tracked) const {
   for (int i = block.first[tracked - block.begin]; i < block.first[tracked - block.begin + 1]; ++i)
-    block.pairs[i].next_check_travel = std::min(block.pairs[i].next_check_travel, travelled_);
-  block.next_check_travel[tracked - block.begin] = std::min(block.next_check_travel[tracked - block.begin], travelled_);
+    block.pairs[i].next_check_travel = std::min(block.pairs[i].next_check_travel, block.travelled);
+  double& first_check_travel = block.next_check_travel[tracked - block.begin];
+  first_check_travel = std::min(first_check_travel, block.travelled);
 }
 
 }  // namespace nugget::contact

@@ -41,6 +41,95 @@ bool SurfaceContact::Work::stays(const SurfaceContact& contact, Rest& rest, cons
   return !(rest.depth > 0.0);
 }
 
+/// Finds where a pair stands that is over the inside of its segment, or over an edge on the side that is known, by what
+/// was found of a register full of pairs together: `depth` is its overlap, the offset not yet taken off. False where it
+/// stands otherwise.
+bool SurfaceContact::Work::stands_simply(Rest& rest) const {
+  const int side = rest.touch->side;
+  const std::size_t batch = at(rest.turn) / width, l = at(rest.turn) % width;
+  const Found& here = found[batch];
+  const bool over_border = kernel::stored_lane(feet[batch].boundary, static_cast<int>(l)) != 0.0;
+  if (side == 0 || (over_border && !(side * here.up[l] >= side_change_cosine))) return false;
+  const double height = over_border ? here.length[l] : side * here.height[l];
+  rest.side = side;
+  rest.inside = !over_border && height < 0.0;
+  rest.depth = rest.contact_distance - height;
+  return true;
+}
+
+/// What press() finds of a pair of look_alone() that was not pressed; false where it may be pressed now.
+bool SurfaceContact::Work::stays_alone(const SurfaceContact& contact, Rest& rest, int tracked, const Step& step) const {
+  const Touch& touch = *rest.touch;
+  if (touch.pressed() || touch.memory.stiffness > 0.0) return false;
+  if (!stands_simply(rest)) {
+    find_foot(rest, contact, {0, rest.node, rest.turn}, tracked, step);
+    return stays(contact, rest, step);
+  }
+  const double overlap = rest.depth;
+  const auto velocity = [&] {
+    return vec(step.v[rest.node]) - interpolate(contact.faces_[rest.segment], Lane(*this, rest.turn).weight(), step.v);
+  };
+  rest.offset = offset_of(touch, overlap, velocity, step.dt);
+  rest.depth = overlap - rest.offset;
+  return !(rest.depth > 0.0);
+}
+
+/// Looks at a node whose pairs that touched in the cycle before, of shells, are all that is awake and not hidden, and
+/// touch still: they have nothing to do with each other. Those that are not pressed remember here what press() would
+/// have them remember; the others are left in `at_rest`.
+SurfaceContact::Work::Alone SurfaceContact::Work::look_alone(const SurfaceContact& contact, Block& block,
+                                                             const Awake::Node& node, std::size_t first,
+                                                             const Step& step) {
+  if (node.touching == 0 || node.touching > most_at_rest || contact.deepest_allowed_ > 0.0) return Alone::no;
+  const bool all_exposed = step.element_alive.empty() && !contact.covers_;
+  const double surely_near = surely_close * contact.widest(node.tracked);
+  std::size_t count = 0;
+  for (std::size_t i = first; i < node.end; ++i) {
+    const Awake::One& one = awake.pairs[i];
+    if (one.turn < 0) continue;
+    Pair& pair = block.pairs[one.pair];
+    if (pair.touch == none || count == most_at_rest) return Alone::no;
+    Rest& rest = at_rest[count++];
+    rest.segment = static_cast<int>(pair.segment);
+    const Face& face = contact.faces_[rest.segment];
+    rest.contact_distance = 0.5 * (contact.nodes_[node.tracked].thickness + face.thickness);
+    const std::size_t batch = at(one.turn) / width, l = at(one.turn) % width;
+    const double distance = found[batch].distance[l];
+    if (!(distance < surely_near && distance < rest.contact_distance)) return Alone::no;
+    if (!all_exposed && !is_exposed(face, step.element_alive)) return Alone::no;
+    if (pair.near_own != 0 && kernel::stored_lane(feet[batch].boundary, static_cast<int>(l)) != 0.0) return Alone::no;
+    rest.pair = &pair;
+    rest.touch = &block.touches[pair.touch];
+    rest.turn = one.turn;
+    rest.node = one.node;
+  }
+  if (count == 0 || (!all_exposed && !contact.node_alive(at_rest[0].node, step.element_alive))) return Alone::no;
+  if (count > 1 && shared_corners(contact.faces_[at_rest[0].segment], contact.faces_[at_rest[1].segment]) != 0)
+    return Alone::no;
+  touching_count = 0;
+  block.next_check_travel[node.tracked - block.begin] = block.travelled;
+  for (std::size_t k = 0; k < count; ++k) {
+    Rest& rest = at_rest[k];
+    const std::size_t batch = at(rest.turn) / width, l = at(rest.turn) % width;
+    rest.pair->xi = found[batch].xi[l];
+    rest.pair->eta = found[batch].eta[l];
+    if (!stays_alone(contact, rest, node.tracked, step)) {
+      if (touching_count++ < k) at_rest[0] = rest;
+      continue;
+    }
+    Touch& touch = *rest.touch;
+    touch.xi = rest.pair->xi;
+    touch.eta = rest.pair->eta;
+    touch.inside = rest.inside;
+    touch.side = static_cast<signed char>(rest.side);
+    touch.offset = rest.offset;
+    touch.depth = rest.depth;
+    touch.friction = {};
+    touch.memory = {};
+  }
+  return touching_count > 0 ? Alone::may_press : Alone::rests;
+}
+
 /// Looks at a node of whose close pairs, `count`, of shells all, some touched in the cycle before (touching_count)
 /// and none was pressed. Where none is pressed now either, and the others do not matter (others_matter()), they
 /// remember here what press() would have them remember.

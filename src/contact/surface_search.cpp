@@ -18,6 +18,28 @@ namespace {
 constexpr std::size_t nodes_per_group = 4096;
 constexpr double nodes_close_together = 16.0;  // side of their box, in margins: four elements
 
+FourReals four_of(const Vec3d& a) {
+  return FourReals{a.x, a.y, a.z, 0.0};
+}
+
+/// Displacement of a point that was `seen`; it is seen where it is now.
+FourReals step_of(Vec3d& seen, const Row& x) {
+  const FourReals now = four(x), step = now - four_of(seen);
+  seen = {now[0], now[1], now[2]};
+  return step;
+}
+
+/// Around displacements.
+struct DisplacementBox {
+  FourReals low = FourReals{} + Box::infinity, high = FourReals{} - Box::infinity;
+
+  void add(const FourReals& d) {
+    low = d < low ? d : low;
+    high = high < d ? d : high;
+  }
+  Box box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
+};
+
 }  // namespace
 
 /// By how much two of the active points can have approached each other if the i-th was displaced by `displacement(i)`:
@@ -29,10 +51,10 @@ double SurfaceContact::approach(const Displacement& displacement) {
   moved_.resize((count + nodes_per_group - 1) / nodes_per_group);
   parallel_for(moved_.size(), 1, [this, count, &displacement](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
-      Box box;
+      DisplacementBox box;
       for (std::size_t i = g * nodes_per_group; i < std::min(count, (g + 1) * nodes_per_group); ++i)
         box.add(displacement(share_ != nullptr ? at(followed_[i]) : i));
-      moved_[g] = box;
+      moved_[g] = box.box();
     }
   });
   Box all;
@@ -42,18 +64,40 @@ double SurfaceContact::approach(const Displacement& displacement) {
 }
 
 bool SurfaceContact::moved_too_far(std::span<const Row> x) {
-  travelled_ += approach([this, &x](std::size_t i) {
-    const Vec3d now = vec(x[active_nodes_[i]]), step = now - seen_at_[i];
-    seen_at_[i] = now;
-    return step;
-  });
+  travelled_ += approach([this, &x](std::size_t i) { return step_of(seen_at_[i], x[active_nodes_[i]]); });
   // Steps added up are never less than the whole way: while they are short that need not be measured.
   return travelled_ - searched_when_ > margin_ && !lists_are_good_for(x);
 }
 
 /// Whether no two points have come closer by more than the margin since the search.
 bool SurfaceContact::lists_are_good_for(std::span<const Row> x) {
-  return approach([this, &x](std::size_t i) { return vec(x[active_nodes_[i]]) - searched_at_[i]; }) <= margin_;
+  return approach([this, &x](std::size_t i) { return four(x[active_nodes_[i]]) - four_of(searched_at_[i]); }) <=
+         margin_;
+}
+
+/// The same of the nodes of a block's pairs, which most often move much like each other.
+void SurfaceContact::follow(Block& block, std::span<const Row> x) {
+  if (block.near.empty()) return;
+  DisplacementBox moved;
+  for (std::size_t i = 0; i < block.near.size(); ++i) moved.add(step_of(block.seen[i], x[block.near[i]]));
+  const Box box = moved.box();
+  block.travelled += norm(box.high - box.low);
+}
+
+/// Lists the nodes of a block's pairs, from now on to be followed.
+void SurfaceContact::list_near(Block& block, std::span<const Row> x) const {
+  std::vector<int> near;
+  for (int t = block.begin; t < block.end; ++t) {
+    if (block.first[t - block.begin] < block.first[t - block.begin + 1]) near.push_back(nodes_[t].node);
+    for (int i = block.first[t - block.begin]; i < block.first[t - block.begin + 1]; ++i)
+      for (const int n : faces_[block.pairs[i].segment].node) near.push_back(n);
+  }
+  std::ranges::sort(near);
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  block.near.assign(near.begin(), near.end());
+  block.seen.clear();
+  block.seen.reserve(near.size());
+  for (const int n : near) block.seen.push_back(vec(x[n]));
 }
 
 void SurfaceContact::search(const Step& step) {
@@ -128,6 +172,7 @@ ZeroedVector<Vec3d> SurfaceContact::places_of_active_nodes(std::span<const Row> 
 void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& work, std::span<const Row> x,
                                      std::span<const unsigned char> element_alive) const {
   const auto by_segment = [](const Pair& a, const Pair& b) { return a.segment < b.segment; };
+  follow(block, x);
   std::vector<Pair>& listed = work.listed;
   listed.clear();
   if (block.first.empty()) {
@@ -165,7 +210,7 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
       pair.segment = static_cast<unsigned>(segment) & 0x7fffffffu;
       pair.xi = foot.xi;
       pair.eta = foot.eta;
-      pair.next_check_travel = travelled_ + (foot.distance - (widest(t) + reach(block, t, segment)));
+      pair.next_check_travel = block.travelled + (foot.distance - (widest(t) + reach(block, t, segment)));
       listed.push_back(pair);
     }
     std::sort(listed.begin() + start, listed.end(), by_segment);
@@ -191,11 +236,12 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
       wakes = true;
     }
     for (auto pair = listed.begin() + start; wakes && pair != listed.end(); ++pair)
-      pair->next_check_travel = std::min(pair->next_check_travel, travelled_);
+      pair->next_check_travel = std::min(pair->next_check_travel, block.travelled);
     if (static_cast<std::ptrdiff_t>(listed.size()) > end) std::sort(listed.begin() + start, listed.end(), by_segment);
   }
   block.first.back() = static_cast<int>(listed.size());
   block.pairs.assign(listed.begin(), listed.end());
+  list_near(block, x);
   if (listed.empty()) {
     block.clear_hits();
     block.energies.springs = 0.0;

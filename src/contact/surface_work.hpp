@@ -60,11 +60,14 @@ struct SurfaceContact::Work {
   static constexpr double surely_close = 1.0 - 1e-6;
 
   Awake awake, next;                            ///< of the block, and of the one after it
+  std::vector<Awake::One> waking;               ///< room for their pairs
+  std::vector<int> in_order;                    ///< and for the order of these
   std::vector<kernel::Feet<NativeBatch>> feet;  ///< of the pairs that are awake
   /// Of the same what is looked at first; the distance of a triangle and of the face of a brick is infinite there.
-  /// Where one of them may sleep: least_distance().
+  /// Where one of them may sleep: least_distance(). Of the way from the foot to the node: `height` is its share along
+  /// the normal, `length` that along itself, `up` the cosine between the two.
   struct Found {
-    std::array<double, width> xi, eta, distance, least;
+    std::array<double, width> xi, eta, distance, least, height, length, up;
   };
   std::vector<Found> found;
   double close_by = 0.0;  ///< no pair of the block that is closer sleeps
@@ -84,7 +87,6 @@ struct SurfaceContact::Work {
   std::vector<Candidate> candidates;        ///< of a node, and of earlier ones
   std::vector<Pair> listed;                 ///< the new lists of a block, in a search
   std::vector<std::pair<int, Box>> around;  ///< segments near some nodes of the block, with their boxes
-  std::vector<Share> shares;                ///< of the hits of a block, in the order of these
 
   /// One of `feet`.
   class Lane {
@@ -167,6 +169,12 @@ struct SurfaceContact::Work {
     double offset = 0.0, depth = 0.0;
   };
   std::array<Rest, most_at_rest> at_rest;  ///< of a node, and of earlier ones
+  /// Of a node whose pairs that touched are all that it has: the others are out of reach, or hidden.
+  enum class Alone { no, rests, may_press };
+  Alone look_alone(const SurfaceContact& contact, Block& block, const Awake::Node& node, std::size_t first,
+                   const Step& step);
+  bool stands_simply(Rest& rest) const;
+  bool stays_alone(const SurfaceContact& contact, Rest& rest, int tracked, const Step& step) const;
   enum class Resting { yes, may_press, others_matter, unknown };
   Resting rest(const SurfaceContact& contact, Block& block, std::size_t count, int tracked, const Step& step);
   void find_foot(Rest& rest, const SurfaceContact& contact, const Awake::One& one, int tracked, const Step& step) const;
