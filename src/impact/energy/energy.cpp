@@ -95,7 +95,8 @@ struct Carrier {
   /// What the nodes of a piece add to its part.
   PartEnergy sum(const PartNodes::Piece& piece) const {
     PartEnergy part;
-    for (const PartNodes::AtNode& n : nodes.of(piece)) carry(part, n.node, n.mass, n.inertia);
+    for (const int k : nodes.alone(piece)) carry(part, k, system.own_mass[k], system.own_inertia()[k]);
+    for (const PartNodes::Shared& n : nodes.shared(piece)) carry(part, n.node, n.mass, n.inertia);
     return part;
   }
 

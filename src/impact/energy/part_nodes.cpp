@@ -2,6 +2,8 @@
 #include "impact/energy/part_nodes.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "base/index.hpp"
 #include "model/lumped_mass.hpp"
@@ -30,15 +32,22 @@ void each_corner(const system::ElementGroup& group, const Visit& visit) {
   }
 }
 
-/// Calls `visit(node, mass, inertia)` for each corner of each element of a group.
-template <class Visit>
-void each_corner_mass(const system::ElementGroup& group, const Visit& visit) {
-  const std::size_t count = at(group.nodes_per_element);
-  for (std::size_t e = 0; e < group.size(); ++e) {
-    const system::ElementNodes nodes = group.nodes(e);
-    const double scale = group.mass_scale(e), inertia = scale * group.nodal_inertia(e), mass = group.mass(e);
-    for (std::size_t a = 0; a < count; ++a) visit(nodes[a], scale * model::mass_at(mass, count, a), inertia);
-  }
+/// By node, whether elements of several parts have it, or it has a mass besides theirs.
+std::vector<char> find_shared(const system::System& system) {
+  std::vector<model::Index> first(system.nodes, model::none);  // part of it
+  std::vector<char> shared(system.nodes);
+  each_part(system, [&](model::Index part, const std::vector<const system::ElementGroup*>& groups) {
+    for (const system::ElementGroup* group : groups)
+      each_corner(*group, [&](int node) {
+        shared[node] |= first[node] != model::none && first[node] != part;
+        first[node] = part;
+      });
+  });
+  for (const system::System::MassOnlyElement& mass_only : system.mass_only_elements())
+    for (int a = 0; a < mass_only.corners; ++a) shared[mass_only.node[a]] = 1;
+  for (const model::PointMass& m : system.model.masses) shared[system.node_of[m.node]] = 1;
+  for (const model::PointInertia& p : system.model.inertias) shared[system.node_of[p.node]] = 1;
+  return shared;
 }
 
 }  // namespace
@@ -55,7 +64,7 @@ void PartNodes::update(const system::System& system, Sums sums) {
   // Released nodes count as having no elements from then on: their release is a change of masses.
   if (deletions > 0 && (deletions != deletions_ || mass_changes_ != system.mass_changes()))
     find_nodes_without_elements(system);
-  if (mass_changes_ != system.mass_changes()) find_masses(system);
+  if (mass_changes_ != system.mass_changes()) find_shared_masses(system);
   mass_changes_ = system.mass_changes();
   deletions_ = deletions;
 }
@@ -71,48 +80,68 @@ void PartNodes::find_weightless(const system::System& system) {
 
 void PartNodes::find_pieces(const system::System& system) {
   pieces_.clear();
-  at_nodes_.clear();
+  alone_.clear();
+  shared_.clear();
+  const std::vector<char> is_shared = find_shared(system);
   const system::SumsByRank* by_rank = sums_ == Sums::own ? system.sums_by_rank() : nullptr;
   const auto is_own = [&](std::size_t row) {
     return by_rank == nullptr || std::max(0, by_rank->of_nodes(row)) == system.share()->ranks().rank();
   };
-  std::vector<int> nodes;
+  std::vector<char> has(system.nodes);  // an element of the part
   each_part(system, [&](model::Index part, const std::vector<const system::ElementGroup*>& groups) {
-    nodes.clear();
+    int first = static_cast<int>(system.nodes), last = -1;
     for (const system::ElementGroup* group : groups)
       each_corner(*group, [&](int node) {
-        if (!is_weightless(at(node))) nodes.push_back(node);
+        has[node] = 1;
+        first = std::min(first, node);
+        last = std::max(last, node);
       });
-    std::ranges::sort(nodes);
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    for (const int node : nodes) {
+    for (int node = first; node <= last; ++node) {
+      if (!std::exchange(has[node], char{0}) || is_weightless(at(node))) continue;
       const std::size_t row = at(node) / system::SumsByRank::in_a_row;
       if (pieces_.empty() || pieces_.back().part != part || pieces_.back().row != row)
-        pieces_.push_back({part, row, at_nodes_.size(), at_nodes_.size()});
+        pieces_.push_back({part, row, alone_.size(), alone_.size(), shared_.size(), shared_.size()});
       if (!is_own(row)) continue;
-      at_nodes_.push_back({node});
-      ++pieces_.back().end;
+      if (is_shared[node])
+        shared_.push_back({node});
+      else
+        alone_.push_back(node);
+      pieces_.back().end = alone_.size();
+      pieces_.back().end_shared = shared_.size();
     }
   });
-  at_nodes_.shrink_to_fit();
+  alone_.shrink_to_fit();
+  shared_.shrink_to_fit();
 }
 
-void PartNodes::find_masses(const system::System& system) {
-  struct Lumped {
-    double mass = 0.0, inertia = 0.0;
-  };
-  std::vector<Lumped> lumped(system.nodes);
+void PartNodes::find_shared_masses(const system::System& system) {
+  // By node, where it stands in shared_ among those of the part that is at hand.
+  std::vector<int> place(system.nodes, -1);
   auto piece = pieces_.begin();
   each_part(system, [&](model::Index part, const std::vector<const system::ElementGroup*>& groups) {
-    for (const system::ElementGroup* group : groups)
-      each_corner_mass(*group, [&](int node, double mass, double inertia) {
-        lumped[node].mass += mass;
-        lumped[node].inertia += inertia;
-      });
-    for (; piece != pieces_.end() && piece->part == part; ++piece)
-      for (AtNode& n : std::span(at_nodes_).subspan(piece->begin, piece->end - piece->begin))
-        n = {n.node, lumped[n.node].mass, lumped[n.node].inertia};
-    for (const system::ElementGroup* group : groups) each_corner(*group, [&](int node) { lumped[node] = {}; });
+    const auto first = piece;
+    while (piece != pieces_.end() && piece->part == part) ++piece;
+    if (first == piece || first->first_shared == std::prev(piece)->end_shared) return;
+    const std::span<Shared> all =
+        std::span(shared_).subspan(first->first_shared, std::prev(piece)->end_shared - first->first_shared);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i] = {all[i].node};
+      place[all[i].node] = static_cast<int>(i);
+    }
+    for (const system::ElementGroup* group : groups) {
+      const std::size_t count = at(group->nodes_per_element);
+      for (std::size_t e = 0; e < group->size(); ++e) {
+        const system::ElementNodes nodes = group->nodes(e);
+        for (std::size_t a = 0; a < count; ++a) {
+          if (place[nodes[a]] < 0) continue;
+          Shared& there = all[at(place[nodes[a]])];
+          const double scale = group->mass_scale(e);
+          there.mass += scale * model::mass_at(group->mass(e), count, a);
+          there.inertia += scale * group->nodal_inertia(e);
+        }
+      }
+    }
+    for (const Shared& one : all) place[one.node] = -1;
   });
 }
 
