@@ -117,15 +117,7 @@ SurfaceContact::Work::Alone SurfaceContact::Work::look_alone(const SurfaceContac
       if (touching_count++ < k) at_rest[0] = rest;
       continue;
     }
-    Touch& touch = *rest.touch;
-    touch.xi = rest.pair->xi;
-    touch.eta = rest.pair->eta;
-    touch.inside = rest.inside;
-    touch.side = static_cast<signed char>(rest.side);
-    touch.offset = rest.offset;
-    touch.depth = rest.depth;
-    touch.friction = {};
-    touch.memory = {};
+    rest.remember(rest.pair->xi, rest.pair->eta);
   }
   return touching_count > 0 ? Alone::may_press : Alone::rests;
 }
@@ -157,16 +149,8 @@ SurfaceContact::Work::Resting SurfaceContact::Work::rest(const SurfaceContact& c
       block.release(*one.pair);
       continue;
     }
-    Touch& touch = *one.touch;
     const Lane foot(*this, one.turn);
-    touch.xi = foot.xi();
-    touch.eta = foot.eta();
-    touch.inside = one.inside;
-    touch.side = static_cast<signed char>(one.side);
-    touch.offset = one.offset;
-    touch.depth = one.depth;
-    touch.friction = {};
-    touch.memory = {};
+    one.remember(foot.xi(), foot.eta());
   }
   return Resting::yes;
 }

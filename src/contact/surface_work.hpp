@@ -167,6 +167,18 @@ struct SurfaceContact::Work {
     Vec3d away;
     bool touches = false, inside = false;
     double offset = 0.0, depth = 0.0;
+
+    /// In the pair's Touch: what press() would have it remember of a pair that has no force, its foot at (xi, eta).
+    void remember(double xi, double eta) const {
+      touch->xi = xi;
+      touch->eta = eta;
+      touch->inside = inside;
+      touch->side = static_cast<signed char>(side);
+      touch->offset = offset;
+      touch->depth = depth;
+      touch->friction = {};
+      touch->memory = {};
+    }
   };
   std::array<Rest, most_at_rest> at_rest;  ///< of a node, and of earlier ones
   /// Of a node whose pairs that touched are all that it has: the others are out of reach, or hidden.

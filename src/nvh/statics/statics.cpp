@@ -114,8 +114,8 @@ std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, c
   return WeldForce{load.resultants, (*function)(load).value};
 }
 
-/// Where the softest motion of K with a little of M is largest, " (softest at node 7 along (0 0 1))", after a few steps
-/// of inverse iteration: what moves without stiffness shows there. Empty where it is not found.
+/// Where the softest motion of K with a little of M is largest, " (it moves most at node 7, along (0 0 1))", after a
+/// few steps of inverse iteration: what moves without stiffness shows there. Empty where it is not found.
 std::string place_of_softest_motion(const Matrices& m) {
   try {
     const Factorization shifted(m, small_shift(m));
@@ -250,11 +250,10 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
   if (m.size() > 0) {
     const Factorization factor = factor_stiffness(m);
     if (factor.negative() > 0)
-      throw Factorization::SolverError{
-          fmt::format("the stiffness matrix has {} negative eigenvalues: the structure is not held{}; hold it so that "
-                      "it cannot move "
-                      "as a rigid body (*BOUNDARY_SPC_..., *MAT_RIGID), or ask for its modes (NEIG)",
-                      factor.negative(), place_of_softest_motion(m))};
+      throw Factorization::SolverError{fmt::format(
+          "the stiffness matrix has {} negative eigenvalues: the structure is not held{}; hold it so that it "
+          "cannot move as a rigid body (*BOUNDARY_SPC_..., *MAT_RIGID), or ask for its modes (NEIG)",
+          factor.negative(), place_of_softest_motion(m))};
     factor.solve(q);
     s.cost = factor.cost();
   }
