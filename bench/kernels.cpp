@@ -122,14 +122,14 @@ void sweep(benchmark::State& state, const Mesh& mesh, int state_size, int rows, 
   const std::size_t blocks = mesh.elements / W, corners = at(mesh.corners);
   std::vector<int> ids(blocks * W * corners);
   Reals fields(blocks * at(W * state_size));
-  std::vector<Row> slots(blocks * W * corners * at(rows));
+  Reals slots(3 * blocks * W * corners * at(rows));
   for (std::size_t e = 0; e < blocks * W; ++e) {
     for (std::size_t a = 0; a < corners; ++a) ids[(e / W * corners + a) * W + e % W] = mesh.corner[e * corners + a];
     start(fields.data + e / W * at(W * state_size), static_cast<int>(e % W), &mesh.corner[e * corners]);
   }
   const auto run = [&] {
     for (std::size_t b = 0; b < blocks; ++b)
-      cycle(&ids[b * W * corners], fields.data + b * at(W * state_size), &slots[b * W * corners * at(rows)]);
+      cycle(&ids[b * W * corners], fields.data + b * at(W * state_size), slots.data + 3 * b * W * corners * at(rows));
   };
   for (int warm = 0; warm < 60; ++warm) run();
   for (auto _ : state) {
@@ -151,11 +151,18 @@ NodalMotion<R, N> gather_motion(const Mesh& m, const int* id) {
   }
   return n;
 }
+/// Into the i-th slots of a block, as system::SlotsOf has them.
+void store(double* slots, int i, const Vec3<R>& v) {
+  double* slot = slots + 3 * i * lanes<R>;
+  real_store(slot, v.x);
+  real_store(slot + lanes<R>, v.y);
+  real_store(slot + 2 * lanes<R>, v.z);
+}
 template <int N>
-void store_forces(Row* slot, const NodalForces<R, N>& f) {
+void store_forces(double* slots, const NodalForces<R, N>& f) {
   for (int a = 0; a < N; ++a) {
-    store_rows<R>(slot + (2 * a) * lanes<R>, f.f[a]);
-    store_rows<R>(slot + (2 * a + 1) * lanes<R>, f.m[a]);
+    store(slots, 2 * a, f.f[a]);
+    store(slots, 2 * a + 1, f.m[a]);
   }
 }
 
@@ -212,7 +219,7 @@ void shell(benchmark::State& state, const Law& parameters, double dt, ShellPrope
   sweep(
       state, mesh, layout.size(), 2,
       [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
-      [&](const int* id, double* s, Row* slot) {
+      [&](const int* id, double* s, double* slot) {
         store_forces(slot, shell_cycle(properties, law, gather_motion<4>(mesh, id), dt, s));
       });
 }
@@ -225,7 +232,7 @@ void full_shell(benchmark::State& state, const Law& parameters, double dt, Shell
   sweep(
       state, mesh, layout.size(), 2,
       [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
-      [&](const int* id, double* s, Row* slot) {
+      [&](const int* id, double* s, double* slot) {
         store_forces(slot, full_shell_cycle(properties, law, gather_motion<4>(mesh, id), dt, s));
       });
 }
@@ -239,7 +246,7 @@ void triangle(benchmark::State& state, const Law& parameters, double dt) {
   sweep(
       state, mesh, layout.size(), 2,
       [&](double* s, int lane, const int*) { start_shell(layout, 1.5, s, lanes<R>, lane); },
-      [&](const int* id, double* s, Row* slot) {
+      [&](const int* id, double* s, double* slot) {
         store_forces(slot, triangle_cycle(properties, law, gather_motion<3>(mesh, id), dt, s));
       });
 }
@@ -262,14 +269,14 @@ void brick(benchmark::State& state, const Law& parameters, double dt, int hourgl
         }
         start_hexahedron(layout, x, s, lanes<R>, lane);
       },
-      [&](const int* id, double* s, Row* slot) {
+      [&](const int* id, double* s, double* slot) {
         SolidMotion<R> n;
         for (int a = 0; a < 8; ++a) {
           n.x[a] = gather<R>(mesh.x.data(), id + a * lanes<R>);
           n.v[a] = gather<R>(mesh.v.data(), id + a * lanes<R>);
         }
         const SolidForces<R> f = hexahedron_cycle(properties, law, n, dt, s);
-        for (int a = 0; a < 8; ++a) store_rows<R>(slot + a * lanes<R>, f.f[a]);
+        for (int a = 0; a < 8; ++a) store(slot, a, f.f[a]);
       });
 }
 
@@ -283,14 +290,14 @@ void full_brick(benchmark::State& state, const Law& parameters, double dt) {
   sweep(
       state, mesh, layout.size(), 1,
       [&](double* s, int lane, const int*) { start_full_hexahedron(layout, s, lanes<R>, lane); },
-      [&](const int* id, double* s, Row* slot) {
+      [&](const int* id, double* s, double* slot) {
         SolidMotion<R> n;
         for (int a = 0; a < 8; ++a) {
           n.x[a] = gather<R>(mesh.x.data(), id + a * lanes<R>);
           n.v[a] = gather<R>(mesh.v.data(), id + a * lanes<R>);
         }
         const SolidForces<R> f = full_hexahedron_cycle(properties, BrickStrains::shape_functions, law, n, dt, s);
-        for (int a = 0; a < 8; ++a) store_rows<R>(slot + a * lanes<R>, f.f[a]);
+        for (int a = 0; a < 8; ++a) store(slot, a, f.f[a]);
       });
 }
 
@@ -307,7 +314,7 @@ void weld_beam(benchmark::State& state, double dt, int quadrature) {
         const Row &a = mesh.x[corner[0]], &b = mesh.x[corner[1]];
         start_weld_beam(layout, {a.x, a.y, a.z}, {b.x, b.y, b.z}, {}, s, lanes<R>, lane);
       },
-      [&](const int* id, double* s, Row* slot) {
+      [&](const int* id, double* s, double* slot) {
         store_forces(slot, weld_beam_cycle(properties, law, gather_motion<2>(mesh, id), dt, s));
       });
 }

@@ -51,33 +51,7 @@ Vec3<R> gather(const Row* base, const int* id) {
   return r;
 }
 
-/// Writes the lanes of `v` to the consecutive rows from `first` on; the pad becomes 0.
-template <class R>
-void store_rows(Row* first, const Vec3<R>& v) {
-  for (int l = 0; l < lanes<R>; ++l) first[l] = {lane(v.x, l), lane(v.y, l), lane(v.z, l), 0.0};
-}
-
-/// Writes lane l of `v` to row `id[l]` of `base`; the pad becomes 0.
-template <class R>
-void scatter(Row* base, const int* id, const Vec3<R>& v) {
-  for (int l = 0; l < lanes<R>; ++l) base[id[l]] = {lane(v.x, l), lane(v.y, l), lane(v.z, l), 0.0};
-}
-
 #if defined(__AVX__)
-namespace detail {
-struct FourRows {
-  __m256d row[4];
-};
-inline FourRows transposed(const Vec3<Batch<4>>& v) {
-  const auto x = reinterpret_cast<__m256d>(v.x.v), y = reinterpret_cast<__m256d>(v.y.v);
-  const auto z = reinterpret_cast<__m256d>(v.z.v), zero = _mm256_setzero_pd();
-  const __m256d xy02 = _mm256_unpacklo_pd(x, y), xy13 = _mm256_unpackhi_pd(x, y);
-  const __m256d z02 = _mm256_unpacklo_pd(z, zero), z13 = _mm256_unpackhi_pd(z, zero);
-  return {{_mm256_permute2f128_pd(xy02, z02, 0x20), _mm256_permute2f128_pd(xy13, z13, 0x20),
-           _mm256_permute2f128_pd(xy02, z02, 0x31), _mm256_permute2f128_pd(xy13, z13, 0x31)}};
-}
-}  // namespace detail
-
 template <>
 inline Vec3<Batch<4>> gather<Batch<4>>(const Row* base, const int* id) {
   const auto load = [&](int l) { return _mm256_load_pd(&base[id[l]].x); };
@@ -90,31 +64,12 @@ inline Vec3<Batch<4>> gather<Batch<4>>(const Row* base, const int* id) {
           Batch<4>(reinterpret_cast<Lanes>(_mm256_permute2f128_pd(xz01, xz23, 0x31)))};
 }
 
-template <>
-inline void store_rows<Batch<4>>(Row* first, const Vec3<Batch<4>>& v) {
-  const detail::FourRows rows = detail::transposed(v);
-  for (int l = 0; l < 4; ++l) _mm256_store_pd(&first[l].x, rows.row[l]);
-}
-
-template <>
-inline void scatter<Batch<4>>(Row* base, const int* id, const Vec3<Batch<4>>& v) {
-  const detail::FourRows rows = detail::transposed(v);
-  for (int l = 0; l < 4; ++l) _mm256_store_pd(&base[id[l]].x, rows.row[l]);
-}
 #endif
 
 #if defined(__AVX512DQ__)
 namespace detail {
 inline Batch<8> joined(Batch<4> low, Batch<4> high) {
   return Batch<8>(__builtin_shufflevector(low.v, high.v, 0, 1, 2, 3, 4, 5, 6, 7));
-}
-inline Vec3<Batch<4>> low(const Vec3<Batch<8>>& v) {
-  const auto half = [](Batch<8> a) { return Batch<4>(__builtin_shufflevector(a.v, a.v, 0, 1, 2, 3)); };
-  return {half(v.x), half(v.y), half(v.z)};
-}
-inline Vec3<Batch<4>> high(const Vec3<Batch<8>>& v) {
-  const auto half = [](Batch<8> a) { return Batch<4>(__builtin_shufflevector(a.v, a.v, 4, 5, 6, 7)); };
-  return {half(v.x), half(v.y), half(v.z)};
 }
 }  // namespace detail
 
@@ -123,28 +78,7 @@ template <>
   const Vec3<Batch<4>> a = gather<Batch<4>>(base, id), b = gather<Batch<4>>(base, id + 4);
   return {detail::joined(a.x, b.x), detail::joined(a.y, b.y), detail::joined(a.z, b.z)};
 }
-template <>
-[[gnu::always_inline]] inline void store_rows<Batch<8>>(Row* first, const Vec3<Batch<8>>& v) {
-  store_rows(first, detail::low(v));
-  store_rows(first + 4, detail::high(v));
-}
-template <>
-[[gnu::always_inline]] inline void scatter<Batch<8>>(Row* base, const int* id, const Vec3<Batch<8>>& v) {
-  scatter(base, id, detail::low(v));
-  scatter(base, id + 4, detail::high(v));
-}
 #endif
-
-// ---- single precision
-
-/// A nodal vector in memory in single precision.
-struct alignas(16) SingleRow {
-  float x = 0.0f, y = 0.0f, z = 0.0f, pad = 0.0f;
-};
-
-inline Vec3d vec(const SingleRow& r) {
-  return {r.x, r.y, r.z};
-}
 
 /// A row as one register of four doubles.
 using FourReals = Register<4>::Lanes;
@@ -153,18 +87,11 @@ inline FourReals four(const Row& r) {
   std::memcpy(&v, &r, sizeof v);
   return v;
 }
-inline FourReals four(const SingleRow& r) {
-#if defined(__AVX__)
-  return reinterpret_cast<FourReals>(_mm256_cvtps_pd(_mm_load_ps(&r.x)));  // GCC 12 converts the vector in pieces
-#else
-  Register<4, float>::Lanes v;
-  std::memcpy(&v, &r, sizeof v);
-  return __builtin_convertvector(v, FourReals);
-#endif
-}
 inline void set(Row& r, const FourReals& v) {
   std::memcpy(static_cast<void*>(&r), &v, sizeof v);
 }
+
+// ---- single precision
 
 /// Rows `id[0]`, ... of `base` less rows `from[0]`, ..., one a lane; of floats the differences of doubles are rounded.
 template <class R>
@@ -194,20 +121,10 @@ template <int W>
 struct Quads {
   __m128 of[W / 4];
 };
-/// Four lanes of a batch as a register of their own, and back.
-[[gnu::always_inline]] inline __m128 quad(const Batch<8, float>& a, int i) {
-  const auto v = reinterpret_cast<__m256>(a.v);
-  return i == 0 ? _mm256_castps256_ps128(v) : _mm256_extractf128_ps(v, 1);
-}
 [[gnu::always_inline]] inline Batch<8, float> joined(const Quads<8>& q) {
   return Batch<8, float>(reinterpret_cast<Batch<8, float>::Lanes>(_mm256_set_m128(q.of[1], q.of[0])));
 }
 #if defined(__AVX512DQ__)
-[[gnu::always_inline]] inline __m128 quad(const Batch<16, float>& a, int i) {
-  const Batch<8, float> low(__builtin_shufflevector(a.v, a.v, 0, 1, 2, 3, 4, 5, 6, 7)),
-      high(__builtin_shufflevector(a.v, a.v, 8, 9, 10, 11, 12, 13, 14, 15));
-  return i < 2 ? quad(low, i) : quad(high, i - 2);
-}
 [[gnu::always_inline]] inline Batch<16, float> joined(const Quads<16>& q) {
   const Batch<8, float> low = joined(Quads<8>{q.of[0], q.of[1]}), high = joined(Quads<8>{q.of[2], q.of[3]});
   return Batch<16, float>(__builtin_shufflevector(low.v, high.v, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
@@ -229,22 +146,7 @@ template <int W, class RowOf>
 }  // namespace detail
 #endif
 
-/// Rows `id[0]`, ... of `base`, one a lane; of `Row`s the doubles are rounded.
-template <int W>
-[[gnu::always_inline]] inline Vec3<Batch<W, float>> gather_single(const SingleRow* base, const int* id) {
-#if defined(__AVX__)
-  return detail::columns_of<W>([&](int l) { return _mm_load_ps(&base[id[l]].x); });
-#else
-  Vec3<Batch<W, float>> r;
-  for (int l = 0; l < W; ++l) {
-    const SingleRow& row = base[id[l]];
-    r.x.v[l] = row.x;
-    r.y.v[l] = row.y;
-    r.z.v[l] = row.z;
-  }
-  return r;
-#endif
-}
+/// Rows `id[0]`, ... of `base`, one a lane, rounded.
 template <int W>
 [[gnu::always_inline]] inline Vec3<Batch<W, float>> gather_single(const Row* base, const int* id) {
 #if defined(__AVX__)
@@ -262,22 +164,5 @@ template <>
   });
 }
 #endif
-
-/// Writes lane l of `v` to row `id[l]` of `base`; the pad becomes 0.
-template <int W>
-[[gnu::always_inline]] inline void scatter_single(SingleRow* base, const int* id, const Vec3<Batch<W, float>>& v) {
-#if defined(__AVX__)
-  for (int i = 0; i < W / 4; ++i) {
-    __m128 a = detail::quad(v.x, i), b = detail::quad(v.y, i), c = detail::quad(v.z, i), d = _mm_setzero_ps();
-    detail::transpose(a, b, c, d);
-    _mm_store_ps(&base[id[4 * i]].x, a);
-    _mm_store_ps(&base[id[4 * i + 1]].x, b);
-    _mm_store_ps(&base[id[4 * i + 2]].x, c);
-    _mm_store_ps(&base[id[4 * i + 3]].x, d);
-  }
-#else
-  for (int l = 0; l < W; ++l) base[id[l]] = {v.x.v[l], v.y.v[l], v.z.v[l], 0.0f};
-#endif
-}
 
 }  // namespace nugget

@@ -47,7 +47,6 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
   using typename Blocks::Numbers;
   using typename Blocks::Places;
   using typename Blocks::R;
-  using typename Blocks::SlotRow;
   using ElementMotion = typename Element::template Motion<R>;
   using Layer = ElementGroup::Layer;
   using Blocks::energy_;
@@ -121,13 +120,12 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
         put_field(e, kernel_.layout().joint_flow() + static_cast<int>(i), flow[i]);
   }
 
-  void cycle(std::size_t begin, std::size_t end, const State& now, double dt, std::span<Row> slots,
-             std::span<Row> damping) override {
+  void cycle(std::size_t begin, std::size_t end, const State& now, double dt, Slots& slots, Slots& damping) override {
     [[maybe_unused]] const Denormals denormals;
     for (std::size_t b = begin; b < end; ++b) {
       // On their way from memory while the kernel runs: the forces of the step before, and the state of the next block.
-      SlotRow* slot = slots_of(b, slots);
-      for (int row = 0; row < width * corners * rows; row += 64 / sizeof(SlotRow)) __builtin_prefetch(slot + row, 1);
+      N* slot = slots_of(b, slots);
+      for (int i = 0; i < 3 * width * corners * rows; i += line) __builtin_prefetch(slot + i, 1);
       const N* next = state(std::min(b + 1, end - 1) * width);
       for (int i = 0; i < width * fields_.size; i += line) __builtin_prefetch(next + i, 1);
       ask_for_nodes(std::min(b + blocks_ahead, end - 1), now);
@@ -146,19 +144,16 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
       // Work over the step: trapezoid of the forces before and after, times the velocities in between.
       R work(0.0);
       for (int a = 0; a < corners; ++a) {
-        int row[width];
-        for (int l = 0; l < width; ++l) row[l] = (l * corners + a) * rows;
-        work += dot(rows_at(slot, row) + out.f[a], motion.v[a]);
-        put_rows(slot, row, out.f[a]);
+        work += dot(exchanged(slot, out.f[a]) + out.f[a], motion.v[a]);
+        slot += 3 * width;
         if constexpr (Element::rotational) {
-          work += dot(rows_at(slot + 1, row) + out.m[a], motion.w[a]);
-          put_rows(slot + 1, row, out.m[a]);
+          work += dot(exchanged(slot, out.m[a]) + out.m[a], motion.w[a]);
+          slot += 3 * width;
         }
       }
       add_as_doubles(&energy_[b * width], R(0.5 * dt) * work);
-      store_as_doubles(&step_[b * width], out.stable_step);
+      this->keep_steps(b, out.stable_step);
       if constexpr (requires { out.volume; }) this->note_inverted(b, out.volume);
-      this->find_block_step(b);
       if (this->strains_.wanted()) add_strains_of(b, motion, dt);
       if (this->damped()) this->damp(b, copy_of(motion), dt, damping);
     }
@@ -270,23 +265,19 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
     if constexpr (requires { kernel_.shell.bulk_linear; }) return kernel_.shell.bulk_linear > 0.0;
     return false;
   }
-  SlotRow* slots_of(std::size_t b, std::span<Row> slots) const {
+  N* slots_of(std::size_t b, Slots& slots) const {
     if constexpr (single)
-      return &this->single_slots[this->slot_row(b * width, 0) - this->first_slot];
+      return this->single_slots + 3 * (this->slot(b * width, 0) - this->first_slot);
     else
-      return &slots[this->slot_row(b * width, 0)];
+      return slots.from(this->slot(b * width, 0));
   }
-  [[gnu::always_inline]] static inline Vec3<R> rows_at(const SlotRow* base, const int* id) {
-    if constexpr (single)
-      return gather_single<width>(base, id);
-    else
-      return gather<R>(base, id);
-  }
-  [[gnu::always_inline]] static inline void put_rows(SlotRow* base, const int* id, const Vec3<R>& v) {
-    if constexpr (single)
-      scatter_single<width>(base, id, v);
-    else
-      scatter<R>(base, id, v);
+  /// Puts a vector into the slots of a block, and returns what stood there.
+  [[gnu::always_inline]] static inline Vec3<R> exchanged(N* slot, const Vec3<R>& now) {
+    const Vec3<R> before{real_load<R>(slot), real_load<R>(slot + width), real_load<R>(slot + 2 * width)};
+    real_store(slot, now.x);
+    real_store(slot + width, now.y);
+    real_store(slot + 2 * width, now.z);
+    return before;
   }
   [[gnu::always_inline]] inline ElementMotion motion_of(std::size_t b, const State& now) const {
     const int* id = &nodes_[b * width * corners];

@@ -313,9 +313,9 @@ typename BlockGroup<N>::Motion BlockGroup<N>::small_motion(std::size_t b, const 
 
 template <class N>
 void BlockGroup<N>::vibrate_by_kernel(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w,
-                                      double dt, std::span<Row> slots, double stiffer,
+                                      double dt, std::span<Row> forces, double stiffer,
                                       bool compresses_viscously) const {
-  std::fill(slots.begin(), slots.end(), Row{});
+  std::fill(forces.begin(), forces.end(), Row{});
   [[maybe_unused]] const Denormals denormals;
   thread_local Numbers scratch;
   Forces out;
@@ -331,13 +331,13 @@ void BlockGroup<N>::vibrate_by_kernel(std::size_t b, const State& now, std::span
     for (int l = 0; l < width; ++l) {
       if (b * width + at(l) >= size() || !alive(b * width + at(l))) continue;
       const double factor = share * factors[at(l)] / no_step;
-      const auto put = [&](Row& slot, const Vec3<R>& f) {
-        nugget::add(slot, factor * Vec3d{nugget::lane(f.x, l), nugget::lane(f.y, l), nugget::lane(f.z, l)});
+      const auto put = [&](Row& row, const Vec3<R>& f) {
+        nugget::add(row, factor * Vec3d{nugget::lane(f.x, l), nugget::lane(f.y, l), nugget::lane(f.z, l)});
       };
       for (std::size_t a = 0; a < corners(); ++a) {
-        Row* slot = &slots[(at(l) * corners() + a) * rows()];
-        put(slot[0], out.f[a]);
-        if (rotational) put(slot[1], out.m[a]);
+        Row* row = &forces[this->row_in_block(at(l), a)];
+        put(row[0], out.f[a]);
+        if (rotational) put(row[1], out.m[a]);
       }
     }
   };
@@ -370,10 +370,10 @@ void BlockGroup<N>::add_strains(std::size_t b, std::span<const Vec3<R>> x, std::
 }
 
 template <class N>
-void BlockGroup<N>::damp(std::size_t b, Motion motion, double dt, std::span<Row> slots) const {
-  Row* slot = &slots[slot_row(b * width, 0)];
-  const int in_block = static_cast<int>(width * corners() * rows());
-  for (int row = 0; row < in_block; row += 2) __builtin_prefetch(slot + row, 1);
+void BlockGroup<N>::damp(std::size_t b, Motion motion, double dt, Slots& slots) const {
+  const double* ahead = slots.from(slot(b * width, 0));
+  for (std::size_t i = 0; i < 3 * width * this->rows_of_element(); i += 64 / sizeof(double))
+    __builtin_prefetch(ahead + i, 1);
   thread_local Numbers scratch;
   load_reference(b, scratch);
   const R alive_field = real_load<R>(state(b * width) + fields_.alive * width);
@@ -390,11 +390,13 @@ void BlockGroup<N>::damp(std::size_t b, Motion motion, double dt, std::span<Row>
     return Vec3<R>{select(alive, beta * f.x, R(0.0)), select(alive, beta * f.y, R(0.0)),
                    select(alive, beta * f.z, R(0.0))};
   };
+  const auto put = [&slots](std::size_t first, const Vec3<R>& v) {
+    for (int l = 0; l < width; ++l)
+      slots.set(first + at(l), {nugget::lane(v.x, l), nugget::lane(v.y, l), nugget::lane(v.z, l)});
+  };
   for (int a = 0; a < nodes_per_element; ++a) {
-    int row[width];
-    for (int l = 0; l < width; ++l) row[l] = (l * nodes_per_element + a) * static_cast<int>(rows());
-    scatter<R>(slot, row, damping(out.f[at(a)]));
-    if (rotational) scatter<R>(slot + 1, row, damping(out.m[at(a)]));
+    put(slot(b * width, a), damping(out.f[at(a)]));
+    if (rotational) put(this->moment_slot(b * width, a), damping(out.m[at(a)]));
   }
 }
 

@@ -40,7 +40,6 @@ class BlockGroup : public ElementGroup {
   static constexpr std::size_t widest_width = single ? 2 * widest_block : widest_block;
   static_assert(widest_width % width == 0);
   using Numbers = std::vector<N, Aligned<N>>;
-  using SlotRow = std::conditional_t<single, SingleRow, Row>;
   static constexpr std::size_t most_corners = std::tuple_size_v<ElementNodes>;
   using Places = std::array<Vec3d, most_corners>;
   /// A step that moves nothing; of floats one after which strains are still normal numbers, whatever the units.
@@ -55,7 +54,6 @@ class BlockGroup : public ElementGroup {
   std::size_t widest() const override { return widest_width; }
   bool single_precision() const override { return single; }
   std::size_t block_width() const override { return width; }
-  std::size_t slot_rows() const override { return blocks() * width * corners() * rows(); }
 
   void store_reference_state() override;
   void archive(Archive& a) override;
@@ -130,13 +128,13 @@ class BlockGroup : public ElementGroup {
   /// for the stiffness. `stiffer`: factor on what comes out; `compresses_viscously`: bulk viscosity acts under
   /// compression only.
   void vibrate_by_kernel(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
-                         std::span<Row> slots, double stiffer, bool compresses_viscously) const;
+                         std::span<Row> forces, double stiffer, bool compresses_viscously) const;
   /// Adds the step to the strains of a block; places, velocities and spins of its nodes as in Motion.
   void add_strains(std::size_t b, std::span<const Vec3<R>> x, std::span<const Vec3<R>> v, std::span<const Vec3<R>> w,
                    double dt);
   /// Stiffness-proportional damping of a block. In the middle of the step the velocities, which are chords, of a steady
   /// turning strain nothing; at its end they would stretch, by dt/2 times the centripetal acceleration.
-  void damp(std::size_t b, Motion motion, double dt, std::span<Row> slots) const;
+  void damp(std::size_t b, Motion motion, double dt, Slots& slots) const;
 
   std::size_t corners() const { return at(nodes_per_element); }
   std::size_t rows() const { return rotational ? 2 : 1; }
@@ -170,6 +168,15 @@ class BlockGroup : public ElementGroup {
     if (any(!(volume > R(0.0)))) note_first_inverted(b, volume);
   }
   void find_block_step(std::size_t b);
+  /// Keeps the steps of a block that has been computed. One that is no number is that of the block, although it is less
+  /// than none.
+  [[gnu::always_inline]] inline void keep_steps(std::size_t b, const R& steps) {
+    double* of_element = &step_[b * width];
+    store_as_doubles(of_element, steps);
+    double least = of_element[0];
+    for (int l = 1; l < width; ++l) least = of_element[l] < least ? of_element[l] : least;
+    block_step[b] = any(!(steps >= steps)) ? std::numeric_limits<double>::quiet_NaN() : least;
+  }
 
   struct NoDenormals {};
   using Denormals = std::conditional_t<single, FlushedDenormals, NoDenormals>;

@@ -39,11 +39,11 @@ void ElementGroup::stiffness(std::size_t e, const State& start, std::span<double
 }
 
 void ElementGroup::vibrate(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
-                           std::span<Row> slots) const {
+                           std::span<Row> forces) const {
   const std::size_t nodes_of_one = at(nodes_per_element), per_node = at(freedoms()),
                     size_of_one = nodes_of_one * per_node;
   std::vector<double> k(size_of_one * size_of_one), c(k.size()), u(size_of_one);
-  std::fill(slots.begin(), slots.end(), Row{});
+  std::fill(forces.begin(), forces.end(), Row{});
   const std::size_t first = b * block_width();
   for (std::size_t e = first; e < std::min(size(), first + block_width()); ++e) {
     if (!alive(e)) continue;
@@ -63,9 +63,9 @@ void ElementGroup::vibrate(std::size_t b, const State& now, std::span<const Row>
           const std::size_t place = (a * per_node + i) * size_of_one + j;
           f[i] += (0.5 * dt * k[place] + (viscous ? c[place] : 0.0)) * u[j];
         }
-      Row* slot = &slots[slot_row(e, static_cast<int>(a)) - slot_row(first, 0)];
-      set(slot[0], {f[0], f[1], f[2]});
-      if (rotational) set(slot[1], {f[3], f[4], f[5]});
+      Row* row = &forces[row_in_block(e, a)];
+      set(row[0], {f[0], f[1], f[2]});
+      if (rotational) set(row[1], {f[3], f[4], f[5]});
     }
   }
 }

@@ -17,6 +17,7 @@
 #include "kernel/law/point_damage.hpp"
 #include "model/lumped_mass.hpp"
 #include "system/parcel.hpp"
+#include "system/slots.hpp"
 #include "system/state.hpp"
 #include "system/strain_rule.hpp"
 
@@ -47,8 +48,8 @@ class ElementGroup {
   std::vector<model::Index> element;  ///< model index of each element of the group, in the group's order
   int nodes_per_element = 0;
   bool weld = false;           ///< of spot-weld material
-  bool rotational = false;     ///< a slot is a force row and a moment row; else a force row only
-  std::size_t first_slot = 0;  ///< row index of this group's first slot; see slot_row
+  bool rotational = false;     ///< elements have moments at their nodes; else forces only
+  std::size_t first_slot = 0;  ///< see slot
 
   std::size_t size() const { return element.size(); }
   virtual std::size_t blocks() const = 0;
@@ -57,24 +58,35 @@ class ElementGroup {
   virtual std::size_t widest() const { return widest_block; }
   /// Whether its kernel, state and slots are of single precision.
   virtual bool single_precision() const { return false; }
-  std::span<SingleRow> single_slots;  ///< of a group of single precision: its slots, in the place of those of `cycle`
+  float* single_slots = nullptr;  ///< of a group of single precision: its slots, in the place of those of `cycle`
 
   /// Advances elements of blocks [begin, end) over dt with the velocities of `state` at mid-step and its positions at
   /// the end of the step; fills slots; adds the work done to the elements' internal energy. Where they are `damped()`
   /// fills slots of `damping` too, with beta K v: K v is the rate of the nodal forces if the elements, where they were
   /// in the middle of the step, were free of stress and elastic, without what a kernel resists by viscosity.
-  virtual void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots,
-                     std::span<Row> damping) = 0;
+  virtual void cycle(std::size_t begin, std::size_t end, const State& state, double dt, Slots& slots,
+                     Slots& damping) = 0;
   /// What all groups have; a group's own adds to it.
   virtual void archive(Archive& a);
 
-  /// Row of the force slot of node `a` of element `e` (its moment stands in the next row). Rows of groups of single
-  /// precision are counted on behind those of all others.
-  std::size_t slot_row(std::size_t e, int a) const {
-    return first_slot + (e * at(nodes_per_element) + at(a)) * (rotational ? 2 : 1);
+  /// The slot of the force at node `a` of element `e`. Slots of groups of single precision are counted on behind those
+  /// of all others.
+  std::size_t slot(std::size_t e, int a) const {
+    const std::size_t lanes = slot_lanes();
+    return first_slot + (e / lanes * at(nodes_per_element) + at(a)) * (rotational ? 2 : 1) * lanes + e % lanes;
   }
-  /// Rows that the group needs, padding lanes included.
-  virtual std::size_t slot_rows() const = 0;
+  /// That of the moment, of groups that are rotational.
+  std::size_t moment_slot(std::size_t e, int a) const { return slot(e, a) + slot_lanes(); }
+  std::size_t slot_lanes() const { return single_precision() ? SingleSlots::lanes : Slots::lanes; }
+  /// Slots that the group needs, padding lanes included.
+  std::size_t slot_count() const { return blocks() * block_width() * rows_of_element(); }
+  /// Nodal vectors of an element: forces, and moments.
+  std::size_t rows_of_element() const { return at(nodes_per_element) * (rotational ? 2 : 1); }
+  /// Of the nodal vectors of a block, element by element and node by node: that of the force at node `a` of element
+  /// `e`; the next one is the moment.
+  std::size_t row_in_block(std::size_t e, std::size_t a) const {
+    return e % block_width() * rows_of_element() + a * (rotational ? 2 : 1);
+  }
 
   /// Degrees of freedom of a node: three translations, then three rotations where `rotational`.
   int freedoms() const { return rotational ? 6 : 3; }
@@ -93,13 +105,13 @@ class ElementGroup {
   /// or preload; false, and `f` as it was, where there are none. Initial stresses are not among them.
   virtual bool force_at_start(std::size_t, const State&, std::span<double>) const { return false; }
 
-  /// Nodal forces, laid out as the slots of block b, of its elements where they are now, free of stress and elastic,
+  /// Nodal forces by row_in_block, of the elements of block b where they are now, free of stress and elastic,
   /// after a step dt with small velocities `v` and spins `w`: dt/2 K v + C v. Of C the hourglass viscosity counts whole
   /// and the linear bulk viscosity of solids half, since it acts under compression only; damping of the part does not.
   /// K grows with the square of the element's stable step over its present one. By `stiffness` and `viscosity`, unless
   /// a group knows better.
   virtual void vibrate(std::size_t b, const State& now, std::span<const Row> v, std::span<const Row> w, double dt,
-                       std::span<Row> slots) const;
+                       std::span<Row> forces) const;
 
   /// Gives the elements of those blocks for which `here(block)` is true their state free of stress at the places
   /// `place(node)`, where the group was made without. Of the others is known that they are active.

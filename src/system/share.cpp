@@ -48,9 +48,8 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
     if (from == Partition::everyone || sum_travels(node)) return;
     const Followers of = followers[node];
     const auto add = [&](Message& message) {
-      const std::size_t row = group.slot_row(e, a);
-      message.rows.push_back(row);
-      if (group.rotational) message.rows.push_back(row + 1);
+      message.slots.push_back(group.slot(e, a));
+      if (group.rotational) message.slots.push_back(group.moment_slot(e, a));
     };
     bool travels = of.all;
     if (travels) add(to_all[from]);
@@ -63,10 +62,10 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
     if (travels && from == own) at_border[g][e / group.block_width()] = 1;
   });
   const auto keep = [&](Message& message, int from, std::vector<int> to) {
-    if (message.rows.empty()) return;
+    if (message.slots.empty()) return;
     message.from = from;
     message.to = std::move(to);
-    message.data.resize(message.rows.size());
+    message.data.resize(message.slots.size());
     (from == own ? out_ : in_).push_back(std::move(message));
   };
   std::vector<int> others;
@@ -99,7 +98,6 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   followed_ = ranges_of(system.nodes, [&](int k) { return follows(k); });
   for (int k = static_cast<int>(system.nodes); k < static_cast<int>(system.all_nodes()); k += longest_range)
     followed_.push_back({k, std::min(static_cast<int>(system.all_nodes()), k + longest_range)});
-  summed_ = ranges_of(system.nodes, [&](int k) { return adds_up(k); });
   reported_.resize(at(count));
   for (int k = 0; k < static_cast<int>(system.nodes); ++k)
     if (!everyone_follows(k)) reported_[answering(k)].add(k);
@@ -117,28 +115,28 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
   }
 }
 
-void Share::send(std::span<const Row> slots, std::span<const SingleRow> single) {
+void Share::send(const Slots& slots, const SingleSlots& single) {
   for (Message& message : in_) ranks_.receive(message.from, std::as_writable_bytes(std::span(message.data)));
   for (Message& message : out_) {
-    for (std::size_t i = 0; i < message.rows.size(); ++i) {
-      const std::size_t row = message.rows[i];
-      const Vec3d v = row < slots.size() ? vec(slots[row]) : vec(single[row - slots.size()]);
+    for (std::size_t i = 0; i < message.slots.size(); ++i) {
+      const std::size_t slot = message.slots[i];
+      const Vec3d v = slot < slots.size() ? slots[slot] : single[slot - slots.size()];
       message.data[i] = {v.x, v.y, v.z};
     }
     for (const int to : message.to) ranks_.send(to, std::as_bytes(std::span<const Row3>(message.data)));
   }
 }
 
-void Share::receive(std::span<Row> slots, std::span<SingleRow> single) {
+void Share::receive(Slots& slots, SingleSlots& single) {
   ranks_.finish();
   for (const Message& message : in_) {
-    for (std::size_t i = 0; i < message.rows.size(); ++i) {
-      const std::size_t row = message.rows[i];
+    for (std::size_t i = 0; i < message.slots.size(); ++i) {
+      const std::size_t slot = message.slots[i];
       const Row3& v = message.data[i];
-      if (row < slots.size())
-        slots[row] = {v.x, v.y, v.z, 0.0};
+      if (slot < slots.size())
+        slots.set(slot, {v.x, v.y, v.z});
       else
-        single[row - slots.size()] = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0f};
+        single.set(slot - slots.size(), {v.x, v.y, v.z});
     }
   }
 }

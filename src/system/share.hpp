@@ -44,16 +44,14 @@ class Share {
   std::size_t border_blocks() const { return border_blocks_; }
 
   /// Sends the slots of own elements at nodes that others follow.
-  void send(std::span<const Row> slots, std::span<const SingleRow> single);
+  void send(const Slots& slots, const SingleSlots& single);
   /// Waits for those of others, and puts them in their places.
-  void receive(std::span<Row> slots, std::span<SingleRow> single);
-  /// Ranges of nodes whose slots this rank adds up.
+  void receive(Slots& slots, SingleSlots& single);
+  /// Sends and receives the sums of nodes that are summed by one rank and followed by everyone.
+  void exchange_sums(std::span<Row> force, std::span<Row> moment);
   struct Range {
     int begin, end;
   };
-  const std::vector<Range>& summed() const { return summed_; }
-  /// Sends and receives the sums of nodes that are summed by one rank and followed by everyone.
-  void exchange_sums(std::span<Row> force, std::span<Row> moment);
   /// Ranges of nodes that this rank follows, bodies' and anchors' virtual ones included.
   const std::vector<Range>& followed() const { return followed_; }
 
@@ -101,7 +99,7 @@ class Share {
   struct Message {
     int from;
     std::vector<int> to;
-    std::vector<std::size_t> rows;  ///< slot rows; moments are rows of their own
+    std::vector<std::size_t> slots;  ///< moments have their own
     std::vector<Row3> data;
   };
   struct Sums {
@@ -119,7 +117,7 @@ class Share {
   std::size_t border_blocks_ = 0;
   std::vector<Message> out_, in_;
   std::vector<Sums> sums_;  ///< by rank
-  std::vector<Range> summed_, followed_;
+  std::vector<Range> followed_;
   std::vector<char> everyone_follows_;  ///< by node; virtual ones all follow
   std::vector<std::uint32_t> first_adding_;
   std::vector<int> adding_;     ///< ranks, from `first_adding_` on of each node

@@ -48,22 +48,10 @@ void System::share_out(Ranks& ranks, Partition partition, std::span<const char> 
         [this, group, last](std::size_t e) { return share_->computes(group, std::min(e, last)); }};
   }
   leave_to_others();
-  keep_own_slots();
+  sums_.keep([this](int k) { return share_->adds_up(k); });
+  sums_.divide(groups, blocks_, share_->border_blocks());
   deletions_seen_.assign(groups.size(), -1);
   deleted_.resize(groups.size());
-}
-
-void System::keep_own_slots() {
-  std::vector<std::uint32_t> slots, start{0};
-  start.reserve(nodes + 1);
-  for (std::size_t k = 0; k < nodes; ++k) {
-    if (share_->adds_up(static_cast<int>(k)))
-      slots.insert(slots.end(), gather_.begin() + gather_start_[k], gather_.begin() + gather_start_[k + 1]);
-    start.push_back(static_cast<std::uint32_t>(slots.size()));
-  }
-  slots.shrink_to_fit();
-  gather_ = std::move(slots);
-  gather_start_ = std::move(start);
 }
 
 Archive::Holders System::holders_of_nodes() const {
@@ -181,11 +169,11 @@ void System::carry_forces(ElementLocation location, Parcel& parcel) {
 }
 
 void System::carry_forces(const ElementGroup& group, std::size_t begin, std::size_t end, Parcel& parcel) {
-  const std::size_t first = group.slot_row(begin, 0), rows = group.slot_row(end, 0) - first;
+  const std::size_t first = group.slot(begin, 0), numbers = 3 * (group.slot(end, 0) - first);
   if (group.single_precision())
-    parcel(&single_slots_[first - slots_.size()], rows);
+    parcel(single_slots_.from(first - slots_.size()), numbers);
   else
-    parcel(&slots_[first], rows);
+    parcel(slots_.from(first), numbers);
 }
 
 void System::carry(int rank, Carried what, Parcel& parcel) {

@@ -62,8 +62,8 @@ Vec3d SpringGroup::line_of(const Entry& s, const State& state, double& length) c
   return direction;
 }
 
-void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots,
-                        std::span<Row> damping) {
+void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, double dt, Slots& slots,
+                        Slots& damping) {
   for (std::size_t b = begin; b < end; ++b) {
     for (std::size_t e = b * width; e < std::min(size(), (b + 1) * width); ++e) {
       Entry& s = springs_[e];
@@ -74,10 +74,10 @@ void SpringGroup::cycle(std::size_t begin, std::size_t end, const State& state, 
       const Vec3d pull = s.alive && !s.cancelled ? -s.force * s.line : Vec3d{};
       double work = 0.0;
       for (int a = 0; a < nodes_per_element; ++a) {
-        Row& row = slots[slot_row(e, a) + (rotational ? 1 : 0)];
+        const std::size_t place = rotational ? moment_slot(e, a) : slot(e, a);
         const Vec3d now = a == 0 ? pull : -pull;
-        work += dot(vec(row) + now, vec((rotational ? state.w : state.v)[s.node[a]]));
-        set(row, now);
+        work += dot(slots[place] + now, vec((rotational ? state.w : state.v)[s.node[a]]));
+        slots.set(place, now);
       }
       s.energy += 0.5 * dt * work;
       if (damped()) damp(e, state, damping);
@@ -203,7 +203,7 @@ void SpringGroup::along_line(std::size_t e, double modulus, std::span<double> k)
           k[(a * per_node + first + i) * size + b * per_node + first + j] = (a == b ? scaled : -scaled) * n[i] * n[j];
 }
 
-void SpringGroup::damp(std::size_t e, const State& state, std::span<Row> slots) const {
+void SpringGroup::damp(std::size_t e, const State& state, Slots& slots) const {
   const Rows& of = rotational ? state.w : state.v;
   const Entry& s = springs_[e];
   Vec3d pull{};
@@ -212,7 +212,8 @@ void SpringGroup::damp(std::size_t e, const State& state, std::span<Row> slots) 
     const double k = s.source->scale * law_.initial_stiffness();
     pull = (damping_time_at(s.step) * k * dot(second - vec(of[s.node[0]]), s.line)) * s.line;
   }
-  for (int a = 0; a < nodes_per_element; ++a) set(slots[slot_row(e, a) + (rotational ? 1 : 0)], a == 0 ? -pull : pull);
+  for (int a = 0; a < nodes_per_element; ++a)
+    slots.set(rotational ? moment_slot(e, a) : slot(e, a), a == 0 ? -pull : pull);
 }
 
 ElementNodes SpringGroup::nodes(std::size_t e) const {

@@ -31,9 +31,7 @@ class SpringGroup final : public ElementGroup {
   static constexpr std::size_t width = 32;
   std::size_t blocks() const override { return (size() + width - 1) / width; }
   std::size_t block_width() const override { return width; }
-  std::size_t slot_rows() const override { return blocks() * width * at_each_node() * (rotational ? 2 : 1); }
-  void cycle(std::size_t begin, std::size_t end, const State& state, double dt, std::span<Row> slots,
-             std::span<Row> damping) override;
+  void cycle(std::size_t begin, std::size_t end, const State& state, double dt, Slots& slots, Slots& damping) override;
   void own_stiffness(std::size_t e, const State& start, std::span<double> k) const override;
   bool viscosity(std::size_t e, const State& start, std::span<double> c) const override;
   bool force_at_start(std::size_t e, const State& start, std::span<double> f) const override;
@@ -105,7 +103,7 @@ class SpringGroup final : public ElementGroup {
   Vec3d line_of(const Entry& s, const State& state, double& length) const;
   void advance(Entry& s, const State& state, double dt);
   /// Stiffness-proportional damping of spring e into its slots.
-  void damp(std::size_t e, const State& state, std::span<Row> slots) const;
+  void damp(std::size_t e, const State& state, Slots& slots) const;
   double stable_step_of(const Entry& s) const;
   void find_block_step(std::size_t b);
 

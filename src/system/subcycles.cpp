@@ -152,16 +152,16 @@ Subcycles::Subcycles(const System& system) {
     levels_[level_of[system.groups[at(g)]->period]].blocks.emplace_back(g, block);
   std::vector<std::size_t> by_row(system.slots_.size() + system.single_slots_.size());  // level of a slot
   for (const auto& group : system.groups)
-    std::fill_n(by_row.begin() + static_cast<std::ptrdiff_t>(group->first_slot), group->slot_rows(),
+    std::fill_n(by_row.begin() + static_cast<std::ptrdiff_t>(group->first_slot), group->slot_count(),
                 level_of[group->period]);
   for (std::size_t k = 0; k < system.nodes; ++k)
-    for (std::size_t i = system.gather_start_[k]; i < system.gather_start_[k + 1]; ++i) {
-      Level& level = levels_[by_row[system.gather_[i] >> 1]];
+    for (const std::uint32_t entry : system.sums_.of_node(k)) {
+      Level& level = levels_[by_row[entry >> 1]];
       if (level.nodes.empty() || level.nodes.back() != static_cast<int>(k)) {
         level.nodes.push_back(static_cast<int>(k));
         level.begin.push_back(level.entries.size());
       }
-      level.entries.push_back(system.gather_[i]);
+      level.entries.push_back(entry);
     }
   for (Level& level : levels_) {
     level.begin.push_back(level.entries.size());
@@ -264,8 +264,8 @@ void Subcycles::gather(const System& system, const Level& level, double factor, 
       Vec3d f, m;
       for (std::size_t j = level.begin[i]; j < level.begin[i + 1]; ++j) {
         const std::uint32_t entry = level.entries[j];
-        f -= system.slot(entry >> 1);
-        if (entry & 1u) m -= system.slot((entry >> 1) + 1);
+        f -= system.in_slot(entry >> 1);
+        if (entry & 1u) m -= system.in_slot(system.sums_.moment_of(entry >> 1));
       }
       const std::size_t k = at(level.nodes[i]);
       add(force[k], factor * f);

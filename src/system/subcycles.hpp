@@ -70,7 +70,7 @@ class Subcycles {
     std::vector<std::pair<int, std::size_t>> blocks;  ///< group, block
     std::vector<int> nodes;                           ///< of its elements
     std::vector<std::size_t> begin;                   ///< of each node's entries, and their end
-    std::vector<std::uint32_t> entries;               ///< as System::gather_ has them
+    std::vector<std::uint32_t> entries;               ///< as NodalSums::of_node has them
     double time = 0.0;                                ///< of way and turn, where its period began
     std::vector<Row> way, turn;                       ///< by node of `nodes`: those of Subcycles there
     void archive(Archive& a);

@@ -10,6 +10,7 @@
 
 #include "base/free_room.hpp"
 #include "base/index.hpp"
+#include "system/archive_by_element.hpp"
 #include "system/order.hpp"
 #include "system/share.hpp"
 #include "system/spring_group.hpp"
@@ -526,17 +527,20 @@ void System::archive(Archive& a) {
   a.built(groups, slots_, single_slots_);            // a group's slots behind its states
   a.built(model, ties, brick_joints, weld_stacks, nodes, node_of, model_node, body_of, springs, shell_location,
           solid_location, beam_location, discrete_location, start_, start_is_forgotten_, elements_have_started_,
-          carried_mass_, carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, gather_start_,
-          gather_, blocks_, periods_, share_, sums_by_rank_, computed_, deleted_, deletions_seen_, steps_of_others_,
-          reported_below, mass_changes_, masses_, masses_are_of_);
+          carried_mass_, carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, sums_, blocks_,
+          periods_, share_, sums_by_rank_, computed_, deleted_, deletions_seen_, steps_of_others_, reported_below,
+          mass_changes_, masses_, masses_are_of_);
   a.section("elements");
   for (const auto& group : groups) {
     a(*group);
-    const std::size_t rows = at(group->nodes_per_element) * (group->rotational ? 2 : 1), first = group->slot_row(0, 0);
+    const auto archive_slots = [&](auto& slots, std::size_t first) {
+      archive_by_element(a, std::span(slots.from(first), 3 * group->slot_count()), 3 * group->rows_of_element(),
+                         group->slot_lanes(), group->holders);
+    };
     if (group->single_precision())
-      a.parts(std::span(single_slots_).subspan(first - slots_.size(), group->slot_rows()), rows, group->holders);
+      archive_slots(single_slots_, group->first_slot - slots_.size());
     else
-      a.parts(std::span(slots_).subspan(first, group->slot_rows()), rows, group->holders);
+      archive_slots(slots_, group->first_slot);
   }
   if (!a.reading()) return;
   ++mass_changes_;

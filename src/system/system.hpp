@@ -22,6 +22,7 @@
 #include "system/brick_joint.hpp"
 #include "system/constraint_map.hpp"
 #include "system/element_group.hpp"
+#include "system/nodal_sums.hpp"
 #include "system/rigid_body.hpp"
 #include "system/state.hpp"
 #include "system/subcycles.hpp"
@@ -170,13 +171,13 @@ class System {
   /// Calls `body(begin, end)` for ranges of nodes that this rank follows, side by side; all, in one process. Virtual
   /// ones are among them.
   void for_each_node(std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) const;
-  /// Forces by which elements damp themselves, laid out as the slots of their internal forces (ElementGroup::slot_row);
-  /// empty until `allocate_damping_slots`.
-  std::vector<Row> damping_slots;
-  void allocate_damping_slots() { damping_slots.resize(slots_.size() + single_slots_.size()); }
-  /// Takes the sum of its slots from each node: what forces of elements do to nodes. Rows of bodies become 0. `single`:
-  /// the slots behind `slots`, where they are of single precision.
-  void gather_slots(std::span<Row> slots, std::span<SingleRow> single, std::span<Row> force, std::span<Row> moment);
+  /// Forces by which elements damp themselves, by ElementGroup::slot; empty until `allocate_damping_slots`.
+  Slots damping_slots;
+  void allocate_damping_slots() {
+    if (damping_slots.empty()) damping_slots.resize(slots_.size() + single_slots_.size());
+  }
+  /// Takes the sum of its damping slots from each node. Rows of bodies become 0.
+  void gather_damping(std::span<Row> force, std::span<Row> moment);
 
   /// The element that controls the time step.
   struct Controlling {
@@ -310,8 +311,8 @@ class System {
   void add_tie(int dependent, const weld::Tie& tie, const Vec3d& arm, bool rotations);
   void assemble_mass();
   void link_slots();
-  /// Which slots a node has, of nodes that this rank adds up only.
-  void keep_own_slots();
+  /// Forces of bodies and anchors begin at 0.
+  void clear_virtual(std::span<Row> force, std::span<Row> moment) const;
   /// Sets the density factor of an element and puts the change on its nodes.
   void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
 
@@ -339,19 +340,16 @@ class System {
   std::vector<ConstraintSource> constraint_source_;     ///< by system node
   std::vector<double> carried_mass_, carried_inertia_;  ///< own, and handed over by ties; also of nodes of bodies
 
-  /// Row of a slot by ElementGroup::slot_row.
-  Vec3d slot(std::size_t row) const {
-    return row < slots_.size() ? vec(slots_[row]) : vec(single_slots_[row - slots_.size()]);
+  Vec3d in_slot(std::size_t slot) const {
+    return slot < slots_.size() ? slots_[slot] : single_slots_[slot - slots_.size()];
   }
 
   ElementPeriods periods_;
   Subcycles subcycles_;
   friend class Subcycles;
-  ZeroedVector<Row> slots_;
-  ZeroedVector<SingleRow> single_slots_;     ///< of groups of single precision, counted on behind slots_
-  std::vector<std::uint32_t> gather_start_;  ///< of each node, and where the last one's end
-  std::vector<std::uint32_t>
-      gather_;  ///< slot rows by node, shifted left by one; the lowest bit says that a moment row follows
+  Slots slots_;
+  SingleSlots single_slots_;  ///< of groups of single precision, counted on behind slots_
+  NodalSums sums_;
   std::vector<std::pair<int, std::size_t>> blocks_;  ///< all blocks of all groups, or of the share: group, block
 
   /// Elements deleted by their law, inverted ones and, where small steps delete, those with one, become known to all.
@@ -361,8 +359,6 @@ class System {
   void note_deleted();
   void carry(int rank, Carried what, Parcel& parcel);
   void carry_forces(const ElementGroup& group, std::size_t begin, std::size_t end, Parcel& parcel);
-  void add_up_slots(std::span<const Row> slots, std::span<const SingleRow> single, std::span<Row> force,
-                    std::span<Row> moment) const;
   void take_share_of_what_was_read();
   std::unique_ptr<Share> share_;
   std::unique_ptr<const SumsByRank> sums_by_rank_;

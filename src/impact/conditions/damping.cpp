@@ -194,7 +194,7 @@ void Damping::apply(system::State& state, double dt) {
     });
   } else {
     if (!deforming_.empty()) add_deforming(state, dt);
-    system_.gather_slots(system_.damping_slots, {}, force_, moment_);
+    system_.gather_damping(force_, moment_);
   }
   for (const ByMass& d : mass_) add(d, state);
   for (ByRange& d : range_) add(d, state, dt);
@@ -323,8 +323,11 @@ void Damping::deform(Deforming& damping, const DampingFilters::Step& step, std::
   const std::size_t count = filters.corner.size(), rows = rows_of(group), corners = at(group.nodes_per_element);
   for (std::size_t e = begin; e < end; ++e) {
     double* last = &damping.passed[e * 3 * rows * (1 + count)];
-    Row* slot = &system_.damping_slots[group.slot_row(e, 0)];
-    if (!group.damped()) std::fill_n(slot, rows, Row{});
+    const auto slot = [&](std::size_t r) {
+      const auto node = static_cast<int>(r % corners);
+      return r < corners ? group.slot(e, node) : group.moment_slot(e, node);
+    };
+    for (std::size_t r = 0; r < rows && !group.damped(); ++r) system_.damping_slots.set(slot(r), {});
     if (!group.alive(e)) continue;
     const auto nodes = group.nodes(e);
     const Frame3d axes = damping.across.empty() ? axes_of(nodes, corners, state)
@@ -350,8 +353,8 @@ void Damping::deform(Deforming& damping, const DampingFilters::Step& step, std::
       }
     }
     for (std::size_t r = 0; r < rows; ++r)
-      nugget::add(slot[group.rotational ? 2 * (r % corners) + r / corners : r],
-                  axes.global({sum[3 * r], sum[3 * r + 1], sum[3 * r + 2]}));
+      system_.damping_slots.set(
+          slot(r), system_.damping_slots[slot(r)] + axes.global({sum[3 * r], sum[3 * r + 1], sum[3 * r + 2]}));
   }
 }
 

@@ -214,7 +214,7 @@ class AssembledStep::Vibration {
         const system::ElementNodes node = group.nodes(e);
         double power = 0.0;
         for (int a = 0; a < group.nodes_per_element; ++a) {
-          const Row* slot = &slots_[b.first_row + group.slot_row(e, a) - group.slot_row(first, 0)];
+          const Row* slot = &slots_[b.first_row + group.row_in_block(e, at(a))];
           power += dot(vec(slot[0]), vec(v_[node[a]]));
           if (group.rotational) power += dot(vec(slot[1]), vec(w_[node[a]]));
         }
@@ -448,8 +448,7 @@ void AssembledStep::link_slots() {
       const system::ElementNodes node = group.nodes(e);
       for (int a = 0; a < group.nodes_per_element; ++a)
         if (node[a] >= 0)
-          of_node[node[a]].push_back((b.first_row + group.slot_row(e, a) - group.slot_row(first, 0)) << 1 |
-                                     (group.rotational ? 1u : 0u));
+          of_node[node[a]].push_back((b.first_row + group.row_in_block(e, at(a))) << 1 | (group.rotational ? 1u : 0u));
     }
   }
   gather_start_.push_back(0);
