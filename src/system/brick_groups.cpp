@@ -31,13 +31,15 @@ std::vector<std::array<int, 4>> first_four(const std::vector<ElementNodes>& node
 }
 
 bool bends_without_locking(int elform) {
-  return elform == -1 || elform == -2 || elform == 3;
+  return elform == -1 || elform == -2 || elform == 3 || elform == 18;
 }
 
 template <class Law>
 FullBrickElement<Law> full_brick(const BrickElement<Law>& of, const model::SectionSolid& section) {
-  return {of, bends_without_locking(section.elform) ? kernel::BrickStrains::assumed
-                                                    : kernel::BrickStrains::shape_functions};
+  using Strains = kernel::BrickStrains;
+  return {of, section.elform == 18                    ? Strains::enhanced
+              : bends_without_locking(section.elform) ? Strains::assumed
+                                                      : Strains::shape_functions};
 }
 
 /// `brick`: of the section's part. Without hourglass control of type 6 it has the whole elastic stabilisation.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hourglass type 6 in bricks that are skewed, tapered, warped, and at odd angles to their sheets, against beam theory
-// and against fine meshes of another element.
+// Hourglass type 6, and assumed strains, in bricks that are skewed, tapered, warped, and at odd angles to their sheets,
+// against beam theory and against fine meshes of another element.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,6 +29,7 @@ struct Bar {
   double length = 60.0, width = 15.0, depth = 2.0;
   int along = 4, across = 1;
   std::function<Vec3d(const Vec3d& x, int i)> place;  ///< i: of the plane of nodes across the bar
+  int elform = 1;
 };
 
 /// Stiffness under an end couple about y, over that of the beam; the stress z on the end faces, spread over their
@@ -39,7 +40,9 @@ double over_beam(const Bar& bar) {
       "*CONTROL_IMPLICIT_GENERAL\n         1       1.0\n*CONTROL_IMPLICIT_SOLUTION\n         1\n"
       "*CONTROL_TERMINATION\n       1.0\n*DEFINE_CURVE\n         9\n                 0.0                 0.0\n"
       "                 1.0                 1.0\n");
-  s.card("MAT_ELASTIC", {1, 7.85e-9, E, nu}).card("SECTION_SOLID", {1, 1}).card("HOURGLASS", {1, 6, 1.0});
+  s.card("MAT_ELASTIC", {1, 7.85e-9, E, nu})
+      .card("SECTION_SOLID", {1, 1.0 * bar.elform})
+      .card("HOURGLASS", {1, 6, 1.0});
   s.part(1, 1, 1, 1);
   const Grid grid = s.bricks(1, {bar.along, bar.across, 1}, [&](int i, int j, int k) {
     const Vec3d x{bar.length * i / bar.along, bar.width * (double(j) / bar.across - 0.5), bar.depth * (k - 0.5)};
@@ -72,31 +75,51 @@ void expect_bar(const std::string& what, const Bar& bar, double gate) {
 
 /// 15 x 15 x 2, and as flat as the single brick of a weld of d = 6 between sheets of 1.5.
 Bar flat(std::function<Vec3d(const Vec3d&, int)> place) {
-  return {60.0, 15.0, 2.0, 4, 1, std::move(place)};
+  return {.length = 60.0, .width = 15.0, .depth = 2.0, .place = std::move(place)};
 }
 Bar as_a_weld(std::function<Vec3d(const Vec3d&, int)> place) {
-  return {21.0, 5.25, 1.5, 4, 1, std::move(place)};
+  return {.length = 21.0, .width = 5.25, .depth = 1.5, .place = std::move(place)};
 }
 double turn(int i) {
   return i % 2 == 0 ? 1.0 : -1.0;
 }
 
-// Sabotage: axes at right angles (the form of 1993: 71 to 326 % too stiff).
-TEST(SkewedBricks, ABarOfParallelepipedsBendsExactly) {
+void expect_parallelepipeds(const std::string& name, int elform) {
+  const auto bar = [elform](std::function<Vec3d(const Vec3d&, int)> place) {
+    Bar b = flat(std::move(place));
+    b.elform = elform;
+    return b;
+  };
   for (const double a : {0.0, 0.2, 0.4}) {
-    expect_bar(fmt::format("15 x 15 x 2, skewed in plan by {}", a), flat([a](const Vec3d& x, int) {
+    expect_bar(fmt::format("{}, skewed in plan by {}", name, a), bar([a](const Vec3d& x, int) {
                  return x + Vec3d{a * x.y, 0, 0};
                }),
                1e-6);
-    expect_bar(fmt::format("15 x 15 x 2, inclined in elevation by {}", a), flat([a](const Vec3d& x, int) {
+    expect_bar(fmt::format("{}, inclined in elevation by {}", name, a), bar([a](const Vec3d& x, int) {
                  return x + Vec3d{a * x.z, 0, 0};
                }),
                1e-6);
-    expect_bar(fmt::format("15 x 15 x 2, skewed and inclined both ways by {}", a), flat([a](const Vec3d& x, int) {
+    expect_bar(fmt::format("{}, skewed and inclined both ways by {}", name, a), bar([a](const Vec3d& x, int) {
                  return x + Vec3d{a * x.y + a * x.z, a * x.z, 0};
                }),
                1e-6);
   }
+}
+
+// Sabotage: axes at right angles (the form of 1993: 71 to 326 % too stiff).
+TEST(SkewedBricks, ABarOfParallelepipedsBendsExactly) {
+  expect_parallelepipeds("15 x 15 x 2", 1);
+}
+
+// Sabotage: axes at right angles, those of docs/decisions/0039 (the same errors); the normal of a plane for its third
+// direction, or the reverse.
+TEST(SkewedBricks, ABarOfParallelepipedsOfAssumedStrainsBendsExactly) {
+  expect_parallelepipeds("ELFORM -1, 15 x 15 x 2", -1);
+}
+
+// Sabotage: inner strains by axes at right angles; without the last of them.
+TEST(SkewedBricks, ABarOfParallelepipedsOfEnhancedStrainsBendsExactly) {
+  expect_parallelepipeds("ELFORM 18, 15 x 15 x 2", 18);
 }
 
 // Its end bricks are tapered.

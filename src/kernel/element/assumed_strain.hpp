@@ -3,19 +3,11 @@
 
 #include <cmath>
 
-#include "kernel/element/uniform_gradient.hpp"
+#include "kernel/element/hexahedron_points.hpp"
+#include "kernel/element/physical_stabilisation.hpp"
 
 // Assumed strains of an eight-node brick that bends without locking. Included by full_hexahedron.cpp only.
 namespace nugget::kernel {
-
-/// Natural coordinates of a point of the 2 x 2 x 2 rule.
-struct GaussPoint {
-  double xi, eta, zeta;
-};
-constexpr GaussPoint gauss_point(int p) {
-  constexpr double place = 0.57735026918962576;
-  return {p & 1 ? place : -place, p & 2 ? place : -place, p & 4 ? place : -place};
-}
 
 /// What a direct strain that varies over the element draws along across itself, as shares of it.
 ///
@@ -36,30 +28,83 @@ struct BendingStrains {
         deviatoric(true) {}
 };
 
+/// Strains and stresses in the plane of two directions of a brick, `first` and `second`: those of a bent plate, with
+/// the thinning that they draw along, none of whose fibres across the plane shears. Tensors in global axes.
+template <class R>
+struct BentPlane {
+  Vec3<R> first, second, across;  ///< gradients of the two natural coordinates in the plane [1/length]; its normal
+  R along_first, along_second, both, over;  ///< their products; one over the square of `across`
+
+  [[gnu::always_inline]] BentPlane(const Vec3<R>& g, const Vec3<R>& h) : across(cross(g, h)) {
+    over = 1.0 / dot(across, across);
+    first = over * cross(h, across);
+    second = over * cross(across, g);
+    along_first = dot(first, first);
+    along_second = dot(second, second);
+    both = dot(first, second);
+  }
+  /// Strain whose components by the two directions are `ff`, `ss` and, twice, `fs`.
+  [[gnu::always_inline]] SolidTensor<R> strain(const BendingStrains& draws, const R& ff, const R& ss,
+                                               const R& fs) const {
+    const R half = R(0.5) * fs, in_plane = along_first * ff + along_second * ss + both * fs,
+            thinning = R(-draws.thinning) * over * in_plane;
+    const Vec3<R> u = ff * first + half * second, v = half * first + ss * second, w = thinning * across;
+    const R share = draws.deviatoric ? R((1.0 - draws.thinning) / 3.0) * in_plane : R(0.0);
+    return {u.x * first.x + v.x * second.x + w.x * across.x - share,
+            u.y * first.y + v.y * second.y + w.y * across.y - share,
+            u.z * first.z + v.z * second.z + w.z * across.z - share,
+            u.x * first.y + v.x * second.y + w.x * across.y,
+            u.y * first.z + v.y * second.z + w.y * across.z,
+            u.z * first.x + v.z * second.x + w.z * across.x};
+  }
+  /// What does the work of a stress on these three.
+  [[gnu::always_inline]] Vec3<R> stress(const BendingStrains& draws, const SolidTensor<R>& s) const {
+    const Vec3<R> on_second = traction(s, second);
+    const R drawn = R(draws.thinning) * over * dot(across, traction(s, across));
+    return {dot(first, traction(s, first)) - along_first * drawn, dot(second, on_second) - along_second * drawn,
+            dot(first, on_second) - both * drawn};
+  }
+};
+
 /// The brick with the uniform gradient of Flanagan and Belytschko and, on the hourglass patterns, the assumed strains
-/// of Belytschko and Bindeman (CMAME 105 (1993), their equations for a stabilisation taken at points): a shear strain
-/// varies only along the third axis, so bending makes none; the direct strains draw those of BendingStrains along (the
-/// paper's are nu/(1 - nu) and nu, for a pressure that varies). Constant strain is exact on any shape.
+/// of Belytschko and Bindeman (CMAME 105 (1993), their equations for a stabilisation taken at points), by the brick's
+/// own directions (strains_of), so that neither the numbering of its nodes nor the angles of its sides matter: a shear
+/// strain varies only along the third direction, so bending makes none; the direct strains draw those of BendingStrains
+/// along (the paper's are nu/(1 - nu) and nu, for a pressure that varies). Constant strain is exact on any shape. While
+/// it is elastic its stiffness is that of one point with hourglass type 6 and QM = 1.
+/// docs/theory/brick.md#assumed-strains.
 template <class R>
 class AssumedStrain {
  public:
+  static constexpr bool one_pressure = true;
   static constexpr int points = 8;
 
-  [[gnu::always_inline]] AssumedStrain(const BendingStrains& strains, const Patterns<R>& x)
-      : strains_(strains), x_(x), uniform_(x), axes_(axes_of(x)) {
-    const Vec3<R> bc = cross(x.b, x.c);
-    const R over = 1.0 / dot(x.a, bc);
-    xi_ = axes_.local(over * bc);
-    eta_ = axes_.local(over * cross(x.c, x.a));
-    zeta_ = axes_.local(over * cross(x.a, x.b));
+  [[gnu::always_inline]] AssumedStrain(const BendingStrains& draws, const Patterns<R>& x)
+      : draws_(draws), x_(x), uniform_(x), plane_{{x.b, x.c}, {x.c, x.a}, {x.a, x.b}} {
+    over_[0] = 1.0 / dot(x.a, x.a);
+    over_[1] = 1.0 / dot(x.b, x.b);
+    over_[2] = 1.0 / dot(x.c, x.c);
   }
 
   /// Velocity gradients of the points, all with the spin of the brick, and the volumes that go with them.
   [[gnu::always_inline]] void rates(const Patterns<R>& v, Matrix<R> (&l)[points], R (&volume)[points]) const {
     const Matrix<R> mean = velocity_gradient(uniform_, v);
-    Hourglass<R> q = hourglass_rates(v, mean, x_);
-    for (Vec3<R>& a : q.q) a = axes_.local(a);
-    for (int p = 0; p < points; ++p) l[p] = with(mean, strain(Slopes(*this, p), q));
+    const Hourglass<R> e = strains_of(x_, hourglass_rates(v, mean, x_));
+    const Vec3<R>&e1 = e.q[0], &e2 = e.q[1], &e3 = e.q[2], &e4 = e.q[3];
+    // Points stand at +-1/sqrt(3): these are the strains there.
+    const R place = R(GaussPoint::place), square = R(1.0 / 3.0);
+    const SolidTensor<R> xi = place * plane_[0].strain(draws_, e3.y, e2.z, e2.y + e3.z),
+                         eta = place * plane_[1].strain(draws_, e1.z, e3.x, e1.x + e3.z),
+                         zeta = place * plane_[2].strain(draws_, e2.x, e1.y, e1.x + e2.y),
+                         eta_zeta = square * along_edge(0, x_.a, e4.x), zeta_xi = square * along_edge(1, x_.b, e4.y),
+                         xi_eta = square * along_edge(2, x_.c, e4.z);
+    for (int p = 0; p < points; p += 2) {
+      const double y = p & 2 ? 1.0 : -1.0, z = p & 4 ? 1.0 : -1.0;
+      const SolidTensor<R> middle = R(y) * eta + R(z) * zeta + R(y * z) * eta_zeta,
+                           grows = xi + R(z) * zeta_xi + R(y) * xi_eta;
+      l[p] = with(mean, middle + R(-1.0) * grows);
+      l[p + 1] = with(mean, middle + grows);
+    }
     volumes(volume);
   }
   [[gnu::always_inline]] void volumes(R (&volume)[points]) const {
@@ -67,95 +112,65 @@ class AssumedStrain {
   }
   /// Nodal forces that do the work of the stresses.
   [[gnu::always_inline]] void forces(const SolidTensor<R> (&stress)[points], Vec3<R> (&f)[8]) const {
-    const R share = R(1.0 / points);
-    SolidTensor<R> mean{};
-    Hourglass<R> q{};
-    for (int p = 0; p < points; ++p) {
-      const SolidTensor<R>& s = stress[p];
-      mean = mean + share * s;
-      add_work(Slopes(*this, p), in_axes(s), q);
+    SolidTensor<R> mean{}, xi{}, eta{}, zeta{}, eta_zeta{}, zeta_xi{}, xi_eta{};
+    for (int p = 0; p < points; p += 2) {
+      const R y = R(p & 2 ? 1.0 : -1.0), z = R(p & 4 ? 1.0 : -1.0), yz = y * z;
+      const SolidTensor<R> sum = stress[p + 1] + stress[p], grows = stress[p + 1] + R(-1.0) * stress[p];
+      mean = mean + sum;
+      xi = xi + grows;
+      eta = eta + y * sum;
+      zeta = zeta + z * sum;
+      eta_zeta = eta_zeta + yz * sum;
+      zeta_xi = zeta_xi + z * grows;
+      xi_eta = xi_eta + y * grows;
     }
-    for (Vec3<R>& a : q.q) a = (share * uniform_.volume) * axes_.global(a);
-    forces_of(uniform_, x_, mean, q, true, f);
+    const R share = R(1.0 / points), place = R(GaussPoint::place) * share * uniform_.volume,
+            square = R(GaussPoint::place) * place;
+    const Vec3<R> s1 = plane_[0].stress(draws_, varying(place, xi)), s2 = plane_[1].stress(draws_, varying(place, eta)),
+                  s3 = plane_[2].stress(draws_, varying(place, zeta));
+    const Hourglass<R> s{{{s2.z + s3.z, s3.y, s2.x},
+                          {s3.x, s3.z + s1.z, s1.y},
+                          {s2.y, s1.x, s1.z + s2.z},
+                          {on_edge(0, x_.a, varying(square, eta_zeta)), on_edge(1, x_.b, varying(square, zeta_xi)),
+                           on_edge(2, x_.c, varying(square, xi_eta))}}};
+    forces_of(uniform_, x_, share * mean, forces_on_patterns(x_, s), true, f);
   }
 
  private:
-  /// Gradients of the hourglass patterns at a point, by those of xi, eta and zeta in the middle; in the brick's axes.
-  struct Slopes {
-    Vec3<R> h1, h2, h3, h4;
-    [[gnu::always_inline]] Slopes(const AssumedStrain& b, int p) {
-      const GaussPoint at = gauss_point(p);
-      h1 = R(at.zeta) * b.eta_ + R(at.eta) * b.zeta_;
-      h2 = R(at.xi) * b.zeta_ + R(at.zeta) * b.xi_;
-      h3 = R(at.eta) * b.xi_ + R(at.xi) * b.eta_;
-      h4 = R(at.eta * at.zeta) * b.xi_ + R(at.zeta * at.xi) * b.eta_ + R(at.xi * at.eta) * b.zeta_;
-    }
-  };
-
-  /// Strain rate of the hourglass rates, in the brick's axes; engineering shears.
-  [[gnu::always_inline]] SolidTensor<R> strain(const Slopes& g, const Hourglass<R>& q) const {
-    const R c = R(strains_.thinning), d = R(strains_.last);
-    const Vec3<R>&q1 = q.q[0], &q2 = q.q[1], &q3 = q.q[2], &q4 = q.q[3];
-    const R x2 = g.h2.x * q2.x, x3 = g.h3.x * q3.x, x4 = g.h4.x * q4.x;
-    const R y1 = g.h1.y * q1.y, y3 = g.h3.y * q3.y, y4 = g.h4.y * q4.y;
-    const R z1 = g.h1.z * q1.z, z2 = g.h2.z * q2.z, z4 = g.h4.z * q4.z;
-    SolidTensor<R> e{g.h1.x * q1.x + x2 + x3 + x4 - c * (y3 + z2) - d * (y4 + z4),
-                     y1 + g.h2.y * q2.y + y3 + y4 - c * (x3 + z1) - d * (x4 + z4),
-                     z1 + z2 + g.h3.z * q3.z + z4 - c * (x2 + y1) - d * (x4 + y4),
-                     g.h1.y * q1.x + g.h2.y * q2.x + g.h1.x * q1.y + g.h2.x * q2.y,
-                     g.h2.z * q2.y + g.h3.z * q3.y + g.h2.y * q2.z + g.h3.y * q3.z,
-                     g.h1.z * q1.x + g.h3.z * q3.x + g.h1.x * q1.z + g.h3.x * q3.z};
-    if (strains_.deviatoric) e = deviator(e);
-    return e;
+  /// Strain of the pattern xi eta zeta along a direction of the brick; of the last, `e` is its component by it.
+  [[gnu::always_inline]] SolidTensor<R> along_edge(int i, const Vec3<R>& g, const R& e) const {
+    const R stretch = e * over_[i], along = R(1.0 + draws_.last) * stretch * over_[i];
+    const R share = R(draws_.deviatoric ? (1.0 + draws_.last) / 3.0 : draws_.last) * stretch;
+    const Vec3<R> u = along * g;
+    return {u.x * g.x - share, u.y * g.y - share, u.z * g.z - share, u.x * g.y, u.y * g.z, u.z * g.x};
   }
-
-  /// Adds the forces that do the work of a stress on `strain`; both in the brick's axes.
-  [[gnu::always_inline]] void add_work(const Slopes& g, const SolidTensor<R>& stress, Hourglass<R>& q) const {
-    const R c = R(strains_.thinning), d = R(strains_.last);
-    const SolidTensor<R> s = strains_.deviatoric ? deviator(stress) : stress;
-    q.q[0] += Vec3<R>{g.h1.x * s.xx + g.h1.y * s.xy + g.h1.z * s.zx, g.h1.y * (s.yy - c * s.zz) + g.h1.x * s.xy,
-                      g.h1.z * (s.zz - c * s.yy) + g.h1.x * s.zx};
-    q.q[1] += Vec3<R>{g.h2.x * (s.xx - c * s.zz) + g.h2.y * s.xy, g.h2.y * s.yy + g.h2.x * s.xy + g.h2.z * s.yz,
-                      g.h2.z * (s.zz - c * s.xx) + g.h2.y * s.yz};
-    q.q[2] += Vec3<R>{g.h3.x * (s.xx - c * s.yy) + g.h3.z * s.zx, g.h3.y * (s.yy - c * s.xx) + g.h3.z * s.yz,
-                      g.h3.z * s.zz + g.h3.x * s.zx + g.h3.y * s.yz};
-    q.q[3] += Vec3<R>{g.h4.x * (s.xx - d * (s.yy + s.zz)), g.h4.y * (s.yy - d * (s.zz + s.xx)),
-                      g.h4.z * (s.zz - d * (s.xx + s.yy))};
+  [[gnu::always_inline]] R on_edge(int i, const Vec3<R>& g, const SolidTensor<R>& s) const {
+    const R direct = over_[i] * dot(g, traction(s, g));
+    return over_[i] * (R(1.0 + draws_.last) * direct - R(draws_.last) * (s.xx + s.yy + s.zz));
   }
-
-  static SolidTensor<R> deviator(SolidTensor<R> a) {
+  /// Stress that varies over the brick, times `scale`; without its pressure where that does not vary.
+  [[gnu::always_inline]] SolidTensor<R> varying(const R& scale, const SolidTensor<R>& s) const {
+    SolidTensor<R> a = scale * s;
+    if (!draws_.deviatoric) return a;
     const R mean = R(1.0 / 3.0) * (a.xx + a.yy + a.zz);
     a.xx -= mean;
     a.yy -= mean;
     a.zz -= mean;
     return a;
   }
-
-  /// A stress in the brick's axes.
-  [[gnu::always_inline]] SolidTensor<R> in_axes(const SolidTensor<R>& s) const {
-    const Matrix<R> m{{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};
-    const Vec3<R> t1 = m * axes_.e1, t2 = m * axes_.e2, t3 = m * axes_.e3;
-    return {dot(axes_.e1, t1), dot(axes_.e2, t2), dot(axes_.e3, t3),
-            dot(axes_.e1, t2), dot(axes_.e2, t3), dot(axes_.e3, t1)};
-  }
-
-  /// The gradient with a strain rate in the brick's axes added.
-  [[gnu::always_inline]] Matrix<R> with(Matrix<R> l, const SolidTensor<R>& e) const {
-    const R half = R(0.5);
-    const Vec3<R> t1 = e.xx * axes_.e1 + (half * e.xy) * axes_.e2 + (half * e.zx) * axes_.e3,
-                  t2 = (half * e.xy) * axes_.e1 + e.yy * axes_.e2 + (half * e.yz) * axes_.e3,
-                  t3 = (half * e.zx) * axes_.e1 + (half * e.yz) * axes_.e2 + e.zz * axes_.e3;
-    l.x += axes_.e1.x * t1 + axes_.e2.x * t2 + axes_.e3.x * t3;
-    l.y += axes_.e1.y * t1 + axes_.e2.y * t2 + axes_.e3.y * t3;
-    l.z += axes_.e1.z * t1 + axes_.e2.z * t2 + axes_.e3.z * t3;
+  /// The gradient with a strain rate added.
+  [[gnu::always_inline]] static Matrix<R> with(Matrix<R> l, const SolidTensor<R>& e) {
+    l.x += {e.xx, e.xy, e.zx};
+    l.y += {e.xy, e.yy, e.yz};
+    l.z += {e.zx, e.yz, e.zz};
     return l;
   }
 
-  BendingStrains strains_;
+  BendingStrains draws_;
   const Patterns<R>& x_;
   Gradient<R> uniform_;
-  Frame<R> axes_;
-  Vec3<R> xi_, eta_, zeta_;  ///< gradients of the natural coordinates in the middle, in the brick's axes
+  BentPlane<R> plane_[3];  ///< across xi, eta and zeta
+  R over_[3];              ///< one over the squares of the brick's directions [1/length^2]
 };
 
 }  // namespace nugget::kernel

@@ -6,85 +6,13 @@
 #include <type_traits>
 
 #include "kernel/element/assumed_strain.hpp"
-#include "kernel/element/brick_patterns.hpp"
+#include "kernel/element/enhanced_strain.hpp"
 #include "kernel/law/own_kernels.hpp"
 
 namespace nugget::kernel {
 namespace {
 
 constexpr int points = FullHexahedronLayout::points;
-
-/// Derivatives of a nodal field by xi, eta and zeta at a point.
-template <class R>
-struct Slopes {
-  Vec3<R> xi, eta, zeta;
-  [[gnu::always_inline]] Slopes(const Patterns<R>& f, const GaussPoint& at)
-      : xi(f.a + R(at.eta) * f.h[2] + R(at.zeta) * f.h[1] + R(at.eta * at.zeta) * f.h[3]),
-        eta(f.b + R(at.xi) * f.h[2] + R(at.zeta) * f.h[0] + R(at.xi * at.zeta) * f.h[3]),
-        zeta(f.c + R(at.xi) * f.h[1] + R(at.eta) * f.h[0] + R(at.xi * at.eta) * f.h[3]) {}
-};
-
-/// The gradients of xi, eta and zeta at a point, times its Jacobian.
-template <class R>
-struct Cofactors {
-  Vec3<R> xi, eta, zeta;
-  R jacobian;
-  [[gnu::always_inline]] explicit Cofactors(const Slopes<R>& x)
-      : xi(cross(x.eta, x.zeta)), eta(cross(x.zeta, x.xi)), zeta(cross(x.xi, x.eta)), jacobian(dot(x.xi, xi)) {}
-};
-
-/// Velocity gradient v_i,j at a point.
-template <class R>
-[[gnu::always_inline]] inline Matrix<R> velocity_gradient(const Slopes<R>& v, const Cofactors<R>& c) {
-  const R over = 1.0 / c.jacobian;
-  const auto row = [&](R Vec3<R>::*i) { return over * (v.xi.*i * c.xi + v.eta.*i * c.eta + v.zeta.*i * c.zeta); };
-  return {row(&Vec3<R>::x), row(&Vec3<R>::y), row(&Vec3<R>::z)};
-}
-
-/// Adds a point's share to the forces that do work on the patterns of velocity.
-template <class R>
-[[gnu::always_inline]] inline void collect(const SolidTensor<R>& s, const Cofactors<R>& c, const GaussPoint& at,
-                                           Patterns<R>& f) {
-  const Matrix<R> stress{{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};
-  const Vec3<R> xi = stress * c.xi, eta = stress * c.eta, zeta = stress * c.zeta;
-  f.a += xi;
-  f.b += eta;
-  f.c += zeta;
-  f.h[0] += R(at.zeta) * eta + R(at.eta) * zeta;
-  f.h[1] += R(at.zeta) * xi + R(at.xi) * zeta;
-  f.h[2] += R(at.eta) * xi + R(at.xi) * eta;
-  f.h[3] += R(at.eta * at.zeta) * xi + R(at.xi * at.zeta) * eta + R(at.xi * at.eta) * zeta;
-}
-
-/// The brick as its shape functions have it.
-template <class R>
-struct Isoparametric {
-  const Patterns<R>& x;
-
-  /// Velocity gradients of the points and the volumes that go with them.
-  [[gnu::always_inline]] void rates(const Patterns<R>& v, Matrix<R> (&l)[points], R (&volume)[points]) const {
-    for (int p = 0; p < points; ++p) {
-      const Cofactors<R> c(Slopes<R>(x, gauss_point(p)));
-      l[p] = velocity_gradient(Slopes<R>(v, gauss_point(p)), c);
-      volume[p] = c.jacobian;
-    }
-  }
-  [[gnu::always_inline]] void volumes(R (&volume)[points]) const {
-    for (int p = 0; p < points; ++p) volume[p] = Cofactors<R>(Slopes<R>(x, gauss_point(p))).jacobian;
-  }
-  /// Nodal forces that do the work of the stresses.
-  [[gnu::always_inline]] void forces(const SolidTensor<R> (&stress)[points], Vec3<R> (&f)[8]) const {
-    Patterns<R> sum;
-    for (int p = 0; p < points; ++p)
-      collect(stress[p], Cofactors<R>(Slopes<R>(x, gauss_point(p))), gauss_point(p), sum);
-    const R eighth = R(0.125);
-    nodes_of(Patterns<R>{eighth * sum.a,
-                         eighth * sum.b,
-                         eighth * sum.c,
-                         {eighth * sum.h[0], eighth * sum.h[1], eighth * sum.h[2], eighth * sum.h[3]}},
-             f);
-  }
-};
 
 /// Failed points that delete an element.
 template <class Law>
@@ -103,7 +31,7 @@ bool is_uniaxial(const LawKernel<Law>& law) {
     return false;
 }
 
-/// The cycle with the strains of `field_on(geometry)`: an Isoparametric or an AssumedStrain.
+/// The cycle with the strains of `field_on(geometry)`: an Isoparametric, AssumedStrain or EnhancedStrain.
 template <class R, class Law, class FieldOn>
 [[gnu::always_inline]] inline SolidForces<R> cycle_of(const HexahedronProperties& brick, const LawKernel<Law>& law,
                                                       const SolidMotion<R>& nodes, double dt, double* state,
@@ -118,6 +46,7 @@ template <class R, class Law, class FieldOn>
 
   Matrix<R> l[points];
   R part[points];
+  constexpr bool one_pressure = decltype(field_on(mid))::one_pressure;
   field_on(mid).rates(v, l, part);
   R volume = none, growth = none;
   for (int p = 0; p < points; ++p) {
@@ -137,13 +66,15 @@ template <class R, class Law, class FieldOn>
     double* history = state + layout.history_of(p) * lanes<R>;
     const Vec3<R> half = half_turn(l[p], dt);
     const Frame<R> turn = rotation_of(half);
-    const R extra = third * (trace - (l[p].x.x + l[p].y.y + l[p].z.z));
+    [[maybe_unused]] const R extra = third * (trace - (l[p].x.x + l[p].y.y + l[p].z.z));
     SolidTensor<R> s = rotated(turn, load_solid<R>(at));
     law.rotate(turn, history);
     SolidTensor<R> d = rate_at_end(l[p], half);
-    d.xx += extra;
-    d.yy += extra;
-    d.zz += extra;
+    if constexpr (one_pressure) {
+      d.xx += extra;
+      d.yy += extra;
+      d.zz += extra;
+    }
     if constexpr (weld) {
       rate += share * effective_rate(d);
       if (uniaxial)
@@ -186,7 +117,7 @@ template <class R, class Law, class FieldOn>
 
   for (SolidTensor<R>& s : stress) {
     // A uniaxial stress state has no pressure of its own that could be shared.
-    const R change = uniaxial ? -pressure : mean - third * (s.xx + s.yy + s.zz);
+    const R change = uniaxial || !one_pressure ? -pressure : mean - third * (s.xx + s.yy + s.zz);
     s.xx += change;
     s.yy += change;
     s.zz += change;
@@ -209,6 +140,10 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStr
                                      const SolidMotion<R>& nodes, double dt, double* state) {
   if (strains == BrickStrains::shape_functions)
     return cycle_of(brick, law, nodes, dt, state, [](const Patterns<R>& x) { return Isoparametric<R>{x}; });
+  if constexpr (!LawOfWelds<Law>)
+    if (strains == BrickStrains::enhanced)
+      return cycle_of(brick, law, nodes, dt, state,
+                      [&law](const Patterns<R>& x) { return EnhancedStrain<R>(law.elastic(), x); });
   const BendingStrains across = is_uniaxial(law) ? BendingStrains{} : BendingStrains(law.elastic().nu);
   return cycle_of(brick, law, nodes, dt, state,
                   [&across](const Patterns<R>& x) { return AssumedStrain<R>(across, x); });

@@ -25,8 +25,9 @@ struct FullHexahedronLayout {
   int history_of(int p) const { return point(p) + SolidTensor<double>::size; }
 };
 
-/// Where the strains of a fully integrated brick come from.
-enum class BrickStrains { shape_functions, assumed };
+/// Where the strains of a fully integrated brick come from. Enhanced ones are for linear analyses; a weld has the
+/// assumed ones in their place.
+enum class BrickStrains { shape_functions, assumed, enhanced };
 
 template <class Law>
 FullHexahedronLayout full_hexahedron_layout(const LawKernel<Law>& law) {
@@ -49,7 +50,8 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
 /// docs/theory/brick.md#selectively-reduced-brick. Hourglass data of `brick` are not used.
 ///
 /// With assumed strains (ELFORM -1, -2) the velocity gradients are those of AssumedStrain, which bend without locking
-/// whatever the sides; all points then turn with the brick's spin, and each stands for an eighth of its volume.
+/// whatever the sides; all points then turn with the brick's spin, and each stands for an eighth of its volume. With
+/// enhanced ones (ELFORM 18) they are those of EnhancedStrain, and each point has its own pressure.
 ///
 /// Instantiated for R = NativeBatch with Elastic, PlasticKinematic, PiecewiseLinear, Spotweld, ComposedLaw.
 template <class R, class Law>

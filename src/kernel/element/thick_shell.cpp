@@ -26,12 +26,6 @@ struct MidwaySurface {
   }
 };
 
-template <class R>
-[[gnu::always_inline]] inline Vec3<R> traction(const SolidTensor<R>& s, const Vec3<R>& n) {
-  return {s.xx * n.x + s.xy * n.y + s.zx * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,
-          s.zx * n.x + s.yz * n.y + s.zz * n.z};
-}
-
 /// The rows of a velocity gradient with u v^T + v u^T added.
 template <class R>
 [[gnu::always_inline]] inline void add_both(Matrix<R>& l, const Vec3<R>& u, const Vec3<R>& v) {

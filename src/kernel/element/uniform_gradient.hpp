@@ -42,11 +42,11 @@ template <class R>
   return {row(&Vec3<R>::x), row(&Vec3<R>::y), row(&Vec3<R>::z)};
 }
 
-/// Frame of the element's axes: e1 along xi, e3 across xi and eta.
+/// The stress on a plane of normal `n`.
 template <class R>
-Frame<R> axes_of(const Patterns<R>& x) {
-  const Vec3<R> e1 = unit(x.a), e3 = unit(cross(x.a, x.b));
-  return {e1, cross(e3, e1), e3};
+[[gnu::always_inline]] inline Vec3<R> traction(const SolidTensor<R>& s, const Vec3<R>& n) {
+  return {s.xx * n.x + s.xy * n.y + s.zx * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,
+          s.zx * n.x + s.yz * n.y + s.zz * n.z};
 }
 
 /// Rates of the four hourglass patterns eta zeta, zeta xi, xi eta, xi eta zeta, or the forces that do work on them.

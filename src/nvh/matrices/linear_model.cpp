@@ -54,19 +54,16 @@ void separate_pressures(model::Model& m, Findings& findings) {
     if (section.elform == 13) section.elform = 10;
 }
 
-/// The brick of enhanced strains (18) is made for linear analyses: eight points, without locking in bending. -1 is such
-/// a brick.
-void enhance_strains(model::Model& m, Findings& findings) {
-  bool any = false;
-  for (model::SectionSolid& section : m.solid_sections) {
-    if (section.elform != 18) continue;
-    section.elform = -1;
-    any = true;
-  }
-  if (any)
-    findings.note({m.deck, 0, 0}, "*SECTION_SOLID",
-                  "bricks of ELFORM 18 (enhanced strains) are computed as -1, eight points with assumed strains: both "
-                  "are exact in bending of rectangular bricks");
+/// The brick of enhanced strains (18) is not built for the law of welds.
+void assume_strains_of_welds(model::Model& m, Findings& findings) {
+  for (const model::Part& part : m.parts)
+    if (part.kind == model::ElementKind::solid && part.section != model::none && part.material != model::none &&
+        m.solid_sections[part.section].elform == 18 &&
+        std::holds_alternative<kernel::Spotweld>(m.materials[part.material].law))
+      findings.note(part.place, "*PART",
+                    fmt::format("welds of part {}: bricks of ELFORM 18 (enhanced strains) are computed as -1, eight "
+                                "points with assumed strains: both are exact in bending of rectangular bricks",
+                                part.id));
 }
 
 void stabilize_bricks(model::Model& m, Findings& findings) {
@@ -256,8 +253,8 @@ model::Model linear_model(const model::Model& model, Findings& findings) {
   refuse_membranes(m, findings);
   constrain_driven_nodes(m);
   change_bricks(m, findings);
-  enhance_strains(m, findings);
   separate_pressures(m, findings);
+  assume_strains_of_welds(m, findings);
   stabilize_bricks(m, findings);
   integrate_thick_shells_fully(m, findings);
   integrate_shells_fully(m, findings);
