@@ -159,11 +159,14 @@ double structural_stress(const Load& l) {
   double most = 0.0;
   for (int i = 0; i < 1000; ++i) {
     const double a = 2 * pi * i / 1000, c = std::cos(a), s = std::sin(a);
-    for (const double t : {1.0, 1.5})
-      most = std::max(most, -(l.vs * c + l.vt * s) / (pi * d * t) + 1.744 * l.pull() / (t * t) +
-                                1.872 * (l.ms * s - l.mt * c) / (d * t * t));
+    // each sheet with what it gets, r from it into the weld, s = x
+    const Load upper{l.n, -l.vs, l.vt, l.t, -l.ms, l.mt};
+    for (const auto& [t, at] : {std::pair{1.0, l}, std::pair{1.5, upper}})
+      most = std::max(most, -(at.vs * c + at.vt * s) / (pi * d * t) + 1.744 * at.pull() / (t * t) +
+                                1.872 * (at.ms * s - at.mt * c) / (d * t * t));
     const double sigma = 4 * l.pull() / (pi * d * d) + 32 * (l.ms * s - l.mt * c) / (pi * d * d * d);
-    const double tau = 16 * (l.vs * s * s + l.vt * c * c) / (3 * pi * d * d);
+    const double across = l.v() > 0.0 ? (l.vs * s - l.vt * c) / l.v() : 0.0;  // sine of the angle to the force
+    const double tau = 16 * l.v() * across * across / (3 * pi * d * d);
     most = std::max(most, 0.5 * sigma + std::hypot(0.5 * sigma, tau));
   }
   return most / 4.0;

@@ -11,12 +11,14 @@ namespace {
 using std::numbers::pi;
 
 /// OPT 5, structural stresses after A. Rupp, K. Stoerzel, V. Grubisic (SAE 950711, 1995), over FVAL: the largest of
-///   around the nugget in sheet k:  -(s(F_s) cos a + s(F_t) sin a) + s(N) + s(M_s) sin a - s(M_t) cos a,
-///       s(F) = F / (pi d t_k), s(N) = 1.744 max(N, 0) / t_k^2, s(M) = 1.872 M / (d t_k^2)
+///   around the nugget in sheet 1:  -(s(F_s) cos a + s(F_t) sin a) + s(N) + s(M_s) sin a - s(M_t) cos a,
+///       s(F) = F / (pi d t_1), s(N) = 1.744 max(N, 0) / t_1^2, s(M) = 1.872 M / (d t_1^2)
+///   in sheet 2, which sees the weld from its other end: with t_2, and s(M) of the other sign
 ///   in the nugget, first principal stress of
-///       normal s(N) + s(M_s) sin a - s(M_t) cos a, shear t(F_s) sin^2 a + t(F_t) cos^2 a,
+///       normal s(N) + s(M_s) sin a - s(M_t) cos a, shear t(F) sin^2 a, a from the direction of F on,
 ///       t(F) = 16 F / (3 pi d^2), s(N) = 4 max(N, 0) / (pi d^2), s(M) = 32 M / (pi d^3)
-/// over all angles a. A sheet of thickness 0 is left out.
+/// over all angles a. A sheet of thickness 0 is left out. Nothing depends on which end is the first, or on how the axes
+/// s and t lie (decision 0172).
 class StructuralStress final : public Function {
  public:
   StructuralStress(double diameter, std::array<double, 2> thickness, double limit)
@@ -24,9 +26,9 @@ class StructuralStress final : public Function {
 
   Value operator()(const Load& load) override {
     const Resultants& r = load.resultants;
-    constexpr FailureMode sheet[2] = {FailureMode::sheet_1, FailureMode::sheet_2};
     Value f;
-    for (std::size_t k = 0; k < 2; ++k) f.add(sheet[k], over_ * sheet_stress(r, thickness_[k]));
+    f.add(FailureMode::sheet_1, over_ * sheet_stress(r, thickness_[0], 1.0));
+    f.add(FailureMode::sheet_2, over_ * sheet_stress(r, thickness_[1], -1.0));
     f.add(FailureMode::nugget, over_ * nugget_stress(r));
     f.value = std::max({f.term[0].value, f.term[1].value, f.term[2].value});
     return f;
@@ -35,35 +37,40 @@ class StructuralStress final : public Function {
   void archive(Archive& a) override { a.built(d_, thickness_, over_); }
 
  private:
-  /// A mean and a wave over the angle: the largest value is the mean and the amplitude.
-  double sheet_stress(const Resultants& r, double t) const {
+  /// A mean and a wave over the angle: the largest value is the mean and the amplitude. `end` is 1 for sheet 1 and -1
+  /// for sheet 2, which gets force and moment with the other sign and sees its normal and one axis across turned round:
+  /// the force along s then changes its sign against the moment about t, and so do the other two.
+  double sheet_stress(const Resultants& r, double t, double end) const {
     if (t <= 0.0) return 0.0;
-    const double force = 1.0 / (pi * d_ * t), bend = 1.872 / (d_ * t * t);
+    const double force = 1.0 / (pi * d_ * t), bend = end * 1.872 / (d_ * t * t);
     return 1.744 * r.tension() / (t * t) +
            std::hypot(force * r.shear_s + bend * r.moment_t, force * r.shear_t - bend * r.moment_s);
   }
 
-  double principal(const Resultants& r, double angle) const {
-    const double c = std::cos(angle), s = std::sin(angle);
-    const double normal =
-        4.0 * r.tension() / (pi * d_ * d_) + 32.0 / (pi * d_ * d_ * d_) * (r.moment_s * s - r.moment_t * c);
-    const double shear = 16.0 / (3.0 * pi * d_ * d_) * (r.shear_s * s * s + r.shear_t * c * c);
-    return 0.5 * normal + std::hypot(0.5 * normal, shear);
-  }
-
-  /// The best of 24 directions, refined between its neighbours.
+  /// The moment's parts about the direction of the shear force and across it; without a force any direction serves.
   double nugget_stress(const Resultants& r) const {
+    const double force = std::hypot(r.shear_s, r.shear_t);
+    const double c = force > 0.0 ? r.shear_s / force : 1.0, s = force > 0.0 ? r.shear_t / force : 0.0;
+    const double along = c * r.moment_s + s * r.moment_t, across = c * r.moment_t - s * r.moment_s;
+    const double pull = 4.0 * r.tension() / (pi * d_ * d_), bend = 32.0 / (pi * d_ * d_ * d_);
+    const double shear = 16.0 * force / (3.0 * pi * d_ * d_);
+    const auto principal = [&](double angle) {
+      const double cosine = std::cos(angle), sine = std::sin(angle);
+      const double normal = pull + bend * (along * sine - across * cosine);
+      return 0.5 * normal + std::hypot(0.5 * normal, shear * sine * sine);
+    };
+    // the best of 24 directions, refined between its neighbours
     constexpr int directions = 24;
     constexpr double apart = 2.0 * pi / directions;
     double best = 0.0, at = 0.0;
     for (int i = 0; i < directions; ++i)
-      if (const double p = principal(r, i * apart); p > best) {
+      if (const double p = principal(i * apart); p > best) {
         best = p;
         at = i * apart;
       }
     for (double reach = 0.5 * apart; reach > 1e-4; reach *= 0.5)
       for (const double angle : {at - reach, at + reach})
-        if (const double p = principal(r, angle); p > best) {
+        if (const double p = principal(angle); p > best) {
           best = p;
           at = angle;
         }
