@@ -65,6 +65,7 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
  public:
   using Blocks::alive;
   static constexpr int line = 64 / sizeof(N);  ///< numbers in a cache line
+  static constexpr int slot_lanes = SlotsOf<N>::lanes;
   static constexpr int corners = Element::corners;
   static constexpr int rows = Element::rotational ? 2 : 1;
   static constexpr std::size_t blocks_ahead = 2;  ///< for whose nodes the memory is asked
@@ -125,7 +126,7 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
     for (std::size_t b = begin; b < end; ++b) {
       // On their way from memory while the kernel runs: the forces of the step before, and the state of the next block.
       N* slot = slots_of(b, slots);
-      for (int i = 0; i < 3 * width * corners * rows; i += line) __builtin_prefetch(slot + i, 1);
+      for (int i = 0; i < 3 * corners * rows; ++i) __builtin_prefetch(slot + i * slot_lanes, 1);
       const N* next = state(std::min(b + 1, end - 1) * width);
       for (int i = 0; i < width * fields_.size; i += line) __builtin_prefetch(next + i, 1);
       ask_for_nodes(std::min(b + blocks_ahead, end - 1), now);
@@ -145,10 +146,10 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
       R work(0.0);
       for (int a = 0; a < corners; ++a) {
         work += dot(exchanged(slot, out.f[a]) + out.f[a], motion.v[a]);
-        slot += 3 * width;
+        slot += 3 * slot_lanes;
         if constexpr (Element::rotational) {
           work += dot(exchanged(slot, out.m[a]) + out.m[a], motion.w[a]);
-          slot += 3 * width;
+          slot += 3 * slot_lanes;
         }
       }
       add_as_doubles(&energy_[b * width], R(0.5 * dt) * work);
@@ -267,16 +268,17 @@ class BatchGroup final : public BlockGroup<N>, public BeforeCycle, public TakesS
   }
   N* slots_of(std::size_t b, Slots& slots) const {
     if constexpr (single)
-      return this->single_slots + 3 * (this->slot(b * width, 0) - this->first_slot);
+      return this->single_slots + SlotsOf<N>::place(this->slot(b * width, 0) - this->first_slot);
     else
-      return slots.from(this->slot(b * width, 0));
+      return slots.data() + Slots::place(this->slot(b * width, 0));
   }
   /// Puts a vector into the slots of a block, and returns what stood there.
   [[gnu::always_inline]] static inline Vec3<R> exchanged(N* slot, const Vec3<R>& now) {
-    const Vec3<R> before{real_load<R>(slot), real_load<R>(slot + width), real_load<R>(slot + 2 * width)};
+    N *const y = slot + slot_lanes, *const z = y + slot_lanes;
+    const Vec3<R> before{real_load<R>(slot), real_load<R>(y), real_load<R>(z)};
     real_store(slot, now.x);
-    real_store(slot + width, now.y);
-    real_store(slot + 2 * width, now.z);
+    real_store(y, now.y);
+    real_store(z, now.z);
     return before;
   }
   [[gnu::always_inline]] inline ElementMotion motion_of(std::size_t b, const State& now) const {

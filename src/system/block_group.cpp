@@ -371,9 +371,8 @@ void BlockGroup<N>::add_strains(std::size_t b, std::span<const Vec3<R>> x, std::
 
 template <class N>
 void BlockGroup<N>::damp(std::size_t b, Motion motion, double dt, Slots& slots) const {
-  const double* ahead = slots.from(slot(b * width, 0));
-  for (std::size_t i = 0; i < 3 * width * this->rows_of_element(); i += 64 / sizeof(double))
-    __builtin_prefetch(ahead + i, 1);
+  const double* ahead = slots.data() + Slots::place(slot(b * width, 0));
+  for (std::size_t i = 0; i < 3 * this->rows_of_element(); ++i) __builtin_prefetch(ahead + i * Slots::lanes, 1);
   thread_local Numbers scratch;
   load_reference(b, scratch);
   const R alive_field = real_load<R>(state(b * width) + fields_.alive * width);

@@ -165,15 +165,21 @@ bool System::computes(ElementLocation location) const {
 }
 
 void System::carry_forces(ElementLocation location, Parcel& parcel) {
-  carry_forces(*groups[location.group], at(location.element), at(location.element) + 1, parcel);
-}
-
-void System::carry_forces(const ElementGroup& group, std::size_t begin, std::size_t end, Parcel& parcel) {
-  const std::size_t first = group.slot(begin, 0), numbers = 3 * (group.slot(end, 0) - first);
-  if (group.single_precision())
-    parcel(single_slots_.from(first - slots_.size()), numbers);
-  else
-    parcel(slots_.from(first), numbers);
+  const ElementGroup& group = *groups[location.group];
+  const bool single = group.single_precision();
+  const auto carry = [&](std::size_t slot) {
+    Vec3d v = in_slot(slot);
+    parcel(&v, 1);
+    if (!parcel.reading()) return;
+    if (single)
+      single_slots_.set(slot - slots_.size(), v);
+    else
+      slots_.set(slot, v);
+  };
+  for (int a = 0; a < group.nodes_per_element; ++a) {
+    carry(group.slot(at(location.element), a));
+    if (group.rotational) carry(group.moment_slot(at(location.element), a));
+  }
 }
 
 void System::carry(int rank, Carried what, Parcel& parcel) {
@@ -202,7 +208,8 @@ void System::carry(int rank, Carried what, Parcel& parcel) {
           for (last = first + 1; last < end && is_summed_up(last) == left_out;) ++last;
           if (!left_out) group.carry(first, last, of_group, parcel);
         }
-        if (what == Carried::whole) carry_forces(group, begin * width, end * width, parcel);
+        for (std::size_t e = begin * width; what == Carried::whole && e < std::min(group.size(), end * width); ++e)
+          carry_forces({static_cast<int>(g), static_cast<int>(e)}, parcel);
       }
       begin = end;
     }

@@ -49,7 +49,7 @@ void System::link_slots() {
   for (auto& group : groups) {
     if (group->single_precision()) {
       group->first_slot = doubles + next_single;
-      group->single_slots = single_slots_.from(next_single);
+      group->single_slots = single_slots_.data() + SingleSlots::place(next_single);
       next_single += group->slot_count();
     } else {
       group->first_slot = next;

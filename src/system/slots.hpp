@@ -2,21 +2,19 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
-#include "base/batch.hpp"
 #include "base/vec3.hpp"
 #include "base/zeroed.hpp"
 
 namespace nugget::system {
 
 /// Nodal forces and moments of elements, each in a slot of its own, which ElementGroup::slot numbers. As many slots as
-/// a register has lanes stand together, component by component, so that a block of elements writes registers as they
-/// are: docs/decisions/0161.
+/// the widest register has lanes, whatever the program's own, stand together, component by component: a block of
+/// elements writes registers as they are (docs/decisions/0161).
 template <class N>
 class SlotsOf {
  public:
-  static constexpr std::size_t lanes = native_width * sizeof(double) / sizeof(N);
+  static constexpr std::size_t lanes = 64 / sizeof(N);
   /// Where component 0 of a slot stands among the numbers; each further one stands `lanes` behind.
   static constexpr std::size_t place(std::size_t slot) { return slot + 2 * (slot / lanes * lanes); }
 
@@ -35,8 +33,7 @@ class SlotsOf {
     at[lanes] = static_cast<N>(v.y);
     at[2 * lanes] = static_cast<N>(v.z);
   }
-  /// The numbers of slots from `slot` on, a multiple of `lanes`.
-  N* from(std::size_t slot) { return numbers_.data() + 3 * slot; }
+  N* data() { return numbers_.data(); }
   const N* data() const { return numbers_.data(); }
 
  private:

@@ -534,8 +534,8 @@ void System::archive(Archive& a) {
   for (const auto& group : groups) {
     a(*group);
     const auto archive_slots = [&](auto& slots, std::size_t first) {
-      archive_by_element(a, std::span(slots.from(first), 3 * group->slot_count()), 3 * group->rows_of_element(),
-                         group->slot_lanes(), group->holders);
+      archive_by_element(a, std::span(slots.data() + slots.place(first), 3 * group->slot_count()),
+                         3 * group->rows_of_element(), group->slot_lanes(), group->holders);
     };
     if (group->single_precision())
       archive_slots(single_slots_, group->first_slot - slots_.size());

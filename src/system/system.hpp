@@ -358,7 +358,6 @@ class System {
   /// Deleted elements, by group, as far as all ranks know them.
   void note_deleted();
   void carry(int rank, Carried what, Parcel& parcel);
-  void carry_forces(const ElementGroup& group, std::size_t begin, std::size_t end, Parcel& parcel);
   void take_share_of_what_was_read();
   std::unique_ptr<Share> share_;
   std::unique_ptr<const SumsByRank> sums_by_rank_;

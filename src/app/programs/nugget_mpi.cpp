@@ -74,19 +74,17 @@ class MpiRanks final : public nugget::Ranks {
   }
   Traffic traffic() const override { return traffic_; }
 
-  /// There are more ranks than cores here: who waits is in the way of those that it waits for.
-  void give_way_at_once() { looks_ = 0; }
-
  private:
-  /// Others may want the core: who waits longer than messages take gives it away between two looks, and then sleeps.
+  /// Others may want the core, ranks among them where there are more than cores: who waits longer than messages take
+  /// gives it away between two looks, and then sleeps.
   void wait() {
-    constexpr int yields = 2000;
+    constexpr int looks = 200, yields = 2000;
     for (int look = 0, done = 0;; ++look) {
       MPI_Testall(static_cast<int>(requests_.size()), requests_.data(), &done, MPI_STATUSES_IGNORE);
       if (done) break;
       if (look > yields)
         std::this_thread::sleep_for(std::chrono::microseconds(20));
-      else if (look > looks_)
+      else if (look > looks)
         std::this_thread::yield();
     }
     requests_.clear();
@@ -114,7 +112,6 @@ class MpiRanks final : public nugget::Ranks {
   MPI_Comm all_;
   int count_ = 1, rank_ = 0;
   std::vector<MPI_Request> requests_;
-  int looks_ = 200;  ///< before it gives the core away
   Traffic traffic_;
 };
 
@@ -216,7 +213,6 @@ int run(int argc, char** argv) {
   MPI_Comm here = MPI_COMM_NULL;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
   MPI_Comm_size(here, &team.on_this_machine);
-  if (team.on_this_machine > sysconf(_SC_NPROCESSORS_ONLN)) all.give_way_at_once();
   nugget::app::set_rank_team(&team);
   if (all.rank() == 0) {
     nugget::app::guard_terminal();
