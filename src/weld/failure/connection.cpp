@@ -62,8 +62,8 @@ const ConnectionRecord& of_sheet(const model::ConnectionProperties& properties, 
   return material == model::none || own == properties.records.end() ? properties.standard : *own;
 }
 
-/// What decides between the records of two sheets, least first: RANK, then strengths, those that are left out behind all
-/// others.
+/// What decides between the records of two sheets, least first: RANK, then strengths, those that are left out behind
+/// all others.
 auto precedence(const ConnectionRecord& r) {
   const auto strength = [](const model::RateValue& v) {
     return v.given() ? v.value : std::numeric_limits<double>::infinity();
