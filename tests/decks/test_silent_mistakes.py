@@ -36,6 +36,23 @@ class SilentMistakes(CommandTest):
                 run = self.nugget("run", "model.k", "--quiet", "--max-cycles", 3).stderr
                 self.assertEqual("1 of the nodes of wall 1, first node 1, are held or driven along directions askew" in run, said, run)
 
+    def test_collapsed_quads(self):
+        for triangles, esort, elform, said in ((5, 0, 2, "warning"), (1, 0, 2, "note"), (0, 0, 2, None), (5, 1, 2, None), (5, 0, 4, None)):
+            s = Sheets(shells=elform)
+            s.cards += ["*CONTROL_TERMINATION\n1.0e-6", f"*CONTROL_SHELL\n20.0,{esort}"]
+            s.sheet(1.0, 0.0, 0.0, 0.0, 5, 4, 5.0)
+            if elform == 4:
+                triangles = len(s.shells)
+            for i in range(triangles):
+                e, part, a, b, c, _ = s.shells[i].split(",")
+                s.shells[i] = f"{e},{part},{a},{b},{c},{c}"
+            self.write(s.text())
+            run = self.nugget("check", "model.k").stderr
+            with self.subTest(triangles=triangles, esort=esort, elform=elform):
+                line = f"{said}: *PART: part 1: {triangles} of its 20 shells are quadrilaterals with two corners at one node"
+                self.assertEqual("two corners at one node" in run, said is not None, run)
+                self.assertTrue(said is None or line in run, run)
+
     def test_welds_that_hold_nothing(self):
         far = lap_joint.deck()
         self.write(far)
