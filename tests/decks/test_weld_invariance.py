@@ -123,6 +123,21 @@ class WeldInvariance(CommandTest):
         self.write(s.text().replace("*CONSTRAINED_RIVET", "*CONSTRAINED_RIVET_ID\n2", 1))
         self.assertIn("a rivet has the number 2, which a weld beam has, too", self.nugget("check", "model.k").stderr)
 
+    def test_a_beam_and_a_brick_with_one_number(self):
+        for first, said in ((0, True), (50, False)):
+            s = Sheets()
+            s.cards += ["*CONTROL_TERMINATION\n1.0e-6", weld_material(2)]
+            sheets = [s.sheet(1.2, 0.0, 0.0, z, 6, 6, 5.0) for z in (0.0, 1.2)]
+            beams, bricks = s.beam_part(5.0, 2), s.brick_part(2)
+            s.element = 100
+            s.beam(beams, (8.0, 8.0, 0.0), (8.0, 8.0, 1.2))
+            s.element = 100 + first
+            s.brick(bricks, 20.0, 16.0, 0.0, 5.0, 1.2)
+            s.tie([beams, bricks], sheets)
+            self.write(s.text())
+            run = self.nugget("check", "model.k").stderr
+            self.assertEqual("1 weld has the number of another one: beam weld 101 and solid weld 101" in run, said, run)
+
     def test_subcycling_of_rigid_bodies_alone(self):
         """Sabotage: the longest period of no groups, which ended the program."""
         s = Sheets()
