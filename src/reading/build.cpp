@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "reading/bodies/rigid_bodies.hpp"
+#include "reading/bodies/weld_numbers.hpp"
 #include "reading/builder/builder.hpp"
 #include "reading/builder/mirrored_files.hpp"
 #include "reading/builder/passes.hpp"
@@ -118,6 +119,7 @@ model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsuppo
   b.defer(Phase::bodies, make_rigid_bodies);
   // Behind what the conditions leave for that phase.
   b.defer(Phase::checks, [](Builder& late) { late.defer(Phase::checks, check_inertia); });
+  b.defer(Phase::checks, number_rivets);
   b.defer(Phase::checks, check_mesh);
   b.defer(Phase::checks, check_thick_shells);
   b.defer(Phase::checks, check_parts);

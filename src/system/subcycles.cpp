@@ -169,7 +169,7 @@ Subcycles::Subcycles(const System& system) {
     level.way.resize(level.nodes.size());
     level.turn.resize(level.nodes.size());
   }
-  period_ = levels_.back().period;
+  period_ = levels_.empty() ? 1 : levels_.back().period;  // of rigid bodies alone: no groups
   way_.resize(system.nodes);
   turn_.resize(system.nodes);
   v_.resize(system.nodes);

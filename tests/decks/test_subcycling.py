@@ -121,14 +121,14 @@ class Subcycling(RepeatedRuns):
         self.assertAlmostEqual(parted["energy"]["ratio"], 1.0, delta=0.002)
 
     def test_rigid_welds_and_rivets_carry_what_they_do_in_each_cycle(self):
-        """Beside the weld beam a rigid weld that fails and a rivet: the shells at their nodes have forces in each cycle, so that failure and forces are
-        those of the run without sub-cycling."""
+        """Beside weld beam 1 a rigid weld, which so gets the number 2 and fails, and a rivet: the shells at their nodes have forces in each cycle, so
+        that failure and forces are those of the run without sub-cycling."""
         text = self.lap_joint("*CONSTRAINED_SPOTWELD\n" + card(1039, 2039, 500.0, 500.0, 1, 1) + "*CONSTRAINED_RIVET\n" + card(1104, 2104))
         self.run_with(text, "", "whole")
         self.run_with(text, name="parted")
         self.assertIn("forces every 4 cycles", self.read("parted/run.log"))
         whole, parted = (self.json(f"{name}/summary.json") for name in ("whole", "parted"))
-        failed = [re.findall(r"constraint/weld failed +id= +1 .* (at node.*)", self.read(f"{name}/run.log")) for name in ("whole", "parted")]
+        failed = [re.findall(r"constraint/weld failed +id= +2 .* (at node.*)", self.read(f"{name}/run.log")) for name in ("whole", "parted")]
         self.assertEqual(failed, [["at node 1039 by shear force"]] * 2)
         _, one, vibrating = whole["weld"]
         _, other, too = parted["weld"]

@@ -7,7 +7,9 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "system/parcel.hpp"
 #include "system/share.hpp"
@@ -28,6 +30,52 @@ void report_constrained_nodes(const model::RigidWall& wall, const std::vector<in
     findings.note(wall.place, "*RIGIDWALL",
                   fmt::format("{} of the nodes of wall {} are tied{}: the wall stops what they are tied to, not them",
                               constrained, wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
+}
+
+/// What an SPC or a motion takes of a node's translations, by node; of those that a wall tracks.
+std::map<model::Index, std::vector<Vec3d>> held_directions(const model::RigidWall& wall, const model::Model& model) {
+  std::map<model::Index, std::vector<Vec3d>> held;
+  const auto add = [&](model::Index node, const Vec3d& direction) {
+    if (!std::ranges::binary_search(wall.nodes, node)) return;
+    std::vector<Vec3d>& known = held[node];
+    Vec3d rest = direction;
+    for (const Vec3d& a : known) rest -= dot(a, rest) * a;
+    if (const double left = norm(rest); left > 1e-3) known.push_back((1.0 / left) * rest);
+  };
+  const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const model::SinglePointConstraint& spc : model.spcs) {
+    const Frame3d& axes = spc.system == model::none ? global : model.systems[spc.system].axes;
+    if ((spc.fixed & 1u) != 0) add(spc.node, axes.e1);
+    if ((spc.fixed & 2u) != 0) add(spc.node, axes.e2);
+    if ((spc.fixed & 4u) != 0) add(spc.node, axes.e3);
+  }
+  for (const model::PrescribedMotion& motion : model.motions)
+    if (motion.target == model::PrescribedMotion::Target::nodes && !motion.rotation && !motion.circular &&
+        motion.only_direction)
+      for (const model::Index node : motion.nodes) add(node, motion.direction);
+  return held;
+}
+
+/// A plane wall takes the velocity along its normal whatever else holds a node: one that is held askew to it goes off
+/// its support, and what the support would do beside the wall is in no energy.
+void report_nodes_held_askew(const model::RigidWall& wall, const model::Model& model, Findings& findings) {
+  if (wall.shape != model::RigidWall::Shape::plane) return;
+  std::size_t askew = 0;
+  model::Index first = model::none;
+  for (const auto& [node, directions] : held_directions(wall, model)) {
+    double share = 0.0;  // of the normal, squared
+    for (const Vec3d& a : directions) share += dot(a, wall.normal) * dot(a, wall.normal);
+    if (share < 1e-4 || share > 1.0 - 1e-4) continue;
+    ++askew;
+    if (first == model::none) first = node;
+  }
+  if (askew > 0)
+    findings.warning(
+        wall.place, "*RIGIDWALL",
+        fmt::format("{} of the nodes of wall {}, first node {}, are held or driven along directions askew to "
+                    "its normal: where they touch it, the wall moves them off these, and energy is lost",
+                    askew, wall.id, model.nodes.id[first]),
+        "leave them out of the wall's nodes, or hold them along the wall or its normal");
 }
 
 /// Of any node, infinite where one is no number; the same on all ranks.
@@ -56,6 +104,7 @@ Walls::Walls(const system::System& system, Findings& findings) {
     std::vector<int> nodes;
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[n]);
     report_constrained_nodes(wall, nodes, system, findings);
+    report_nodes_held_askew(wall, model, findings);
     const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[wall.motion_curve];
     std::optional<contact::WallPenalty> bodies;
     if (const double scale = model.control.wall_penalty; scale > 0.0) bodies.emplace(system, wall, nodes, scale);

@@ -11,6 +11,7 @@
 #include "model/axes.hpp"
 #include "model/lumped_mass.hpp"
 #include "reading/bodies/seams.hpp"
+#include "reading/bodies/weld_numbers.hpp"
 #include "reading/builder/common_cards.hpp"
 
 namespace nugget::reading {
@@ -49,6 +50,7 @@ class Maker {
     add_element_nodes();
     for (const auto& card : b_.body_cards.extra_nodes) add_extra_nodes(card);
     claim_all();
+    number_rigid_welds(b_);
     for (const auto& card : b_.body_cards.welds) add_weld(card);
     recognise_nodal_welds();
     for (const auto& card : b_.body_cards.nodal) add_reference_node(card);

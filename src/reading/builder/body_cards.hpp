@@ -84,11 +84,8 @@ struct BodyCards {
   std::vector<Merge> merges;
   std::vector<Weld> welds;
 
-  /// Adds a weld; one without a number gets the next.
-  void add(Weld weld) {
-    if (weld.weld.id == 0) weld.weld.id = static_cast<int>(welds.size()) + 1;
-    welds.push_back(std::move(weld));
-  }
+  /// Adds a weld; one without a number gets it with the bodies (reading/bodies/weld_numbers.hpp).
+  void add(Weld weld) { welds.push_back(std::move(weld)); }
 };
 
 }  // namespace nugget::reading

@@ -399,9 +399,7 @@ void make_rivet(Builder& b, const RowOf<RivetCard>& row, int id) {
   rivet.nodes = {b.node(row[&RivetCard::n1]), b.node(row[&RivetCard::n2])};
   rivet.failure_time = weld_failure_value(row->tf);
   rivet.place = row.place();
-  const auto is_rivet = [](const RigidWeld& w) { return w.kind == RigidWeld::Kind::rivet; };
-  const auto& welds = b.model.rigid_welds;
-  rivet.id = id != 0 ? id : static_cast<int>(std::count_if(welds.begin(), welds.end(), is_rivet)) + 1;
+  rivet.id = id;  // 0: reading/bodies/weld_numbers.hpp
   if (rivet.nodes[0] == none || rivet.nodes[1] == none) return;
   const auto place = [&](std::size_t end) { return b.model.nodes.x[rivet.nodes[end]]; };
   if (norm(place(1) - place(0)) == 0.0)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 #include "kernel/element/quadratic_tetrahedron.hpp"
 #include "model/bond.hpp"
@@ -85,6 +86,35 @@ void check_shells(Builder& b) {
             return fmt::format("shell {} is warped by {:.1f} degrees, more than WRPANG {:g}", id, warp, largest_warp);
           },
           "split it into triangles, or mesh finer");
+  }
+}
+
+/// Quads with two corners at one node are stiffer or softer by which corner that is, unless they become triangles.
+void report_collapsed_quads(Builder& b) {
+  const Model& m = b.model;
+  if (m.control.sort_triangles != SortTriangles::no) return;
+  constexpr double few = 0.1;  // of a part
+  std::vector<std::size_t> collapsed(m.parts.size(), 0), all(m.parts.size(), 0);
+  for (std::size_t e = 0; e < m.shells.size(); ++e) {
+    ++all[m.shells.part[e]];
+    if (m.shells.triangle(e)) ++collapsed[m.shells.part[e]];
+  }
+  for (std::size_t p = 0; p < m.parts.size(); ++p) {
+    const Part& part = m.parts[p];
+    if (collapsed[p] == 0 || part.section == none || part.material == none) continue;
+    if (std::holds_alternative<kernel::Rigid>(m.materials[part.material].law)) continue;
+    const int elform = m.shell_sections[part.section].elform;
+    if (elform != 2 && elform != 16) continue;  // membranes have triangles of their own
+    b.findings.add(
+        {static_cast<double>(collapsed[p]) > few * static_cast<double>(all[p]) ? Severity::warning : Severity::note,
+         part.place,
+         "*PART",
+         {},
+         {},
+         fmt::format("part {}: {} of its {} shells are quadrilaterals with two corners at one node, computed as such "
+                     "in an explicit run (ESORT 0): how stiff each is depends on which corner that is",
+                     part.id, collapsed[p], all[p]),
+         "give ESORT = 1 in *CONTROL_SHELL: they are computed as triangles"});
   }
 }
 
@@ -277,6 +307,7 @@ void count_free_nodes(Builder& b) {
 
 void check_mesh(Builder& b) {
   check_shells(b);
+  report_collapsed_quads(b);
   check_solids(b);
   check_bonds(b);
   check_beams(b);

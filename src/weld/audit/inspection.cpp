@@ -64,13 +64,34 @@ std::optional<double> Inspection::millimetre() const {
   return units_->millimetre;
 }
 
-Index Inspection::shell_at(const Weld& weld, int end) const {
-  if (weld.face[end].empty()) return none;
-  const Index node = weld.face[end][0];
-  for (const Projection& p : weld.ends)
-    if (p.node == node && p.tied && p.projection_case != 0) return p.tie.shell;
-  const auto shells = mesh_.at(node);
-  return shells.empty() ? none : shells.front();
+std::vector<Index> Inspection::shells_at(const Weld& weld, int end) const {
+  constexpr double on_it = 1e-6;  // share of a tie below which a corner of the segment has no part in it
+  std::vector<Index> found;
+  for (const Index node : weld.face[end]) {
+    const auto tied = std::find_if(weld.ends.begin(), weld.ends.end(), [node](const Projection& p) {
+      return p.node == node && p.tied && p.projection_case != 0;
+    });
+    std::vector<Index> carriers{node};
+    Index part = weld.sheets[end];
+    if (tied != weld.ends.end()) {
+      if (tied->tie.shell == none) continue;
+      part = tied->tie.part;
+      carriers.clear();
+      for (std::size_t k = 0; k < 4; ++k)
+        if (tied->tie.weight[k] > on_it) carriers.push_back(tied->tie.segment[k]);
+      found.push_back(tied->tie.shell);
+    }
+    if (carriers.empty()) continue;
+    for (const Index shell : mesh_.at(carriers.front())) {
+      const auto& corner = model_.shells.node[shell];
+      const auto has = [&](Index n) { return std::find(corner.begin(), corner.end(), n) != corner.end(); };
+      if ((part == none || model_.shells.part[shell] == part) && std::all_of(carriers.begin(), carriers.end(), has))
+        found.push_back(shell);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 std::array<Vec3d, 4> Inspection::corners(Index shell) const {
@@ -84,10 +105,11 @@ double Inspection::area(Index shell) const {
 }
 
 std::optional<double> Inspection::sheet_thickness(const Weld& weld, int end) const {
-  const Index shell = shell_at(weld, end);
   // 0 or not a number where its section was refused: then there is nothing to measure by.
-  if (shell == none || !(model_.shells.thickness[shell] > 0.0)) return std::nullopt;
-  return model_.shells.thickness[shell];
+  std::optional<double> least;
+  for (const Index shell : shells_at(weld, end))
+    if (const double t = model_.shells.thickness[shell]; t > 0.0) least = std::min(least.value_or(t), t);
+  return least;
 }
 
 std::optional<std::array<double, 2>> Inspection::thicknesses(const Weld& weld) const {
@@ -97,17 +119,22 @@ std::optional<std::array<double, 2>> Inspection::thicknesses(const Weld& weld) c
 }
 
 std::optional<double> Inspection::element_size(const Weld& weld, int end) const {
-  const Index shell = shell_at(weld, end);
-  if (shell == none) return std::nullopt;
-  return std::sqrt(area(shell));
+  const std::vector<Index> shells = shells_at(weld, end);
+  if (shells.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const Index shell : shells) sum += area(shell);
+  return std::sqrt(sum / static_cast<double>(shells.size()));
 }
 
 std::optional<double> Inspection::angle_to_normal(const Weld& weld, int end) const {
-  const Index shell = shell_at(weld, end);
   const Vec3d axis = face_centre(weld, 1, ties_.x) - face_centre(weld, 0, ties_.x);
-  if (shell == none || norm(axis) == 0.0) return std::nullopt;
-  const Vec3d n = normal(corners(shell));
-  return std::atan2(norm(cross(axis, n)), std::abs(dot(axis, n))) * 180.0 / std::numbers::pi;
+  Vec3d mean;
+  for (const Index shell : shells_at(weld, end)) {
+    const Vec3d n = normal(corners(shell));
+    mean += dot(n, axis) < 0.0 ? -1.0 * n : n;
+  }
+  if (norm(mean) == 0.0 || norm(axis) == 0.0) return std::nullopt;
+  return std::atan2(norm(cross(axis, mean)), std::abs(dot(axis, mean))) * 180.0 / std::numbers::pi;
 }
 
 std::optional<double> Inspection::distance_to_border(const Weld& weld, int end, double bound) const {
@@ -123,14 +150,20 @@ std::optional<double> Inspection::distance_to_border(const Weld& weld, int end, 
 }
 
 std::optional<int> Inspection::flange_width(const Weld& weld, int end, int most) const {
-  const Index shell = shell_at(weld, end);
-  if (shell == none) return std::nullopt;
-  return mesh_.flange_width(shell, most);
+  std::optional<int> least;
+  for (const Index shell : shells_at(weld, end))
+    if (const auto width = mesh_.flange_width(shell, most)) least = std::min(least.value_or(*width), *width);
+  return least;
 }
 
 std::optional<double> Inspection::sheet_step(const Weld& weld, int end) const {
-  const Index shell = shell_at(weld, end);
-  if (shell == none) return std::nullopt;
+  std::optional<double> least;
+  for (const Index shell : shells_at(weld, end))
+    if (const auto step = step_of(shell)) least = std::min(least.value_or(*step), *step);
+  return least;
+}
+
+std::optional<double> Inspection::step_of(Index shell) const {
   const model::Part& part = model_.parts[model_.shells.part[shell]];
   if (part.material == none || part.rigid_body != none) return std::nullopt;
   const model::Material& material = model_.materials[part.material];
@@ -146,11 +179,13 @@ std::optional<double> Inspection::sheet_step(const Weld& weld, int end) const {
 double Inspection::sheet_mass(const Weld& weld) const {
   double mass = 0.0;
   for (int end = 0; end < 2; ++end) {
-    const Index shell = shell_at(weld, end);
-    if (shell == none) continue;
-    const model::Part& part = model_.parts[model_.shells.part[shell]];
-    if (part.material != none)
-      mass += model_.materials[part.material].density * model_.shells.thickness[shell] * area(shell);
+    const std::vector<Index> shells = shells_at(weld, end);
+    for (const Index shell : shells) {
+      const model::Part& part = model_.parts[model_.shells.part[shell]];
+      if (part.material == none) continue;
+      mass += model_.materials[part.material].density * model_.shells.thickness[shell] * area(shell) /
+              static_cast<double>(shells.size());
+    }
   }
   return mass;
 }

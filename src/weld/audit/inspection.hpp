@@ -24,13 +24,14 @@ class Inspection {
 
   /// A millimetre in units of the model; nothing if the units are not known [length].
   std::optional<double> millimetre() const;
-  /// Thickness of the sheet at an end; nothing if that end is not on one, or its section was refused [length].
+  /// Thickness of the sheet at an end, the least of the shells there; nothing if that end is not on one, or its section
+  /// was refused [length].
   std::optional<double> sheet_thickness(const Weld& weld, int end) const;
   /// Thinnest (first) and thickest of the sheets at the two ends; nothing unless both are known [length].
   std::optional<std::array<double, 2>> thicknesses(const Weld& weld) const;
-  /// Side of a square with the area of the shell that an end is tied to [length].
+  /// Side of a square with the mean area of the shells that an end is tied to [length].
   std::optional<double> element_size(const Weld& weld, int end) const;
-  /// Angle between the weld's axis and the normal of the sheet at an end [degrees].
+  /// Angle between the weld's axis and the mean normal of the sheet at an end [degrees].
   std::optional<double> angle_to_normal(const Weld& weld, int end) const;
   /// Distance from an end to the free border of its sheet, if not greater than `bound` [length].
   std::optional<double> distance_to_border(const Weld& weld, int end, double bound) const;
@@ -39,7 +40,7 @@ class Inspection {
   /// Largest time step of the shell at an end: (its area over its longest side) over the wave speed of a plate, as
   /// ISDO = 0 has it [time].
   std::optional<double> sheet_step(const Weld& weld, int end) const;
-  /// Mass of the shells that the two ends are tied to [mass].
+  /// Mean mass of the shells that an end is tied to, of both ends together [mass].
   double sheet_mass(const Weld& weld) const;
 
   /// Longest over shortest edge of a weld's brick; nothing for other welds.
@@ -65,9 +66,12 @@ class Inspection {
   };
   void find_borders();
   std::size_t number(const Weld& weld) const { return static_cast<std::size_t>(&weld - ties_.welds.data()); }
-  Index shell_at(const Weld& weld, int end) const;
+  /// The shells that hold an end: of each node of its face the one below, or all about the side or the node of the mesh
+  /// that it stands on. So nothing depends on where a brick begins, or on the numbers of shells. Ascending.
+  std::vector<Index> shells_at(const Weld& weld, int end) const;
   std::array<Vec3d, 4> corners(Index shell) const;
   double area(Index shell) const;
+  std::optional<double> step_of(Index shell) const;  ///< nothing of rigid shells [time]
 
   const model::Model& model_;
   const Ties& ties_;

@@ -62,13 +62,22 @@ const ConnectionRecord& of_sheet(const model::ConnectionProperties& properties, 
   return material == model::none || own == properties.records.end() ? properties.standard : *own;
 }
 
+/// What decides between the records of two sheets, least first: RANK, then strengths, those that are left out behind
+/// all others.
+auto precedence(const ConnectionRecord& r) {
+  const auto strength = [](const model::RateValue& v) {
+    return v.given() ? v.value : std::numeric_limits<double>::infinity();
+  };
+  return std::tuple{r.rank, strength(r.shear), strength(r.normal), strength(r.bending), r.yield};
+}
+
 }  // namespace
 
 const ConnectionRecord& connection_record(const model::ConnectionProperties& properties,
                                           std::array<model::Index, 2> sheet_materials) {
   const ConnectionRecord& a = of_sheet(properties, sheet_materials[0]);
   const ConnectionRecord& b = of_sheet(properties, sheet_materials[1]);
-  return b.rank < a.rank ? b : a;
+  return precedence(b) < precedence(a) ? b : a;
 }
 
 ConnectionRecord connection_record(const model::Model& model, const model::ConnectionProperties& properties,

@@ -16,7 +16,8 @@ struct Geometry;
 using ConnectionRecord = model::ConnectionProperties::Record;
 
 /// The record that holds for a weld between sheets of the materials given (PROPRUL 0 and 1): each sheet has that of its
-/// material, or the defaults; of these the one with the lower RANK, the first sheet's where they are equal.
+/// material, or the defaults; of these the one with the lower RANK, where that is equal the weaker one: less strength
+/// in shear, else in tension, else in bending (decision 0173).
 const ConnectionRecord& connection_record(const model::ConnectionProperties& properties,
                                           std::array<model::Index, 2> sheet_materials);
 /// The record of a weld, by rank or by functions of both its sheets (PROPRUL 2). Functions of the strain rate refer to

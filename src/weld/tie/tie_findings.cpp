@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "kernel/law/cohesive_bond.hpp"
@@ -393,6 +394,27 @@ void note_distances(const model::Model& model, const Ties& ties, Findings& findi
   }
 }
 
+/// A beam and a brick may have one number. Tables, pictures and options call a weld by its number alone.
+void note_common_numbers(const Ties& ties, Findings& findings) {
+  std::unordered_map<int, const Weld*> first_of;
+  std::size_t common = 0;
+  const Weld* example = nullptr;
+  for (const Weld& weld : ties.welds) {
+    // of other rigid welds and of rivets reading has warned
+    if (weld.kind == Weld::Kind::rigid && weld.rigid != Weld::Rigid::nodal_body) continue;
+    if (const auto [first, is_new] = first_of.emplace(weld.id, &weld); !is_new) {
+      ++common;
+      if (!example) example = &weld;
+    }
+  }
+  if (!example) return;
+  findings.note(
+      example->place, keyword_of(*example),
+      fmt::format("{} weld{} the number of another one: {} and {}{}. Tables, pictures and options call both weld {}",
+                  common, common == 1 ? " has" : "s have", name_weld(*first_of.at(example->id)), name_weld(*example),
+                  common == 1 ? "" : ", ...", example->id));
+}
+
 }  // namespace
 
 std::string name_body(const model::RigidBody& body) {
@@ -536,6 +558,7 @@ void report_welds(const model::Model& model, const Ties& ties, Findings& finding
   report_untracked_welds(model, ties, findings);
   report_untied_welds(model, untied, findings);
   note_distances(model, ties, findings);
+  note_common_numbers(ties, findings);
 }
 
 }  // namespace nugget::weld

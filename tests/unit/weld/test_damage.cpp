@@ -151,6 +151,25 @@ TEST(Connection, TheLowerRankCounts) {
   EXPECT_EQ(&connection_record(p, {model::none, 3}), &p.records[0]);
 }
 
+// Sabotage: the record of the first sheet.
+TEST(Connection, OfEqualRanksTheWeakerCounts) {
+  model::ConnectionProperties p;
+  p.records = {{}, {}};
+  p.records[0].material = 3;
+  p.records[1].material = 4;
+  const auto weaker = [&](std::size_t i) {
+    EXPECT_EQ(&connection_record(p, {3, 4}), &p.records[i]);
+    EXPECT_EQ(&connection_record(p, {4, 3}), &p.records[i]);
+  };
+  p.records[0].normal.value = 200.0;
+  p.records[1].normal.value = 300.0;
+  weaker(0);
+  p.records[1].shear.value = 100.0;  // that of the other is left out
+  weaker(1);
+  p.records[0].shear.value = 90.0;
+  weaker(0);
+}
+
 // Layers with laws of their own and *DEFORMABLE_TO_RIGID give a part a material of its own, with the id of that of the
 // deck, which is the one that the records name. Sabotage: the part's own material.
 TEST(Connection, ARecordHoldsForTheSheetsWhoseMaterialItNames) {
