@@ -21,6 +21,7 @@ std::uint8_t cell_type(const system::ElementGroup& group) {
     case 2: return 3;
     case 3: return 5;
     case 4: return solid ? 10 : 9;
+    case 6: return 13;
     case 10: return 24;
     default: return 12;
   }
@@ -38,6 +39,8 @@ void write_picture(const std::filesystem::path& path, const system::System& syst
       std::vector<int> corners;
       corners.reserve(at(group.nodes_per_element));
       for (int a = 0; a < group.nodes_per_element; ++a) corners.push_back(system.model_node[nodes[a]]);
+      if (corners.size() == 6)  // one triangle, then the other
+        corners = {corners[0], corners[1], corners[4], corners[3], corners[2], corners[5]};
       grid.add_cell(cell_type(group), corners);
       rank.push_back(partition.of_element(static_cast<int>(g), e));
       id.push_back(system.element_id(group, group.element[e]));

@@ -85,6 +85,7 @@ std::string formulation(const model::Model& model, const model::Part& part) {
 std::string elements_name(const system::System& system, const system::ElementGroup& group) {
   if (group.kind == model::ElementKind::shell && group.nodes_per_element == 3) return "triangles";
   if (group.kind == model::ElementKind::solid && group.nodes_per_element == 8) return "bricks";
+  if (group.kind == model::ElementKind::solid && group.nodes_per_element == 6) return "wedges";
   return std::string(system.kind_name(group)) + 's';
 }
 

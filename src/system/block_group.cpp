@@ -277,17 +277,19 @@ void BlockGroup<N>::derive_stiffness(std::size_t e, const State& start, std::spa
     motion.x[a] = {R(x.x), R(x.y), R(x.z)};
   }
   std::fill(k.begin(), k.end(), 0.0);
+  // So slow that laws of strain rates are at rest, whatever the unit of time. No law in single precision knows rates.
+  constexpr double slow = single ? 1.0 : 0x1p-30;
   Numbers scratch(at(fields_.size) * width);
   Forces out;
   for (int first = 0; first < size; first += width)
     for (const double sign : {1.0, -1.0}) {
       if (sign < 0.0 && !both_ways) continue;
-      const double share = sign / ((both_ways ? 2.0 : 1.0) * no_step);
+      const double share = sign / ((both_ways ? 2.0 : 1.0) * no_step * slow);
       for (int i = 0; i < fields_.size; ++i)
         for (int l = 0; l < width; ++l) scratch[at(i * width + l)] = state(e)[i * width + lane(e)];
       for (int a = 0; a < nodes_per_element; ++a) {
-        motion.v[at(a)] = R(sign) * unit_motion<R>(first - a * per_node);
-        if (rotational) motion.w[at(a)] = R(sign) * unit_motion<R>(first - a * per_node - 3);
+        motion.v[at(a)] = R(sign * slow) * unit_motion<R>(first - a * per_node);
+        if (rotational) motion.w[at(a)] = R(sign * slow) * unit_motion<R>(first - a * per_node - 3);
       }
       small_cycle(false, motion, no_step, scratch.data(), out);
       for (int l = 0; l < std::min(width, size - first); ++l)

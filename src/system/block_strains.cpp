@@ -83,12 +83,17 @@ void add_step(double* values, const std::array<Vec3<R>, 3>& g, double step, cons
   for (std::size_t c = 0; c < 6; ++c) add_as_doubles(values + c * width, select(active, more[c], R(0.0)));
 }
 
-/// Places half a step dt before `x`, of `count` nodes: a tetrahedron of four repeats its last one.
+/// Which of `count` nodes stands at corner a of a brick: a tetrahedron repeats its last one, a wedge its last two.
+std::size_t node_at(std::size_t a, std::size_t count) {
+  return count == 6 && a > 4 ? 4 + (a - 4) / 2 : std::min(a, count - 1);
+}
+
+/// Places half a step dt before `x`, of `count` nodes, of which some may be the same.
 template <std::size_t count, class R>
 std::array<Vec3<R>, count> at_mid_step(std::span<const Vec3<R>> x, std::span<const Vec3<R>> v, double dt) {
   std::array<Vec3<R>, count> mid;
   for (std::size_t a = 0; a < count; ++a) {
-    const std::size_t own = std::min(a, x.size() - 1);
+    const std::size_t own = node_at(a, x.size());
     mid[a] = x[own] - R(0.5 * dt) * v[own];
   }
   return mid;
@@ -232,13 +237,13 @@ void BlockStrains<N>::add(std::size_t b, std::span<const Vec3<R>> x, std::span<c
   const std::array<Vec3<R>, 8> mid = at_mid_step<8>(x, v, dt);
   std::array<Vec3<R>, 8> repeated;
   if (v.size() < 8) {
-    for (std::size_t a = 0; a < 8; ++a) repeated[a] = v[std::min(a, v.size() - 1)];
+    for (std::size_t a = 0; a < 8; ++a) repeated[a] = v[node_at(a, v.size())];
     v = repeated;
   }
   const auto add_at = [&](double height, std::size_t first) {
     add_step(values + first * width, velocity_gradient<R>(mid, v, height), dt, is_active);
   };
-  add_at(0.0, 0);
+  add_at(x.size() == 6 ? -1.0 / 3.0 : 0.0, 0);  // the middle of a wedge's triangles
   if (rule_.of != StrainRule::Of::thick_shells) return;
   add_at(rule_.lower, 6);
   add_at(rule_.upper, 12);

@@ -13,6 +13,7 @@
 #include "system/rotational_tetrahedron_element.hpp"
 #include "system/tetrahedron_element.hpp"
 #include "system/thick_shell_element.hpp"
+#include "system/wedge_element.hpp"
 #include "weld/failure/connection.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -32,6 +33,30 @@ std::vector<std::array<int, 4>> first_four(const std::vector<ElementNodes>& node
 
 bool bends_without_locking(int elform) {
   return elform == -1 || elform == -2 || elform == 3 || elform == 18;
+}
+
+/// The nodes of a wedge as kernel::WedgeMotion has them; as they are written, where that is N1 N2 N3 N4 N5 N5 N6 N6.
+/// None where no opposite edges of a face are points.
+std::optional<std::array<model::Index, 6>> wedge_of(const std::array<model::Index, 8>& n) {
+  // Each face opposite to the one that is an edge, and that one, corner above corner.
+  constexpr int faces[6][2][4] = {{{0, 1, 2, 3}, {4, 5, 6, 7}}, {{4, 7, 6, 5}, {0, 3, 2, 1}},
+                                  {{0, 3, 7, 4}, {1, 2, 6, 5}}, {{1, 5, 6, 2}, {0, 4, 7, 3}},
+                                  {{0, 4, 5, 1}, {3, 7, 6, 2}}, {{3, 2, 6, 7}, {0, 1, 5, 4}}};
+  for (const auto& face : faces)
+    for (int first = 0; first < 2; ++first) {
+      const auto at_low = [&](int i) { return n[face[0][(first + i) % 4]]; };
+      const auto at_up = [&](int i) { return n[face[1][(first + i) % 4]]; };
+      if (at_up(0) == at_up(1) && at_up(2) == at_up(3))
+        return std::array<model::Index, 6>{at_low(0), at_low(1), at_low(2), at_low(3), at_up(0), at_up(2)};
+    }
+  return std::nullopt;
+}
+
+/// Whether the numbering of a solid's nodes says where the material's axes lie.
+template <class Law>
+bool has_axes_by_nodes(const kernel::LawKernel<Law>& law) {
+  const kernel::MaterialAxes* axes = material_axes(law);
+  return axes != nullptr && axes->by != kernel::MaterialAxes::By::vectors;
 }
 
 template <class Law>
@@ -157,9 +182,29 @@ void System::make_bricks() {
           add_group(TetrahedronElement<Law>{brick, element.law, shared}, model::ElementKind::solid, p, m,
                     solid_location);
       }
-      if (!full.empty())
+      Members wedges;
+      std::vector<model::Index> bricks;
+      for (const model::Index e : full) {
+        const std::array<model::Index, 8>& n = model.solids.node[e];
+        const bool wedge = model.solids.corners(at(e)).size() == 6 &&
+                           (model.control.sort_solids || model.solid_sections[part.section].elform == 15);
+        const auto six = wedge ? wedge_of(n) : std::nullopt;
+        const bool as_written = six && kernel::brick_of_wedge(six->data()) == n;
+        if (!six || (!as_written && has_axes_by_nodes(element.law))) {
+          bricks.push_back(e);
+          continue;
+        }
+        ElementNodes node{};
+        for (std::size_t a = 0; a < 6; ++a) node[a] = node_of[(*six)[a]];
+        wedges.element.push_back(e);
+        wedges.node.push_back(node);
+      }
+      if (!wedges.element.empty())
+        add_group(WedgeElement<Law>{{element, kernel::BrickStrains::wedge}}, model::ElementKind::solid, p, wedges,
+                  solid_location);
+      if (!bricks.empty())
         add_group(full_brick(element, model.solid_sections[part.section]), model::ElementKind::solid, p,
-                  members(model.solids, full), solid_location);
+                  members(model.solids, bricks), solid_location);
       if (!others.empty())
         add_group(element, model::ElementKind::solid, p, members(model.solids, others), solid_location);
     });

@@ -282,7 +282,7 @@ class System {
   void make_bricks();
   /// The different nodes of solids only; see model::Solids::different_nodes.
   Members different_nodes(const std::vector<model::Index>& solids) const;
-  /// Solids of a part by the kernel that runs them; wedges of formulation 15 are collapsed bricks, fully integrated.
+  /// Solids of a part by the kernel that runs them; wedges of formulation 15 are among the fully integrated bricks.
   struct Formulations {
     std::vector<model::Index> quadratic, tetrahedra, full, others;
   };

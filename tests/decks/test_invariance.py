@@ -208,6 +208,29 @@ def over_an_edge(c):
     return cards.text(2e-4, "GLSTAT", "RCFORC")
 
 
+FIBRES = ("MAT_022", (1, 1.52e-9, 127e3, 8.41e3, 8.41e3, 0.0205, 0.0205, 0.3), (4.21e3, 4.21e3, 4.21e3, "", 2), (0, 0, 0, 0.6, 0.8, 0.1),
+          (0, 0, 0, -0.8, 0.6, 0), (154.0, 2200.0, 48.9, 199.0, 1e-9))
+RUBBER = ("MAT_027", (1, 1.2e-9, 0.49, 0.4, 0.1), ())
+
+
+def triangles(elform, law, first):
+    """A sheet of triangles that is sheared and bent. `first`: which node of the e-th triangle stands first on its card."""
+    cards = Cards(Case())
+    cards.add("SECTION_SHELL", (1, elform, 0.8333, 3), [1.2] * 4)
+    cards.add(*law)
+    cards.add("CONTROL_SHELL", ("", "", "", 1))
+    cards.append("*PART\nsheet\n1,1,1")
+    grid = [[cards.node((5.0 * i + 1.25 * j, 5.0 * j - 0.5 * i, 0.25 * i * j)) for i in range(4)] for j in range(3)]
+    cells = [(grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i]) for j in range(2) for i in range(3)]
+    corners = [c for n in cells for c in (n[:3], (n[0], n[2], n[3]))]
+    rows = [tuple(n[(first(e) + k) % 3] for k in range(3)) for e, n in enumerate(corners)]
+    cards.add("ELEMENT_SHELL", *((e + 1, 1, *n, n[2]) for e, n in enumerate(rows)))
+    speed = 3000.0 if law is RUBBER else 20000.0
+    cards.add("INITIAL_VELOCITY_NODE", *((n, speed * (j - 1) + 300 * i, -speed * 0.3 * (i - 1), 0.2 * speed * (i * j % 3 - 1))
+                                         for j, row in enumerate(grid) for i, n in enumerate(row)))
+    return cards.text(5e-4 if law is RUBBER else 5e-5, "GLSTAT")
+
+
 AXIS, COSINE, SINE = (1 / 3, 2 / 3, 2 / 3), 0.6, 0.8  # the angle is math.atan2(SINE, COSINE)
 
 
@@ -344,6 +367,17 @@ class Invariance(CommandTest):
             found.append({q: [s[q][0] for s in states] for q in ("kinetic_energy", "internal_energy", "sliding_interface_energy")})
         for other in found[1:]:
             self.compare(found[0], other)
+
+    def test_first_node_of_triangles(self):
+        """Sabotage: a frame along the first side."""
+        for elform in (4, 17, 5):
+            for law in (FIBRES, RUBBER)[elform == 5:]:
+                with self.subTest(elform=elform, law=law[0]):
+                    found = []
+                    for first in (lambda e: 0, lambda e: (e + 1) % 3):
+                        states = lsda.states(self.run_deck("sheet", triangles(elform, law, first)), "glstat")
+                        found.append({q: [s[q][0] for s in states] for q in ("kinetic_energy", "internal_energy")})
+                    self.compare(*found)
 
     def test_rubber(self):
         found = []

@@ -17,9 +17,10 @@
 namespace nugget::impact {
 namespace {
 
-/// One-point and fully integrated bricks, whose step is that of a plane wave. Adhesive has a bound of its own.
+/// One-point and fully integrated bricks and wedges, whose step is that of a plane wave. Adhesive has a bound of its
+/// own.
 bool steps_like_a_plane_wave(const system::System& system, const system::ElementGroup& group) {
-  return group.kind == model::ElementKind::solid && group.nodes_per_element == 8 &&
+  return group.kind == model::ElementKind::solid && (group.nodes_per_element == 8 || group.nodes_per_element == 6) &&
          !model::bond_of(system.model, system.model.parts[group.part]);
 }
 

@@ -20,7 +20,8 @@ template <class R>
                                               const Triangle<R>& g, const R& around, double dt, double* state,
                                               R& power) {
   const R gt = e.shear * dt * load_field<R>(state, ShellLayout::thickness);
-  const R sides2 = 2.0 * (g.x21 * g.x21 + g.x31 * g.x31 + g.y31 * g.y31 - g.x31 * g.x21);
+  const R sides2 =
+      2.0 * (g.x21 * g.x21 + g.y21 * g.y21 + g.x31 * g.x31 + g.y31 * g.y31 - g.x31 * g.x21 - g.y31 * g.y21);
   return resist(3, (shell.shear_factor / 144.0) * gt * sides2 / g.area, around, state, power);
 }
 
@@ -28,8 +29,8 @@ template <class R>
 template <class R>
 [[gnu::always_inline]] inline SideShears<R> on_the_sides(const Triangle<R>& g, const ShellResultants<R>& n,
                                                          const R& around) {
-  const R bx = g.area * g.over_x, by3 = g.area * g.over_y, by2 = -by3 * g.x31 * g.over_x;
-  const R along = bx * n.qx + by2 * n.qy, across = by3 * n.qy, third = (1.0 / 3.0) * (across - along);
+  const R along = g.area * (g.x2 * n.qx + g.y2 * n.qy), across = g.area * (g.x3 * n.qx + g.y3 * n.qy),
+          third = (1.0 / 3.0) * (across - along);
   return {along + third + around, across - third - around, third + around};
 }
 
@@ -50,8 +51,8 @@ NodalForces<R, 3> triangle_cycle(const ShellProperties& shell, const LawKernel<L
   TriangleRates<R> rates = rates_on(mid, nodes, alive);
   const auto& [s12, s13, s23] = rates.side;
   const R third = (1.0 / 3.0) * (s13 - s12 - s23);
-  rates.constant.xz = mid.dx(s12 + third);
-  rates.constant.yz = mid.dy(s13 - third, rates.constant.xz);
+  rates.constant.xz = mid.dx(s12 + third, s13 - third);
+  rates.constant.yz = mid.dy(s12 + third, s13 - third);
   R drilling[3]{}, around{};
   if (shell.drilling > 0.0) {
     R power{};
@@ -102,7 +103,7 @@ GreatestShear greatest_shear(const std::array<Vec3d, 3>& x) {
   const Triangle<double> g = geometry_of(x);
   // Along a = x2 - x1 and b = x3 - x1 the shear is that of the sides less a third of what goes around (rates_on): by
   // the velocity of each node, and by its slope as a vector.
-  const std::array<double, 2> a{g.x21, 0.0}, b{g.x31, g.y31}, c{b[0] - a[0], b[1]};
+  const std::array<double, 2> a{g.x21, g.y21}, b{g.x31, g.y31}, c{b[0] - a[0], b[1] - a[1]};
   std::array<double, 4> motion{2.0, 1.0, 1.0, 2.0}, spin{};  // products along a and b
   for (const std::size_t i : {0u, 1u}) {
     const double along_a[] = {0.5 * a[i] + c[i] / 6.0, 0.5 * a[i] - b[i] / 6.0, a[i] / 6.0};
@@ -115,10 +116,10 @@ GreatestShear greatest_shear(const std::array<Vec3d, 3>& x) {
   }
   spin[2] = spin[1];
   const auto largest = [&](const std::array<double, 4>& p) {
-    // To the axes: x = a / x21, y = (b - x31 x) / y31.
-    const double xx = p[0] / (g.x21 * g.x21), slope = g.x31 / g.x21;
-    const double xy = (p[1] - slope * p[0]) / (g.x21 * g.y31);
-    const double yy = (p[3] - 2.0 * slope * p[1] + slope * slope * p[0]) / (g.y31 * g.y31);
+    // To the axes, as a gradient.
+    const double xx = g.x2 * g.x2 * p[0] + 2.0 * g.x2 * g.x3 * p[1] + g.x3 * g.x3 * p[3];
+    const double xy = g.x2 * g.y2 * p[0] + (g.x2 * g.y3 + g.x3 * g.y2) * p[1] + g.x3 * g.y3 * p[3];
+    const double yy = g.y2 * g.y2 * p[0] + 2.0 * g.y2 * g.y3 * p[1] + g.y3 * g.y3 * p[3];
     return 0.5 * (xx + yy) + std::hypot(0.5 * (xx - yy), xy);
   };
   return {largest(motion), largest(spin)};

@@ -140,10 +140,14 @@ SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStr
                                      const SolidMotion<R>& nodes, double dt, double* state) {
   if (strains == BrickStrains::shape_functions)
     return cycle_of(brick, law, nodes, dt, state, [](const Patterns<R>& x) { return Isoparametric<R>{x}; });
-  if constexpr (!LawOfWelds<Law>)
+  if constexpr (!LawOfWelds<Law>) {
     if (strains == BrickStrains::enhanced)
       return cycle_of(brick, law, nodes, dt, state,
                       [&law](const Patterns<R>& x) { return EnhancedStrain<R>(law.elastic(), x); });
+    if (strains == BrickStrains::wedge)
+      return cycle_of(brick, law, nodes, dt, state,
+                      [](const Patterns<R>& x) { return Isoparametric<R, WedgeRule>{x}; });
+  }
   const BendingStrains across = is_uniaxial(law) ? BendingStrains{} : BendingStrains(law.elastic().nu);
   return cycle_of(brick, law, nodes, dt, state,
                   [&across](const Patterns<R>& x) { return AssumedStrain<R>(across, x); });

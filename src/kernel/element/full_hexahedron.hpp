@@ -26,8 +26,8 @@ struct FullHexahedronLayout {
 };
 
 /// Where the strains of a fully integrated brick come from. Enhanced ones are for linear analyses; a weld has the
-/// assumed ones in their place.
-enum class BrickStrains { shape_functions, assumed, enhanced };
+/// assumed ones in their place. Of a wedge they are those of its shape functions, at points of its own.
+enum class BrickStrains { shape_functions, assumed, enhanced, wedge };
 
 template <class Law>
 FullHexahedronLayout full_hexahedron_layout(const LawKernel<Law>& law) {
@@ -57,6 +57,40 @@ void start_full_hexahedron(const FullHexahedronLayout& layout, double* state, in
 template <class R, class Law>
 SolidForces<R> full_hexahedron_cycle(const HexahedronProperties& brick, BrickStrains strains, const LawKernel<Law>& law,
                                      const SolidMotion<R>& nodes, double dt, double* state);
+
+/// Motion of the six nodes of a wedge: 1 2 3 4 around the face that is opposite to the edge 5-6, 5 beside 1 and 2. End
+/// position x(t + dt) and velocity at t + dt/2.
+template <class R>
+struct WedgeMotion {
+  Vec3<R> x[6], v[6];
+};
+
+template <class R>
+struct WedgeForces {
+  Vec3<R> f[6];
+  R stable_step{}, volume{};
+};
+
+/// The wedge as a brick whose edges 5-6 and 7-8 are points.
+template <class T>
+std::array<T, 8> brick_of_wedge(const T* six) {
+  return {six[0], six[1], six[2], six[3], six[4], six[4], six[5], six[5]};
+}
+
+/// One cycle of the wedge (ELFORM 15): full_hexahedron_cycle on points among which no corner of its triangles differs
+/// from the others (docs/theory/brick.md#wedges-and-repeated-nodes). State, pressure, deletion and step as there.
+template <class R, class Law>
+WedgeForces<R> wedge_cycle(const HexahedronProperties& brick, const LawKernel<Law>& law, const WedgeMotion<R>& nodes,
+                           double dt, double* state) {
+  SolidMotion<R> all;
+  const std::array<Vec3<R>, 8> x = brick_of_wedge(nodes.x), v = brick_of_wedge(nodes.v);
+  for (std::size_t a = 0; a < 8; ++a) {
+    all.x[a] = x[a];
+    all.v[a] = v[a];
+  }
+  const SolidForces<R> of = full_hexahedron_cycle(brick, BrickStrains::wedge, law, all, dt, state);
+  return {{of.f[0], of.f[1], of.f[2], of.f[3], of.f[4] + of.f[5], of.f[6] + of.f[7]}, of.stable_step, of.volume};
+}
 
 /// Freezes each point's yield stress at its present effective stress; see freeze_yield of weld_beam.hpp.
 template <LawOfWelds Law>

@@ -17,6 +17,32 @@ constexpr GaussPoint gauss_point(int p) {
   return {p & 1 ? place : -place, p & 2 ? place : -place, p & 4 ? place : -place};
 }
 
+/// The eight points of Gauss's rule.
+struct GaussRule {
+  static constexpr bool weighted = false;
+  static constexpr GaussPoint point(int p) { return gauss_point(p); }
+};
+
+/// Eight points of a brick that is collapsed to a wedge, its edges 5-6 and 7-8 to points: on two levels along eta four
+/// points of the triangle, which have the same share of it: its middle and one towards each corner, such that a field
+/// of second order is integrated exactly. No corner of the triangle differs from the others.
+struct WedgeRule {
+  static constexpr bool weighted = true;
+  static constexpr GaussPoint point(int p) {
+    constexpr double third = 1.0 / 3.0, less = (1.0 - GaussPoint::place) / 3.0, more = 1.0 - 2.0 * less,
+                     aside = 2.0 * more / (1.0 - less) - 1.0;
+    const double height = p & 4 ? GaussPoint::place : -GaussPoint::place;
+    switch (p & 3) {
+      case 0: return {0.0, height, 2.0 * third - 1.0};
+      case 1: return {-aside, height, 2.0 * less - 1.0};
+      case 2: return {aside, height, 2.0 * less - 1.0};
+      default: return {0.0, height, 2.0 * more - 1.0};
+    }
+  }
+  /// In place of one, the weight of Gauss's points: the brick's Jacobian falls to nothing where it is collapsed.
+  static constexpr double weight(int p) { return 1.0 / (1.0 - point(p).zeta); }
+};
+
 /// Derivatives of a nodal field by xi, eta and zeta at a point.
 template <class R>
 struct Slopes {
@@ -60,7 +86,7 @@ template <class R>
 }
 
 /// The brick as its shape functions have it.
-template <class R>
+template <class R, class Rule = GaussRule>
 struct Isoparametric {
   static constexpr bool one_pressure = true;
   static constexpr int points = 8;
@@ -69,25 +95,34 @@ struct Isoparametric {
   /// Velocity gradients of the points and the volumes that go with them.
   [[gnu::always_inline]] void rates(const Patterns<R>& v, Matrix<R> (&l)[points], R (&volume)[points]) const {
     for (int p = 0; p < points; ++p) {
-      const Cofactors<R> c(Slopes<R>(x, gauss_point(p)));
-      l[p] = velocity_gradient(Slopes<R>(v, gauss_point(p)), c);
-      volume[p] = c.jacobian;
+      const Cofactors<R> c(Slopes<R>(x, Rule::point(p)));
+      l[p] = velocity_gradient(Slopes<R>(v, Rule::point(p)), c);
+      volume[p] = weighted(p, c.jacobian);
     }
   }
   [[gnu::always_inline]] void volumes(R (&volume)[points]) const {
-    for (int p = 0; p < points; ++p) volume[p] = Cofactors<R>(Slopes<R>(x, gauss_point(p))).jacobian;
+    for (int p = 0; p < points; ++p) volume[p] = weighted(p, Cofactors<R>(Slopes<R>(x, Rule::point(p))).jacobian);
   }
   /// Nodal forces that do the work of the stresses.
   [[gnu::always_inline]] void forces(const SolidTensor<R> (&stress)[points], Vec3<R> (&f)[8]) const {
     Patterns<R> sum;
     for (int p = 0; p < points; ++p)
-      collect(stress[p], Cofactors<R>(Slopes<R>(x, gauss_point(p))), gauss_point(p), sum);
+      collect(weighted(p, stress[p]), Cofactors<R>(Slopes<R>(x, Rule::point(p))), Rule::point(p), sum);
     const R eighth = R(0.125);
     nodes_of(Patterns<R>{eighth * sum.a,
                          eighth * sum.b,
                          eighth * sum.c,
                          {eighth * sum.h[0], eighth * sum.h[1], eighth * sum.h[2], eighth * sum.h[3]}},
              f);
+  }
+
+ private:
+  template <class T>
+  [[gnu::always_inline]] static T weighted(int p, const T& a) {
+    if constexpr (Rule::weighted)
+      return R(Rule::weight(p)) * a;
+    else
+      return a;
   }
 };
 

@@ -28,14 +28,14 @@ struct Bubbles {
     const auto make = [](int i, int j, const R& dx, const R& dy) {
       return Side<R>{i, j, dx, dy, -6.0 / (dx * dx + dy * dy)};
     };
-    side[0] = make(0, 1, g.x21, R(0.0));
+    side[0] = make(0, 1, g.x21, g.y21);
     side[1] = make(0, 2, g.x31, g.y31);
-    side[2] = make(1, 2, g.x31 - g.x21, g.y31);
-    x[1] = g.over_x;
-    y[1] = -g.x31 * g.over_x * g.over_y;
-    x[2] = R(0.0);
-    y[2] = g.over_y;
-    x[0] = -x[1];
+    side[2] = make(1, 2, g.x31 - g.x21, g.y31 - g.y21);
+    x[1] = g.x2;
+    y[1] = g.y2;
+    x[2] = g.x3;
+    y[2] = g.y3;
+    x[0] = -(x[1] + x[2]);
     y[0] = -(y[1] + y[2]);
   }
   /// Gradient of L_i L_j of a side at the point next to a corner; the mean over the points where `corner` is none.

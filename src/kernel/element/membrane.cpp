@@ -299,13 +299,13 @@ NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties& shell, const La
 
   const Vec3<R> v21 = mid.frame.local(nodes.v[1] - nodes.v[0]), v31 = mid.frame.local(nodes.v[2] - nodes.v[0]);
   ShellRates<R> d;
-  const R vyx = mid.dx(v21.y);
-  d.xx = mid.dx(v21.x);
-  d.yy = mid.dy(v31.y, vyx);
-  d.xy = mid.dy(v31.x, d.xx) + vyx;
-  // Its axes turn with its first side: what turns beside them is (v_y,x - v_x,y)/2 - v_y,x.
-  if (const int field = spin_field(law); field > 0)
-    store_field(state + shell_layout(shell, law).history_of(0) * lanes<R>, field, -0.5 * d.xy);
+  const R vyx = mid.dx(v21.y, v31.y), vxy = mid.dy(v21.x, v31.x);
+  d.xx = mid.dx(v21.x, v31.x);
+  d.yy = mid.dy(v21.y, v31.y);
+  d.xy = vxy + vyx;
+  if (const int field = spin_field(law); field > 0)  // what turns beside the frame
+    store_field(state + shell_layout(shell, law).history_of(0) * lanes<R>, field,
+                0.5 * (vyx - vxy) - mid.spin(v21, v31));
   if (any(!alive)) d = select(alive, d, ShellRates<R>{});
   ShellResultants<R> n = advance_layers(shell, law, shell_layout(shell, law), d, dt, state, alive);
   if (compresses_viscously<R>(shell)) {
@@ -315,10 +315,12 @@ NodalForces<R, 3> membrane_triangle_cycle(const ShellProperties& shell, const La
   }
   const R step = step_and_deletion(shell, law, shell_layout(shell, law), nodes.x, end.area, alive, state);
 
-  const R bx = end.area * end.over_x, by3 = end.area * end.over_y, by2 = -by3 * end.x31 * end.over_x;
+  const auto force = [&](const R& bx, const R& by) {
+    return end.frame.global({end.area * (bx * n.nxx + by * n.nxy), end.area * (by * n.nyy + bx * n.nxy), R(0.0)});
+  };
   NodalForces<R, 3> out;
-  out.f[1] = end.frame.global({bx * n.nxx + by2 * n.nxy, by2 * n.nyy + bx * n.nxy, R(0.0)});
-  out.f[2] = end.frame.global({by3 * n.nxy, by3 * n.nyy, R(0.0)});
+  out.f[1] = force(end.x2, end.y2);
+  out.f[2] = force(end.x3, end.y3);
   out.f[0] = -(out.f[1] + out.f[2]);
   take_out_deleted(alive, out);
   out.stable_step = step;

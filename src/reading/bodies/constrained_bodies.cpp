@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
+#include "kernel/law/law_components.hpp"
+#include "model/lumped_mass.hpp"
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/passes.hpp"
 
@@ -86,6 +89,44 @@ bool is_positive_definite(const std::array<double, 6>& i) {
   return i[0] > least * trace && two > least * trace * trace && all > least * trace * trace * trace;
 }
 
+/// What elements that deform have at the nodes of bodies whose mass is given: these have that and no more.
+void report_mass_beside_given(Builder& b) {
+  const std::vector<RigidBody>& bodies = b.model.rigid_bodies;
+  if (std::none_of(bodies.begin(), bodies.end(), [](const RigidBody& body) { return body.given; })) return;
+  struct Beside {
+    double mass = 0.0;
+    std::vector<int> parts;
+  };
+  std::vector<Beside> beside(bodies.size());
+  const auto by_part = model::lumped_masses(b.model);
+  for (std::size_t p = 0; p < by_part.size(); ++p) {
+    const Index material = b.model.parts[p].material;
+    if (material == none || std::holds_alternative<kernel::Rigid>(b.model.materials[material].law)) continue;
+    for (const auto& [node, mass] : by_part[p]) {
+      const Index body = b.body_of_node[node];
+      if (body == none || !bodies[body].given || !(mass > 0.0)) continue;
+      Beside& of = beside[at(body)];
+      of.mass += mass;
+      if (of.parts.empty() || of.parts.back() != b.model.parts[p].id) of.parts.push_back(b.model.parts[p].id);
+    }
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!(beside[i].mass > 0.0)) continue;
+    const double own = bodies[i].inertia.mass;
+    constexpr double slight = 0.01;
+    b.findings.add({beside[i].mass > slight * own ? Severity::warning : Severity::note,
+                    bodies[i].place,
+                    "",
+                    {},
+                    {},
+                    fmt::format("the mass of {} is given, {:.6g}: the mass {:.6g} of the elements of part{} {} at its "
+                                "nodes takes no part",
+                                name_of(bodies[i]), own, beside[i].mass, beside[i].parts.size() == 1 ? "" : "s",
+                                fmt::join(beside[i].parts, " ")),
+                    "add it to TM, and to the tensor of inertia, if it is not in them"});
+  }
+}
+
 }  // namespace
 
 void constrain_bodies(Builder& builder, const deck::Entry& field, const SinglePointConstraint& spc,
@@ -105,6 +146,7 @@ void constrain_bodies(Builder& builder, const deck::Entry& field, const SinglePo
 }
 
 void check_inertia(Builder& builder) {
+  report_mass_beside_given(builder);
   for (const RigidBody& body : builder.model.rigid_bodies) {
     if (!body.given || is_positive_definite(body.inertia.inertia)) continue;
     const bool harmless = cannot_turn(body);

@@ -32,7 +32,7 @@ Vec3d center_of_mass(Builder& builder, const RigidBody& body);
 void constrain_bodies(Builder& builder, const deck::Entry& field, const SinglePointConstraint& spc,
                       std::vector<Index>& nodes);
 /// Phase::checks, when all that holds the bodies is known: a body that can turn and whose given tensor of inertia is
-/// not positive definite is refused.
+/// not positive definite is refused; the mass of elements at the nodes of a body of given mass is reported.
 void check_inertia(Builder& builder);
 
 /// "nodal rigid body 7", for messages.

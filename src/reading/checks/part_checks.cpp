@@ -176,7 +176,8 @@ void check_solid_formulation(Builder& b, const Part& part, std::vector<char>& re
                     elform));
   if (is_wedge)
     return b.solid_section_rows[s][&SolidCard::elform].report(
-        b.findings, Severity::warning, "wedges are computed as collapsed bricks of eight points (formulation 2)");
+        b.findings, Severity::warning,
+        "wedges have eight points and one pressure here, as bricks of formulation 2; LS-DYNA's have two points");
   if (elform == 0) {
     const bool own_strains =
         part.material != none && b.model.materials[part.material].keyword == "MAT_MODIFIED_HONEYCOMB";

@@ -112,6 +112,19 @@ TEST(RigidBodies, TensorOfNoBodyIsRefusedWhereItCanTurn) {
   EXPECT_TRUE(held.find(Severity::note, "cannot turn, so it does not matter"));
 }
 
+// Three quarters of a square millimetre of sheet, 1 mm of steel.
+TEST(RigidBodies, MassOfElementsBesideAGivenMassIsReported) {
+  const auto built = [](const std::string& mass) {
+    std::string body = body_with_inertia(round_body);
+    body.replace(body.find("       5.0\n"), 10, mass);
+    return Built(small_deck(body));
+  };
+  EXPECT_TRUE(built("       5.0").find(Severity::note, "the mass 5.8875e-09 of the elements of part 1 at its nodes"));
+  EXPECT_TRUE(built("   5.89E-7").find(Severity::note, "takes no part"));
+  EXPECT_TRUE(built("   5.88E-7").find(Severity::warning, "the mass 5.8875e-09")) << built("   5.88E-7").all_findings();
+  EXPECT_FALSE(Built(small_deck("")).find(Severity::note, "takes no part"));
+}
+
 TEST(RigidBodies, ReferenceNodeStandsAtTheCentre) {
   const Built built(small_deck(body_with_inertia(round_body, "       0.5       0.5       2.0")));
   ASSERT_EQ(built.findings.errors(), 0) << built.all_findings();
