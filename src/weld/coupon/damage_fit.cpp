@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unsupported/Eigen/NonLinearOptimization>
+#include <numeric>
 
-#include "base/index.hpp"
+#include "weld/coupon/least_squares.hpp"
 #include "weld/coupon/strength_fit.hpp"
 
 namespace nugget::weld {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// Residuals and their slopes over the logarithm of RS.
 class WorkErrors {
@@ -21,35 +18,31 @@ class WorkErrors {
   WorkErrors(const std::vector<double>& measured, const std::function<std::vector<double>(double)>& simulated)
       : measured_(measured), simulated_(simulated) {}
 
-  int inputs() const { return 1; }
-  int values() const { return static_cast<int>(measured_.size()); }
-
-  int operator()(const VectorXd& log_rupture, VectorXd& residual) {
-    const auto [found, is_new] = known_.try_emplace(log_rupture[0]);
-    if (is_new) found->second = simulated_(std::exp(log_rupture[0]));
-    const std::vector<double>& work = found->second;
+  std::vector<double> residuals(double log_rupture) {
+    const auto [found, is_new] = known_.try_emplace(log_rupture);
+    if (is_new) found->second = simulated_(std::exp(log_rupture));
+    std::vector<double> residual = found->second;
     constexpr double least = 1e-3;  // a weld that is gone at its peak
-    for (std::size_t i = 0; i < work.size(); ++i)
-      residual[static_cast<Eigen::Index>(i)] = std::log(std::max(work[i] / measured_[i], least));
-    last_ = residual;
-    return 0;
+    for (std::size_t i = 0; i < residual.size(); ++i)
+      residual[i] = std::log(std::max(residual[i] / measured_[i], least));
+    return residual;
   }
-  int df(const VectorXd& log_rupture, MatrixXd& slope) {
+  std::vector<double> slopes(double log_rupture, const std::vector<double>& here) {
     constexpr double step = 0.1;  // far above what the states of a run round off
-    const VectorXd here = last_;
-    VectorXd there(here.size());
-    (*this)(log_rupture + VectorXd::Constant(1, step), there);
-    slope.col(0) = (there - here) / step;
-    last_ = here;
-    return 0;
+    std::vector<double> slope = residuals(log_rupture + step);
+    for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = (slope[i] - here[i]) / step;
+    return slope;
   }
 
  private:
   const std::vector<double>& measured_;
   const std::function<std::vector<double>(double)>& simulated_;
   std::map<double, std::vector<double>> known_;  ///< by ln RS: runs are dear
-  VectorXd last_;
 };
+
+double square(const std::vector<double>& v) {
+  return std::inner_product(v.begin(), v.end(), v.begin(), 0.0);
+}
 
 }  // namespace
 
@@ -65,28 +58,26 @@ DamageFit fit_damage(const std::vector<double>& measured, double start,
                      const std::function<std::vector<double>(double)>& simulated) {
   DamageFit fit;
   WorkErrors errors(measured, simulated);
-  VectorXd log_rupture = VectorXd::Constant(1, std::log(start));
-  Eigen::LevenbergMarquardt<WorkErrors> solver(errors);
-  solver.parameters.xtol = 1e-3;
-  solver.parameters.ftol = 1e-4;
-  solver.parameters.maxfev = 12;
-  solver.minimize(log_rupture);
+  const SquareSum sum{
+      .residuals = [&](const std::vector<double>& x) { return errors.residuals(x[0]); },
+      .derivatives = [&](const std::vector<double>& x,
+                         const std::vector<double>& here) { return Columns{errors.slopes(x[0], here)}; },
+      .least_change = 1e-4,
+      .least_step = 1e-3,
+      .evaluations = 12};
+  const double log_rupture = minimized(sum, {std::log(start)})[0];
 
-  const auto values = static_cast<Eigen::Index>(measured.size());
-  VectorXd residual(values);
-  MatrixXd slope(values, 1);
-  errors(log_rupture, residual);
-  errors.df(log_rupture, slope);
+  const std::vector<double> residual = errors.residuals(log_rupture), slope = errors.slopes(log_rupture, residual);
   constexpr double little = 0.05;  // of the work, for as much of RS
-  if (slope.cwiseAbs().maxCoeff() < little) {
+  if (std::ranges::all_of(slope, [](double s) { return std::abs(s) < little; })) {
     fit.fault = "the work behind the peak does not depend on RS in any of these tests [measure one in shear]";
     return fit;
   }
-  fit.rupture = std::exp(log_rupture[0]);
-  for (Eigen::Index i = 0; i < values; ++i) fit.ratio.push_back(std::exp(residual[i]));
-  const int freedom = static_cast<int>(values) - 1;
+  fit.rupture = std::exp(log_rupture);
+  for (const double r : residual) fit.ratio.push_back(std::exp(r));
+  const int freedom = static_cast<int>(measured.size()) - 1;
   if (freedom == 0) return fit;
-  const double half = student_limit(freedom) * std::sqrt(residual.squaredNorm() / freedom / slope.squaredNorm());
+  const double half = student_limit(freedom) * std::sqrt(square(residual) / freedom / square(slope));
   fit.low = fit.rupture * std::exp(-half);
   fit.high = fit.rupture * std::exp(half);
   return fit;

@@ -20,7 +20,7 @@ struct DamageFit {
 };
 
 /// The rupture strain with which the simulated work behind the peak is that measured, as nearly as one number can:
-/// least squares of r_i = ln(simulated / measured) by Levenberg and Marquardt (Eigen) over ln RS, slopes by
+/// least squares of r_i = ln(simulated / measured) by Levenberg and Marquardt over ln RS, slopes by
 /// differences. `measured`: work of each specimen [force length], above 0. `simulated`: the same for a given RS, in
 /// their order; dear. Confidence as in `fit_strengths`. Refused: work that does not depend on RS.
 DamageFit fit_damage(const std::vector<double>& measured, double start,

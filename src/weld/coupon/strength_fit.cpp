@@ -3,22 +3,20 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
-#include <unsupported/Eigen/NonLinearOptimization>
+#include <utility>
+#include <vector>
 
 #include "base/index.hpp"
+#include "weld/coupon/least_squares.hpp"
 
 namespace nugget::weld {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// Residuals and their derivatives over the logarithms of the strengths that are sought.
 class ForceErrors {
@@ -26,15 +24,30 @@ class ForceErrors {
   ForceErrors(const std::vector<StrengthSample>& samples, std::vector<std::size_t> sought, const StrengthForm& form)
       : samples_(samples), sought_(std::move(sought)), form_(form) {}
 
-  int inputs() const { return static_cast<int>(sought_.size()); }
-  int values() const { return static_cast<int>(samples_.size()); }
+  std::vector<double> residuals(const std::vector<double>& log_strength) const {
+    std::vector<double> residual(samples_.size());
+    for (std::size_t i = 0; i < residual.size(); ++i)
+      residual[i] = std::log(failure_value(groups(i, log_strength))) / form_.exponent;
+    return residual;
+  }
+  Columns derivatives(const std::vector<double>& log_strength) const {
+    Columns derivative(sought_.size(), std::vector<double>(samples_.size()));
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const std::array<double, 4> sums = groups(i, log_strength);
+      const double f = failure_value(sums);
+      for (std::size_t k = 0; k < sought_.size(); ++k)
+        derivative[k][i] = -std::pow(sums[group(k)], form_.exponent - 1.0) * ratio(i, k, log_strength) / f;
+    }
+    return derivative;
+  }
 
+ private:
   /// load_k / S_k.
-  double ratio(std::size_t sample, std::size_t k, const VectorXd& log_strength) const {
-    return samples_[sample].load[sought_[k]] / std::exp(log_strength[static_cast<Eigen::Index>(k)]);
+  double ratio(std::size_t sample, std::size_t k, const std::vector<double>& log_strength) const {
+    return samples_[sample].load[sought_[k]] / std::exp(log_strength[k]);
   }
   /// Of each group the sum of its ratios.
-  std::array<double, 4> groups(std::size_t sample, const VectorXd& log_strength) const {
+  std::array<double, 4> groups(std::size_t sample, const std::vector<double>& log_strength) const {
     std::array<double, 4> sums{};
     for (std::size_t k = 0; k < sought_.size(); ++k) sums[group(k)] += ratio(sample, k, log_strength);
     return sums;
@@ -44,24 +57,6 @@ class ForceErrors {
     for (const double sum : sums) f += std::pow(sum, form_.exponent);
     return f;
   }
-
-  int operator()(const VectorXd& log_strength, VectorXd& residual) const {
-    for (std::size_t i = 0; i < samples_.size(); ++i)
-      residual[static_cast<Eigen::Index>(i)] = std::log(failure_value(groups(i, log_strength))) / form_.exponent;
-    return 0;
-  }
-  int df(const VectorXd& log_strength, MatrixXd& derivative) const {
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      const std::array<double, 4> sums = groups(i, log_strength);
-      const double f = failure_value(sums);
-      for (std::size_t k = 0; k < sought_.size(); ++k)
-        derivative(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-            -std::pow(sums[group(k)], form_.exponent - 1.0) * ratio(i, k, log_strength) / f;
-    }
-    return 0;
-  }
-
- private:
   std::size_t group(std::size_t k) const { return at(form_.group[sought_[k]]); }
 
   const std::vector<StrengthSample>& samples_;
@@ -96,40 +91,43 @@ double student_share(double limit, double n) {
 
 /// Failure values of resultants are linear in 1 / S^2: the least squares of f - 1, where that gives strengths, is a
 /// start that cannot run into a corner.
-std::optional<VectorXd> linear_solution(const std::vector<StrengthSample>& samples,
-                                        const std::vector<std::size_t>& sought) {
-  MatrixXd square(samples.size(), sought.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    for (std::size_t k = 0; k < sought.size(); ++k)
-      square(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = std::pow(samples[i].load[sought[k]], 2);
+std::optional<std::vector<double>> linear_solution(const std::vector<StrengthSample>& samples,
+                                                   const std::vector<std::size_t>& sought) {
   // Forces and moments differ by orders of magnitude.
-  const VectorXd scale = square.colwise().maxCoeff().cwiseMax(1e-300);
-  const VectorXd x = (square * scale.cwiseInverse().asDiagonal())
-                         .colPivHouseholderQr()
-                         .solve(VectorXd::Ones(static_cast<Eigen::Index>(samples.size())));
-  if (!(x.minCoeff() > 0.0)) return {};
-  return VectorXd(-0.5 * (x.array() / scale.array()).log());
+  Columns square(sought.size());
+  std::vector<double> scale;
+  for (std::size_t k = 0; k < sought.size(); ++k) {
+    for (const StrengthSample& s : samples) square[k].push_back(std::pow(s.load[sought[k]], 2));
+    scale.push_back(std::max(std::ranges::max(square[k]), 1e-300));
+    for (double& entry : square[k]) entry /= scale[k];
+  }
+  const SingularParts parts = singular_parts(std::move(square));
+  constexpr double nothing = 1e-12;  // of the largest: the samples do not say it
+  if (!(parts.value.back() > nothing * parts.value.front())) return {};
+  std::vector<double> x = least_squares(parts, std::vector<double>(samples.size(), 1.0));
+  if (!(std::ranges::min(x) > 0.0)) return {};
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = -0.5 * std::log(x[k] / scale[k]);
+  return x;
 }
-
-using Parts = Eigen::JacobiSVD<MatrixXd>;
 
 /// A strength of which the samples say nothing, or nothing apart from another one: its name; empty: there is none.
 /// `parts`: of the derivatives.
-std::string undetermined_strength(const MatrixXd& derivative, const Parts& parts,
+std::string undetermined_strength(const Columns& derivative, const SingularParts& parts,
                                   const std::vector<std::size_t>& sought, const StrengthForm& form) {
   constexpr double little = 0.02;  // of a failure value, in the sample that it counts most in
+  const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
   for (std::size_t k = 0; k < sought.size(); ++k)
-    if (derivative.col(static_cast<Eigen::Index>(k)).cwiseAbs().maxCoeff() < little) return form.name[sought[k]];
-  const auto last = parts.singularValues().size() - 1;
-  if (parts.singularValues()[last] > 1e-3 * parts.singularValues()[0]) return {};
-  Eigen::Index most = 0;
-  parts.matrixV().col(last).cwiseAbs().maxCoeff(&most);
-  return form.name[sought[static_cast<std::size_t>(most)]];
+    if (std::abs(std::ranges::max(derivative[k], less)) < little) return form.name[sought[k]];
+  if (parts.value.back() > 1e-3 * parts.value.front()) return {};
+  const std::vector<double>& last = parts.right.back();
+  return form.name[sought[static_cast<std::size_t>(std::ranges::max_element(last, less) - last.begin())]];
 }
 
 /// Diagonal entry i of the inverse of J^T J, by the parts of J.
-double inverse_square(const Parts& parts, Eigen::Index i) {
-  return (parts.matrixV().row(i).transpose().array() / parts.singularValues().array()).square().sum();
+double inverse_square(const SingularParts& parts, std::size_t i) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < parts.value.size(); ++k) sum += std::pow(parts.right[k][i] / parts.value[k], 2);
+  return sum;
 }
 
 }  // namespace
@@ -166,35 +164,31 @@ StrengthFit fit_strengths(const std::vector<StrengthSample>& samples, const std:
     fit.fault = undetermined(name);
   if (!fit.fault.empty()) return fit;
 
-  ForceErrors errors(samples, sought, form);
-  const auto parameters = static_cast<Eigen::Index>(sought.size()), values = static_cast<Eigen::Index>(samples.size());
-  VectorXd log_strength(parameters), residual(values);
-  for (std::size_t k = 0; k < sought.size(); ++k)
-    log_strength[static_cast<Eigen::Index>(k)] = std::log(start[sought[k]]);
-  if (const std::optional<VectorXd> near = linear_solution(samples, sought)) log_strength = *near;
-  Eigen::LevenbergMarquardt<ForceErrors> solver(errors);
-  solver.parameters.ftol = solver.parameters.xtol = 1e-12;
-  solver.minimize(log_strength);
+  const ForceErrors errors(samples, sought, form);
+  std::vector<double> log_strength;
+  for (const std::size_t k : sought) log_strength.push_back(std::log(start[k]));
+  if (const std::optional<std::vector<double>> near = linear_solution(samples, sought)) log_strength = *near;
+  const SquareSum sum{
+      .residuals = [&](const std::vector<double>& x) { return errors.residuals(x); },
+      .derivatives = [&](const std::vector<double>& x, const std::vector<double>&) { return errors.derivatives(x); }};
+  log_strength = minimized(sum, log_strength);
 
-  MatrixXd derivative(values, parameters);
-  errors(log_strength, residual);
-  errors.df(log_strength, derivative);
-  const Parts parts(derivative, Eigen::ComputeThinV);
+  const std::vector<double> residual = errors.residuals(log_strength);
+  const Columns derivative = errors.derivatives(log_strength);
+  const SingularParts parts = singular_parts(derivative);
   if (const std::string name = undetermined_strength(derivative, parts, sought, form); !name.empty()) {
     fit.fault = undetermined(name);
     return fit;
   }
-  for (Eigen::Index i = 0; i < values; ++i) fit.ratio.push_back(std::exp(-residual[i]));
-  for (std::size_t k = 0; k < sought.size(); ++k)
-    fit.strength[sought[k]] = std::exp(log_strength[static_cast<Eigen::Index>(k)]);
-  const int freedom = static_cast<int>(values - parameters);
+  for (const double r : residual) fit.ratio.push_back(std::exp(-r));
+  for (std::size_t k = 0; k < sought.size(); ++k) fit.strength[sought[k]] = std::exp(log_strength[k]);
+  const int freedom = static_cast<int>(samples.size()) - static_cast<int>(sought.size());
   if (freedom == 0) return fit;
-  const double variance = residual.squaredNorm() / freedom;
+  const double variance = std::inner_product(residual.begin(), residual.end(), residual.begin(), 0.0) / freedom;
   fit.scatter = std::sqrt(variance);
   const double t = student_limit(freedom);
   for (std::size_t k = 0; k < sought.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    const double half = t * std::sqrt(variance * inverse_square(parts, i));
+    const double half = t * std::sqrt(variance * inverse_square(parts, k));
     fit.low[sought[k]] = fit.strength[sought[k]] * std::exp(-half);
     fit.high[sought[k]] = fit.strength[sought[k]] * std::exp(half);
   }

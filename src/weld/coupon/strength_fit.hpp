@@ -38,7 +38,7 @@ struct StrengthFit {
 
 /// The strengths S that make the failure value of every sample 1 as nearly as they can,
 ///     least squares of r_i = 1/b ln f_i,   b the exponent of f (StrengthForm),
-/// by Levenberg and Marquardt (Eigen) over ln S_k: r is the error of the force at failure as a share of it, since a
+/// by Levenberg and Marquardt over ln S_k: r is the error of the force at failure as a share of it, since a
 /// load that grows in proportion fails at f^(-1/b) of it. Confidence from the scatter that is left, by Student's t
 /// with as many degrees of freedom as there are samples beyond the strengths
 /// (docs/theory/failure.md#strengths-from-tests). `start` above 0: a strength that is sought. Refused: too few samples,
