@@ -17,18 +17,4 @@ class LawKernel<PiecewiseLinear> : public J2<CurveHardening, false> {
   double deletion_step_;
 };
 
-// The plastic return is not inlined: law/plastic_returns.cpp has it for all elements.
-extern template void J2<CurveHardening, false>::flow<NativeBatch>(LayerTensor<NativeBatch>&, double,
-                                                                  Number<NativeBatch>*,
-                                                                  ThicknessStrain<NativeBatch>&) const;
-extern template void J2<CurveHardening, false>::flow<NativeBatch>(SolidTensor<NativeBatch>&, double,
-                                                                  Number<NativeBatch>*) const;
-extern template void J2<CurveHardening, false>::flow<SingleBatch>(LayerTensor<SingleBatch>&, double,
-                                                                  Number<SingleBatch>*,
-                                                                  ThicknessStrain<SingleBatch>&) const;
-extern template void J2<CurveHardening, false>::flow<SingleBatch>(SolidTensor<SingleBatch>&, double,
-                                                                  Number<SingleBatch>*) const;
-extern template void J2<CurveHardening, false>::flow<NativeBatch>(FibreTensor<NativeBatch>&, double,
-                                                                  Number<NativeBatch>*) const;
-
 }  // namespace nugget::kernel

@@ -13,18 +13,4 @@ class LawKernel<PlasticKinematic> : public J2<BilinearHardening, true> {
   double deletion_step() const { return 0.0; }
 };
 
-// The plastic return is not inlined: law/plastic_returns.cpp has it for all elements.
-extern template void J2<BilinearHardening, true>::flow<NativeBatch>(LayerTensor<NativeBatch>&, double,
-                                                                    Number<NativeBatch>*,
-                                                                    ThicknessStrain<NativeBatch>&) const;
-extern template void J2<BilinearHardening, true>::flow<NativeBatch>(SolidTensor<NativeBatch>&, double,
-                                                                    Number<NativeBatch>*) const;
-extern template void J2<BilinearHardening, true>::flow<SingleBatch>(LayerTensor<SingleBatch>&, double,
-                                                                    Number<SingleBatch>*,
-                                                                    ThicknessStrain<SingleBatch>&) const;
-extern template void J2<BilinearHardening, true>::flow<SingleBatch>(SolidTensor<SingleBatch>&, double,
-                                                                    Number<SingleBatch>*) const;
-extern template void J2<BilinearHardening, true>::flow<NativeBatch>(FibreTensor<NativeBatch>&, double,
-                                                                    Number<NativeBatch>*) const;
-
 }  // namespace nugget::kernel

@@ -100,10 +100,4 @@ class LawKernel<Spotweld> : public J2<WeldHardening, false> {
   bool uniaxial_;
 };
 
-// The plastic return is not inlined: law/plastic_returns.cpp has it for all elements.
-extern template void J2<WeldHardening, false>::flow<NativeBatch>(SolidTensor<NativeBatch>&, double,
-                                                                 Number<NativeBatch>*) const;
-extern template void J2<WeldHardening, false>::flow<NativeBatch>(FibreTensor<NativeBatch>&, double,
-                                                                 Number<NativeBatch>*) const;
-
 }  // namespace nugget::kernel
