@@ -5,22 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "app/exit_code.hpp"
 #include "impact/simulation/options.hpp"
 #include "report/model_picture.hpp"
 #include "weld/placement/placement_deck.hpp"
 
 // The verbs of the `nugget` command. Findings and progress go to standard error, results to files.
 namespace nugget::app {
-
-/// Exit codes of the program; users and tools rely on them.
-enum class ExitCode {
-  normal = 0,
-  refused = 1,
-  wrong_command = 2,
-  error_termination = 3,
-  cannot_write = 4,
-  interrupted = 130
-};
 
 struct RunArguments {
   std::string deck;

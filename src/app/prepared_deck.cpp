@@ -142,6 +142,15 @@ void check_end_time(const model::Model& model, Findings& findings) {
 
 }  // namespace
 
+PreparedDeck::PreparedDeck() = default;
+PreparedDeck::PreparedDeck(const PreparedDeck&) = default;
+PreparedDeck::PreparedDeck(PreparedDeck&&) noexcept = default;
+PreparedDeck& PreparedDeck::operator=(const PreparedDeck& other) {
+  return *this = PreparedDeck(other);
+}
+PreparedDeck& PreparedDeck::operator=(PreparedDeck&&) noexcept = default;
+PreparedDeck::~PreparedDeck() = default;
+
 PreparedDeck prepare(const RunArguments& arguments, Findings& findings, EndTime end_time,
                      const WorkTogether& together) {
   PreparedDeck p;

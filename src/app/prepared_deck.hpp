@@ -17,6 +17,13 @@ namespace nugget::app {
 
 /// What comes out of reading and checking a deck, resolving its initial penetrations, tying and auditing its welds.
 struct PreparedDeck {
+  PreparedDeck();
+  PreparedDeck(const PreparedDeck&);
+  PreparedDeck(PreparedDeck&&) noexcept;
+  PreparedDeck& operator=(const PreparedDeck&);
+  PreparedDeck& operator=(PreparedDeck&&) noexcept;
+  ~PreparedDeck();
+
   bool has_text = false;  ///< the deck could be opened and is not empty
   std::uint64_t deck_checksum = 0;
   std::vector<std::string> files;  ///< that were read, by their whole paths, the master file first

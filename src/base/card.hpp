@@ -121,21 +121,21 @@ constexpr Field unused(int width = 10) {
 }
 /// The same field with another number of columns.
 template <class AnyField>
-constexpr AnyField wide(AnyField f, int width) {
+[[gnu::noinline]] constexpr AnyField wide(AnyField f, int width) {
   f.width = width;
   return f;
 }
 
 /// The same field, of which a negative value stands for an id: moved like one, and free of units.
 template <class AnyField>
-constexpr AnyField or_negative(AnyField f, IdSpace space) {
+[[gnu::noinline]] constexpr AnyField or_negative(AnyField f, IdSpace space) {
   f.negative = space;
   return f;
 }
 
 /// The same field with other values allowed.
 template <class AnyField>
-constexpr AnyField within_range(AnyField f, Range range) {
+[[gnu::noinline]] constexpr AnyField within_range(AnyField f, Range range) {
   f.range = range;
   return f;
 }
@@ -162,26 +162,25 @@ V T::*within(S T::*outer, V S::*inner) {
   return std::bit_cast<V T::*>(offset_of(outer) + offset_of(inner));
 }
 
+/// A field and the place that takes its value. Called like the makers above, and for the same reason.
+struct BoundField : Field {
+ protected:
+  BoundField(const Field& field, Store as, std::ptrdiff_t bytes);
+};
+
 /// A field and the member of T that takes its value. A real stands in a double, a whole number or an id in an int, a
 /// bool (not 0) or an enumeration, a text in a string; else the table does not compile.
 template <class T>
-struct FieldOf : Field {
-  FieldOf(const Field& unbound) : Field(unbound) {}
-  FieldOf(double T::*member, const RealField& field) : Field(field) { bind(Store::real, offset_of(member)); }
-  FieldOf(int T::*member, const IntegerField& field) : Field(field) { bind(Store::integer, offset_of(member)); }
-  FieldOf(bool T::*member, const IntegerField& field) : Field(field) { bind(Store::flag, offset_of(member)); }
-  FieldOf(std::string T::*member, const TextField& field) : Field(field) { bind(Store::text, offset_of(member)); }
+struct FieldOf : BoundField {
+  FieldOf(const Field& unbound) : BoundField(unbound, Store::nowhere, 0) {}
+  FieldOf(double T::*member, const RealField& field) : BoundField(field, Store::real, offset_of(member)) {}
+  FieldOf(int T::*member, const IntegerField& field) : BoundField(field, Store::integer, offset_of(member)) {}
+  FieldOf(bool T::*member, const IntegerField& field) : BoundField(field, Store::flag, offset_of(member)) {}
+  FieldOf(std::string T::*member, const TextField& field) : BoundField(field, Store::text, offset_of(member)) {}
   template <class Choice, class Base>
   requires std::is_enum_v<Choice> &&(sizeof(Choice) == sizeof(int)) &&
-      std::is_base_of_v<Base, T> FieldOf(Choice Base::*member, const IntegerField& field) : Field(field) {
-    bind(Store::integer, offset_of<T, Choice>(member));
-  }
-
- private:
-  void bind(Store as, std::ptrdiff_t bytes) {
-    store = as;
-    offset = bytes;
-  }
+      std::is_base_of_v<Base, T> FieldOf(Choice Base::*member, const IntegerField& field)
+      : BoundField(field, Store::integer, offset_of<T, Choice>(member)) {}
 };
 
 /// Puts fields behind those of the card.

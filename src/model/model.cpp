@@ -7,6 +7,15 @@
 
 namespace nugget::model {
 
+Model::Model() = default;
+Model::Model(const Model&) = default;
+Model::Model(Model&&) noexcept = default;
+Model& Model::operator=(const Model& other) {
+  return *this = Model(other);
+}
+Model& Model::operator=(Model&&) noexcept = default;
+Model::~Model() = default;
+
 double Material::young() const {
   return std::visit([](const auto& l) { return l.E; }, law);
 }

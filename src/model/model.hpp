@@ -177,7 +177,15 @@ struct KeywordUse {
   Place first;
 };
 
+/// Copied, moved and taken down in one place: it has a hundred lists.
 struct Model : LoadLists {
+  Model();
+  Model(const Model&);
+  Model(Model&&) noexcept;
+  Model& operator=(const Model&);
+  Model& operator=(Model&&) noexcept;
+  ~Model();
+
   std::string title;
   std::string deck;   ///< path of the master file as given
   std::string units;  ///< name of the units that the user gave (model/units.hpp); empty: as recognised

@@ -117,6 +117,15 @@ void read_energies(const fs::path& directory, RunData& data) {
 
 }  // namespace
 
+RunData::RunData() = default;
+RunData::RunData(const RunData&) = default;
+RunData::RunData(RunData&&) noexcept = default;
+RunData& RunData::operator=(const RunData& other) {
+  return *this = RunData(other);
+}
+RunData& RunData::operator=(RunData&&) noexcept = default;
+RunData::~RunData() = default;
+
 RunData read_run(const fs::path& directory) {
   RunData data;
   data.summary = read_json(directory / "summary.json");

@@ -23,6 +23,13 @@ struct ResponseCurve {
 
 /// What the files of a folder say of the run that left them there.
 struct RunData {
+  RunData();
+  RunData(const RunData&);
+  RunData(RunData&&) noexcept;
+  RunData& operator=(const RunData&);
+  RunData& operator=(RunData&&) noexcept;
+  ~RunData();
+
   nlohmann::json summary;      ///< summary.json
   nlohmann::json findings;     ///< findings.json; an empty list where it is missing
   std::vector<WeldRow> welds;  ///< welds.csv

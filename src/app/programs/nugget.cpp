@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/programs/started_ranks.hpp"
 #include "app/terminal.hpp"
 

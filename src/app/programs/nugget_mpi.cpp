@@ -17,11 +17,11 @@
 #include <vector>
 
 #include "app/command_line.hpp"
-#include "app/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/programs/started_ranks.hpp"
 #include "app/rank_team.hpp"
 #include "app/terminal.hpp"
-#include "nvh/eigen/lanczos.hpp"
+#include "nvh/eigen/followed_calls.hpp"
 #include "nvh/matrices/ranks.hpp"
 #include "output/restart_file.hpp"
 

@@ -3,6 +3,8 @@
 
 namespace nugget::impact {
 
+Components::~Components() = default;
+
 Components::Components(system::System& system, std::span<const Row> x, Findings& findings)
     : supports(system, findings),
       loads(system),

@@ -63,6 +63,9 @@ struct Components {
 
   /// Faults of the input become findings. `x`: places at the start [length].
   Components(system::System& system, std::span<const Row> x, Findings& findings);
+  Components(const Components&) = delete;
+  Components& operator=(const Components&) = delete;
+  ~Components();
 
   /// Calls `visit` with each component; sums of energies are added up in this order.
   template <class Visit>

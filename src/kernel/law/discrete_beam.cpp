@@ -6,6 +6,13 @@
 
 namespace nugget::kernel {
 
+DiscreteBeam::DiscreteBeam() = default;
+DiscreteBeam::DiscreteBeam(const DiscreteBeam&) = default;
+DiscreteBeam::DiscreteBeam(DiscreteBeam&&) noexcept = default;
+DiscreteBeam& DiscreteBeam::operator=(const DiscreteBeam&) = default;
+DiscreteBeam& DiscreteBeam::operator=(DiscreteBeam&&) noexcept = default;
+DiscreteBeam::~DiscreteBeam() = default;
+
 double DiscreteBeam::failure_value(const std::array<double, 6>& force,
                                    const std::array<double, 6>& displacement) const {
   double by_force = 0.0, tension = 0.0, compression = 0.0, largest = 0.0;

@@ -16,6 +16,13 @@ namespace nugget::kernel {
 /// t, then rotations about them; and when the beam fails. Source: LS-DYNA Keyword Manual. With `joint` the six flow and
 /// fail together; `dof` then holds the stiffnesses alone.
 struct DiscreteBeam {
+  DiscreteBeam();
+  DiscreteBeam(const DiscreteBeam&);
+  DiscreteBeam(DiscreteBeam&&) noexcept;
+  DiscreteBeam& operator=(const DiscreteBeam&);
+  DiscreteBeam& operator=(DiscreteBeam&&) noexcept;
+  ~DiscreteBeam();
+
   static constexpr double E = 0.0, nu = 0.0;  ///< it has none; asked of every law
   std::array<DiscreteSpring, 6> dof;
   /// A spring between two points (MAT_074, 121), whose displacement is the change of their distance. Where they are at

@@ -6,6 +6,13 @@
 
 namespace nugget::kernel {
 
+DiscreteSpring::DiscreteSpring() = default;
+DiscreteSpring::DiscreteSpring(const DiscreteSpring&) = default;
+DiscreteSpring::DiscreteSpring(DiscreteSpring&&) noexcept = default;
+DiscreteSpring& DiscreteSpring::operator=(const DiscreteSpring&) = default;
+DiscreteSpring& DiscreteSpring::operator=(DiscreteSpring&&) noexcept = default;
+DiscreteSpring::~DiscreteSpring() = default;
+
 ForceCurve::ForceCurve(const Curve& curve) : x_(curve.x), y_(curve.y) {
   for (std::size_t i = 0; i + 1 < x_.size(); ++i) slope_.push_back((y_[i + 1] - y_[i]) / (x_[i + 1] - x_[i]));
   if (x_.size() == 1) slope_.push_back(0.0);

@@ -49,6 +49,13 @@ class ForceCurve {
 /// where f follows the displacement d as `kind` says and v is the rate of d. Sources: LS-DYNA Keyword Manual (MAT_066,
 /// 067, 074, 119, S01-S08); Altair Radioss, LS-DYNA input interface, MAT_068, 119, 121, 196.
 struct DiscreteSpring {
+  DiscreteSpring();
+  DiscreteSpring(const DiscreteSpring&);
+  DiscreteSpring(DiscreteSpring&&) noexcept;
+  DiscreteSpring& operator=(const DiscreteSpring&);
+  DiscreteSpring& operator=(DiscreteSpring&&) noexcept;
+  ~DiscreteSpring();
+
   enum class Kind {
     none,          ///< f = 0
     linear,        ///< f = K d

@@ -21,6 +21,13 @@ struct CohesiveBond;  // law/cohesive_bond.hpp
 
 /// What a compound law is made of: how a point flows, and when it and its element fail.
 struct LawComponents {
+  LawComponents(Flow of_points);
+  LawComponents(const LawComponents&);
+  LawComponents(LawComponents&&) noexcept;
+  LawComponents& operator=(const LawComponents&);
+  LawComponents& operator=(LawComponents&&) noexcept;
+  ~LawComponents();
+
   Flow flow;                              ///< its own deletion step is not used
   double failure_strain = 0.0;            ///< effective plastic strain at which a point fails [1]; 0: none
   Curve failure_strain_over_rate{};       ///< the same over the total strain rate; empty: none

@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "nvh/eigen/followed_calls.hpp"
 #include "nvh/eigen/kept_memory.hpp"
 #include "nvh/eigen/shift_invert.hpp"
 #include "nvh/matrices/dense.hpp"

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "nvh/matrices/factorization.hpp"
-#include "nvh/matrices/ranks.hpp"
 
 namespace nugget::nvh {
 
@@ -32,8 +31,5 @@ struct NearestPairs {
 /// the basis, and computes with them.
 Eigenpairs nearest(const Matrices& matrices, const Factorization& factorization, const NearestPairs& wanted,
                    const std::function<void(int converged)>& progress = {});
-
-/// On the other ranks: answers what `next` waits for, calls of MUMPS and searches for pairs, to the end.
-void follow_calls(Ranks& ranks, const std::function<SolverCall()>& next);
 
 }  // namespace nugget::nvh

@@ -254,8 +254,7 @@ kernel::CohesiveBond bond_of_row(Builder& b, const RowOf<CohesiveCards>& row) {
 
 Index add_bond(Builder& b, const RowOf<CohesiveCards>& row, std::string title, std::string_view name,
                kernel::CohesiveBond bond) {
-  kernel::LawComponents law;
-  law.flow = kernel::Elastic{};
+  kernel::LawComponents law{kernel::Elastic{}};
   law.bond = std::make_shared<const kernel::CohesiveBond>(std::move(bond));
   return add_material(b, row, std::move(title), name, kernel::composed_law(std::move(law)));
 }
@@ -415,8 +414,7 @@ void set_general_bond(Builder& b, Index material, kernel::CohesiveBond bond, con
   shaped.normal_end = row->gic / (shaped.area() * modes->t);
   shaped.shear_end = row->giic / (shaped.area() * modes->s);
   shape_bond(bond, shaped);
-  kernel::LawComponents law;
-  law.flow = kernel::Elastic{};
+  kernel::LawComponents law{kernel::Elastic{}};
   law.bond = std::make_shared<const kernel::CohesiveBond>(std::move(bond));
   b.model.materials[material].law = kernel::composed_law(std::move(law));
 }
@@ -524,8 +522,7 @@ void read_arup(Builder& b, const Block& block, const Options& options) {
     if (row->shrmax < none_from)
       check_energy(b, row[&ArupCards::gcshr], row->gcshr * (1.0 - glue.shear.plateau), row->shrmax, k.shear);
   }
-  kernel::LawComponents law;
-  law.flow = kernel::Elastic{};
+  kernel::LawComponents law{kernel::Elastic{}};
   law.bond = std::make_shared<const kernel::CohesiveBond>(std::move(bond));
   add_material(b, row, std::move(title), "MAT_ARUP_ADHESIVE", kernel::composed_law(std::move(law)));
 }
