@@ -165,8 +165,7 @@ double structural_stress(const Load& l) {
       most = std::max(most, -(at.vs * c + at.vt * s) / (pi * d * t) + 1.744 * at.pull() / (t * t) +
                                 1.872 * (at.ms * s - at.mt * c) / (d * t * t));
     const double sigma = 4 * l.pull() / (pi * d * d) + 32 * (l.ms * s - l.mt * c) / (pi * d * d * d);
-    const double across = l.v() > 0.0 ? (l.vs * s - l.vt * c) / l.v() : 0.0;  // sine of the angle to the force
-    const double tau = 16 * l.v() * across * across / (3 * pi * d * d);
+    const double tau = 16 * (l.vs * s * s + l.vt * c * c) / (3 * pi * d * d);
     most = std::max(most, 0.5 * sigma + std::hypot(0.5 * sigma, tau));
   }
   return most / 4.0;

@@ -15,10 +15,10 @@ using std::numbers::pi;
 ///       s(F) = F / (pi d t_1), s(N) = 1.744 max(N, 0) / t_1^2, s(M) = 1.872 M / (d t_1^2)
 ///   in sheet 2, which sees the weld from its other end: with t_2, and s(M) of the other sign
 ///   in the nugget, first principal stress of
-///       normal s(N) + s(M_s) sin a - s(M_t) cos a, shear t(F) sin^2 a, a from the direction of F on,
+///       normal s(N) + s(M_s) sin a - s(M_t) cos a, shear t(F_s) sin^2 a + t(F_t) cos^2 a,
 ///       t(F) = 16 F / (3 pi d^2), s(N) = 4 max(N, 0) / (pi d^2), s(M) = 32 M / (pi d^3)
-/// over all angles a. A sheet of thickness 0 is left out. Nothing depends on which end is the first, or on how the axes
-/// s and t lie (decision 0172).
+/// over all angles a. A sheet of thickness 0 is left out. The stress of the sheets does not depend on which end is the
+/// first, or on how the axes s and t lie (decision 0172).
 class StructuralStress final : public Function {
  public:
   StructuralStress(double diameter, std::array<double, 2> thickness, double limit)
@@ -47,17 +47,14 @@ class StructuralStress final : public Function {
            std::hypot(force * r.shear_s + bend * r.moment_t, force * r.shear_t - bend * r.moment_s);
   }
 
-  /// The moment's parts about the direction of the shear force and across it; without a force any direction serves.
+  /// As published: with shear along both axes, or its sign turned, it depends on how the axes lie.
   double nugget_stress(const Resultants& r) const {
-    const double force = std::hypot(r.shear_s, r.shear_t);
-    const double c = force > 0.0 ? r.shear_s / force : 1.0, s = force > 0.0 ? r.shear_t / force : 0.0;
-    const double along = c * r.moment_s + s * r.moment_t, across = c * r.moment_t - s * r.moment_s;
     const double pull = 4.0 * r.tension() / (pi * d_ * d_), bend = 32.0 / (pi * d_ * d_ * d_);
-    const double shear = 16.0 * force / (3.0 * pi * d_ * d_);
+    const double shear = 16.0 / (3.0 * pi * d_ * d_);
     const auto principal = [&](double angle) {
-      const double cosine = std::cos(angle), sine = std::sin(angle);
-      const double normal = pull + bend * (along * sine - across * cosine);
-      return 0.5 * normal + std::hypot(0.5 * normal, shear * sine * sine);
+      const double c = std::cos(angle), s = std::sin(angle);
+      const double normal = pull + bend * (r.moment_s * s - r.moment_t * c);
+      return 0.5 * normal + std::hypot(0.5 * normal, shear * (r.shear_s * s * s + r.shear_t * c * c));
     };
     // the best of 24 directions, refined between its neighbours
     constexpr int directions = 24;
