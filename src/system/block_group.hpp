@@ -137,7 +137,6 @@ class BlockGroup : public ElementGroup {
   void damp(std::size_t b, Motion motion, double dt, Slots& slots) const;
 
   std::size_t corners() const { return at(nodes_per_element); }
-  std::size_t rows() const { return rotational ? 2 : 1; }
   static int lane(std::size_t e) { return static_cast<int>(e % width); }
   std::size_t node_index(std::size_t e, std::size_t a) const {
     return e / width * width * corners() + a * width + e % width;

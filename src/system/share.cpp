@@ -116,11 +116,12 @@ Share::Share(const System& system, Ranks& ranks, Partition partition, std::span<
 }
 
 void Share::send(const Slots& slots, const SingleSlots& single) {
+  const std::size_t doubles = slots.size();
   for (Message& message : in_) ranks_.receive(message.from, std::as_writable_bytes(std::span(message.data)));
   for (Message& message : out_) {
     for (std::size_t i = 0; i < message.slots.size(); ++i) {
       const std::size_t slot = message.slots[i];
-      const Vec3d v = slot < slots.size() ? slots[slot] : single[slot - slots.size()];
+      const Vec3d v = slot < doubles ? slots[slot] : single[slot - doubles];
       message.data[i] = {v.x, v.y, v.z};
     }
     for (const int to : message.to) ranks_.send(to, std::as_bytes(std::span<const Row3>(message.data)));
@@ -128,15 +129,16 @@ void Share::send(const Slots& slots, const SingleSlots& single) {
 }
 
 void Share::receive(Slots& slots, SingleSlots& single) {
+  const std::size_t doubles = slots.size();
   ranks_.finish();
   for (const Message& message : in_) {
     for (std::size_t i = 0; i < message.slots.size(); ++i) {
       const std::size_t slot = message.slots[i];
       const Row3& v = message.data[i];
-      if (slot < slots.size())
+      if (slot < doubles)
         slots.set(slot, {v.x, v.y, v.z});
       else
-        single.set(slot - slots.size(), {v.x, v.y, v.z});
+        single.set(slot - doubles, {v.x, v.y, v.z});
     }
   }
 }

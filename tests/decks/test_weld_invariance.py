@@ -9,6 +9,16 @@ from welded_sheets import STEEL, Sheets, weld_material
 
 
 class WeldInvariance(CommandTest):
+    def run_thrown(self, s, sheets, name):
+        """The rows of the welds after a run in which the lower sheet is held by its edge and the other edge of the upper one is thrown."""
+        s.node_set(1, s.column(sheets[0], 0))
+        s.node_set(2, s.column(sheets[1], -1) + s.column(sheets[1], -2))
+        s.cards += ["*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1", "*INITIAL_VELOCITY\n2\n9000.0,6000.0,18000.0"]
+        self.write(s.text(), f"{name}.k")
+        self.nugget("run", f"{name}.k", "-o", name, "-j1", "--quiet")
+        with (self.folder / name / "welds.csv").open() as file:
+            return list(csv.DictReader(file))
+
     def run_lap(self, name, exchanged):
         """A lap joint of 1.2 and 1.5 mm whose upper sheet is thrown up and along, on two welds with OPT 5."""
         s = Sheets()
@@ -20,13 +30,7 @@ class WeldInvariance(CommandTest):
             ends = [(x, y, 0.0), (x, y, 2.0)]
             s.beam(welds, *(reversed(ends) if exchanged else ends))
         s.tie([welds], sheets)
-        s.node_set(1, s.column(sheets[0], 0))
-        s.node_set(2, s.column(sheets[1], -1) + s.column(sheets[1], -2))
-        s.cards += ["*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1", "*INITIAL_VELOCITY\n2\n9000.0,6000.0,18000.0"]
-        self.write(s.text(), f"{name}.k")
-        self.nugget("run", f"{name}.k", "-o", name, "-j1", "--quiet")
-        with (self.folder / name / "welds.csv").open() as file:
-            welds = list(csv.DictReader(file))
+        welds = self.run_thrown(s, sheets, name)
         last = lsda.states(lsda.read(self.folder / name / "binout0000"), "glstat")[-1]
         return welds, {q: last[q][0] for q in ("kinetic_energy", "internal_energy", "eroded_internal_energy")}
 
@@ -57,13 +61,7 @@ class WeldInvariance(CommandTest):
             n, x, y, z = (float(value) for value in node.split(","))
             s.nodes[i] = f"{n:.0f},{x:.9g},{y:.9g},{z + 0.006 * x * y:.9g}"
         s.tie([part], sheets)
-        s.node_set(1, s.column(sheets[0], 0))
-        s.node_set(2, s.column(sheets[1], -1) + s.column(sheets[1], -2))
-        s.cards += ["*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1", "*INITIAL_VELOCITY\n2\n9000.0,6000.0,18000.0"]
-        self.write(s.text(), f"{name}.k")
-        self.nugget("run", f"{name}.k", "-o", name, "-j1", "--quiet")
-        with (self.folder / name / "welds.csv").open() as file:
-            return next(csv.DictReader(file))
+        return self.run_thrown(s, sheets, name)[0]
 
     def test_records_of_equal_rank(self):
         """Sabotage: of equal RANK the record of the sheet where the brick begins."""

@@ -18,10 +18,6 @@ constexpr std::size_t nodes_per_range = 512;
 constexpr std::size_t most_rows = 2 * std::tuple_size_v<system::ElementNodes>;
 
 /// Forces, and moments, at the nodes of an element.
-std::size_t rows_of(const system::ElementGroup& group) {
-  return at(group.nodes_per_element) * (group.rotational ? 2 : 1);
-}
-
 Frame3d frame(const Vec3d& first, const Vec3d& second) {
   const Vec3d e1 = unit(first), e3 = unit(cross(first, second));
   return {e1, cross(e3, e1), e3};
@@ -295,7 +291,7 @@ void Damping::add_deformation_damping(const model::FrequencyRangeDamping& card, 
     Deforming d;
     d.group = static_cast<int>(g);
     d.filters = filters;
-    d.passed.resize(group.size() * 3 * rows_of(group) * (1 + deform_.back().corner.size()));
+    d.passed.resize(group.size() * 3 * group.rows_of_element() * (1 + deform_.back().corner.size()));
     if (group.nodes_per_element == 2) d.across.resize(group.size());
     deforming_of_[g] = static_cast<int>(deforming_.size());
     deforming_.push_back(std::move(d));
@@ -320,7 +316,8 @@ void Damping::deform(Deforming& damping, const DampingFilters::Step& step, std::
                      const system::State& state, double dt) {
   const system::ElementGroup& group = *system_.groups[damping.group];
   const DampingFilters& filters = deform_[damping.filters];
-  const std::size_t count = filters.corner.size(), rows = rows_of(group), corners = at(group.nodes_per_element);
+  const std::size_t count = filters.corner.size(), rows = group.rows_of_element(),
+                    corners = at(group.nodes_per_element);
   for (std::size_t e = begin; e < end; ++e) {
     double* last = &damping.passed[e * 3 * rows * (1 + count)];
     const auto slot = [&](std::size_t r) {

@@ -350,7 +350,7 @@ class AssembledStep::Vibration {
 
   void add_block(const Block& b, double dt) {
     const system::ElementGroup& group = *system_.groups[b.group];
-    const std::size_t width = group.block_width(), rows = at(group.nodes_per_element) * (group.rotational ? 2 : 1);
+    const std::size_t width = group.block_width(), rows = group.rows_of_element();
     const std::span<Row> slots = std::span(slots_).subspan(b.first_row, width * rows);
     group.vibrate(b.block, state_, v_, w_, dt, slots);
     for (std::size_t l = 0; l < width; ++l) {
@@ -434,7 +434,7 @@ void AssembledStep::choose_blocks(std::span<const Row> x) {
       if (!meets) continue;
       for (std::size_t b = first / width; b * width < end; ++b) {
         blocks_.push_back({static_cast<int>(g), b, rows_});
-        rows_ += width * at(group.nodes_per_element) * (group.rotational ? 2 : 1);
+        rows_ += width * group.rows_of_element();
       }
     }
   }

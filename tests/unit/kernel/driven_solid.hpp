@@ -19,6 +19,14 @@
 //   layout(law), start(layout, places, state), cycle<R>(properties, law, layout, nodes, dt, state)
 namespace nugget::kernel {
 
+/// Without bulk viscosity: all forces are those of stresses.
+inline HexahedronProperties inviscid_solid() {
+  HexahedronProperties b;
+  b.density = steel_density;
+  b.bulk_linear = b.bulk_quadratic = 0.0;
+  return b;
+}
+
 template <class Element>
 using PlacesOf = std::array<Vec3d, Element::corners>;
 

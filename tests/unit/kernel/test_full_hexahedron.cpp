@@ -22,13 +22,6 @@ Corners distorted(Random& random, double size = 0.4) {
   return x;
 }
 
-HexahedronProperties inviscid() {
-  HexahedronProperties b;
-  b.density = steel_density;
-  b.bulk_linear = b.bulk_quadratic = 0.0;
-  return b;
-}
-
 constexpr BrickStrains own = BrickStrains::shape_functions, assumed = BrickStrains::assumed,
                        enhanced = BrickStrains::enhanced;
 
@@ -69,22 +62,22 @@ void batch_gives_the_bits_of_each_alone(const HexahedronProperties& properties, 
 }
 
 TEST(FullHexahedron, BatchGivesTheBitsOfEachAlone) {
-  HexahedronProperties viscous = inviscid();
+  HexahedronProperties viscous = inviscid_solid();
   viscous.bulk_linear = 0.06;
   viscous.bulk_quadratic = 1.5;
   batch_gives_the_bits_of_each_alone(viscous, steel);
   batch_gives_the_bits_of_each_alone(viscous, mixed(0.3));
   PiecewiseLinear failing = curved();
   failing.failure_strain = 0.05;
-  batch_gives_the_bits_of_each_alone(inviscid(), failing);
-  batch_gives_the_bits_of_each_alone<assumed>(inviscid(), mixed(0.3));
-  batch_gives_the_bits_of_each_alone<enhanced>(inviscid(), mixed(0.3));
+  batch_gives_the_bits_of_each_alone(inviscid_solid(), failing);
+  batch_gives_the_bits_of_each_alone<assumed>(inviscid_solid(), mixed(0.3));
+  batch_gives_the_bits_of_each_alone<enhanced>(inviscid_solid(), mixed(0.3));
 }
 
 template <BrickStrains strains>
 void patch() {
   Random random;
-  Driven<Elastic, strains> d(inviscid(), steel, distorted(random));
+  Driven<Elastic, strains> d(inviscid_solid(), steel, distorted(random));
   for (Vec3d& v : d.nodes.v) {
     const Vec3d& x = d.nodes.x[&v - d.nodes.v];
     v = 1e-6 * Vec3d{x.x + 0.5 * x.y, x.y + 0.5 * x.x - 0.2 * x.z, 0.3 * x.z - 0.2 * x.y};
@@ -130,7 +123,7 @@ void constant_stress_is_passed_on_exactly() {
   // A unit mean stress gives dV/dx, as in every brick; so neighbours of any shape balance.
   Random random;
   const Corners x = distorted(random);
-  Driven<Elastic, strains> d(inviscid(), steel, x);
+  Driven<Elastic, strains> d(inviscid_solid(), steel, x);
   for (int p = 0; p < L::points; ++p)
     for (int i = 0; i < 3; ++i) d.state[d.layout.point(p) + i] = 1.0;
   d.step(0.0);
@@ -153,7 +146,7 @@ TEST(FullHexahedron, ConstantStressIsPassedOnExactly) {
 template <BrickStrains strains>
 void one_pressure() {
   Random random;
-  Driven<PiecewiseLinear, strains> d(inviscid(), curved(), distorted(random));
+  Driven<PiecewiseLinear, strains> d(inviscid_solid(), curved(), distorted(random));
   for (int cycle = 0; cycle < 20; ++cycle) {
     for (Vec3d& v : d.nodes.v) v = random.vector(20000.0);
     d.step(1e-7);
@@ -171,7 +164,7 @@ template <BrickStrains strains>
 void rigid_rotation_strains_nothing() {
   Random random;
   const double dt = 1e-7;
-  Driven<PlasticKinematic, strains> d(inviscid(), mixed(0.5), distorted(random));
+  Driven<PlasticKinematic, strains> d(inviscid_solid(), mixed(0.5), distorted(random));
   for (int cycle = 0; cycle < 20; ++cycle) {
     for (Vec3d& v : d.nodes.v) v = random.vector(40000.0);
     d.step(dt);
@@ -191,7 +184,7 @@ std::vector<double> stiffness(const Corners& x) {
   SolidMotion<double> rest;
   std::copy(x.begin(), x.end(), rest.x);
   return element_stiffness(rest, [&](const SolidMotion<double>& motion, double step) {
-    Driven<Elastic, strains> d(inviscid(), steel, x);
+    Driven<Elastic, strains> d(inviscid_solid(), steel, x);
     return one_element(motion, d.state, [&](const auto& all, double* store) {
       return full_hexahedron_cycle(d.properties, strains, d.law, all, step, store);
     });
@@ -257,7 +250,7 @@ std::array<Vec3d, 8> forces_by(const Numbering& number) {
   const auto place = [&](Vec3d v) { return number.left_handed() ? Vec3d{-v.x, v.y, v.z} : v; };
   Corners numbered;
   for (std::size_t i = 0; i < 8; ++i) numbered[i] = place(x[number(i)]);
-  Driven<PlasticKinematic, strains> d(inviscid(), mixed(0.3), numbered);
+  Driven<PlasticKinematic, strains> d(inviscid_solid(), mixed(0.3), numbered);
   for (int cycle = 0; cycle < 20; ++cycle) {
     std::array<Vec3d, 8> v;
     for (Vec3d& a : v) a = random.vector(40000.0);
@@ -296,8 +289,8 @@ template <BrickStrains strains>
 double plate_moment() {
   const double a = 10.0, h = 1.0, dt = 1e-7, yield = 250.0;
   Corners x{Vec3d{-a, -a, -h}, {a, -a, -h}, {a, a, -h}, {-a, a, -h}, {-a, -a, h}, {a, -a, h}, {a, a, h}, {-a, a, h}};
-  Driven<PlasticKinematic, strains> d(inviscid(), PlasticKinematic{steel_E, steel_nu, yield, 0.0, 1.0, 0.0, 0.0, 0.0},
-                                      x);
+  Driven<PlasticKinematic, strains> d(inviscid_solid(),
+                                      PlasticKinematic{steel_E, steel_nu, yield, 0.0, 1.0, 0.0, 0.0, 0.0}, x);
   const double last = 10.0 * yield / steel_E;  // strain of the faces
   const int cycles = 2000;
   for (int cycle = 0; cycle < cycles; ++cycle) {
@@ -320,7 +313,7 @@ TEST(FullHexahedron, FailedBrickIsDeleted) {
   PiecewiseLinear law = bilinear(250, 0);
   law.failure_strain = 0.02;
   Random random;
-  Driven<PiecewiseLinear> d(inviscid(), law, distorted(random, 0.1));
+  Driven<PiecewiseLinear> d(inviscid_solid(), law, distorted(random, 0.1));
   int cycle = 0;
   bool partly = false;
   for (; cycle < 5000 && d.at(L::alive) > 0.5; ++cycle) {

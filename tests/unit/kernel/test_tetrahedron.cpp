@@ -18,13 +18,6 @@ Corners distorted(Random& random, double size = 0.4) {
 
 const Corners regular{Vec3d{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
 
-HexahedronProperties inviscid() {
-  HexahedronProperties b;
-  b.density = steel_density;
-  b.bulk_linear = b.bulk_quadratic = 0.0;
-  return b;
-}
-
 /// See driven_solid.hpp.
 struct Tetrahedron {
   static constexpr std::size_t corners = 4;
@@ -49,7 +42,7 @@ template <class Law>
 using Driven = DrivenSolid<Tetrahedron, Law>;
 
 TEST(Tetrahedron, BatchGivesTheBitsOfEachAlone) {
-  HexahedronProperties viscous = inviscid();
+  HexahedronProperties viscous = inviscid_solid();
   viscous.bulk_linear = 0.06;
   viscous.bulk_quadratic = 1.5;
   PiecewiseLinear law = curved();
@@ -63,7 +56,7 @@ TEST(Tetrahedron, BatchGivesTheBitsOfEachAlone) {
 TEST(Tetrahedron, MeanStressFromOutside) {
   Random random;
   const Corners x = distorted(random);
-  Driven<PiecewiseLinear> own(inviscid(), bilinear(250, 0), x), given(own);
+  Driven<PiecewiseLinear> own(inviscid_solid(), bilinear(250, 0), x), given(own);
   given.layout.nodal_pressure = true;
   given.state.push_back(0.0);
   for (int cycle = 0; cycle < 100; ++cycle) {
@@ -81,7 +74,7 @@ TEST(Tetrahedron, MeanStressFromOutside) {
 
 TEST(Tetrahedron, LinearFieldGivesItsStress) {
   Random random;
-  Driven<Elastic> d(inviscid(), steel, distorted(random));
+  Driven<Elastic> d(inviscid_solid(), steel, distorted(random));
   for (Vec3d& v : d.nodes.v) {
     const Vec3d& x = d.nodes.x[&v - d.nodes.v];
     v = 1e-6 * Vec3d{x.x + 0.5 * x.y, x.y + 0.5 * x.x - 0.2 * x.z, 0.3 * x.z - 0.2 * x.y};
@@ -97,7 +90,7 @@ TEST(Tetrahedron, LinearFieldGivesItsStress) {
 TEST(Tetrahedron, UnitPressureGivesTheGradientOfTheVolume) {
   Random random;
   const Corners x = distorted(random);
-  Driven<Elastic> d(inviscid(), steel, x);
+  Driven<Elastic> d(inviscid_solid(), steel, x);
   for (std::size_t i = 0; i < 3; ++i) d.state[L::stress + i] = 1.0;
   d.step(0.0);
   for (std::size_t i = 0; i < 4; ++i)
@@ -113,7 +106,7 @@ TEST(Tetrahedron, UnitPressureGivesTheGradientOfTheVolume) {
 TEST(Tetrahedron, RigidRotationStrainsNothing) {
   Random random;
   const double dt = 1e-7;
-  Driven<PlasticKinematic> d(inviscid(), mixed(0.5), distorted(random));
+  Driven<PlasticKinematic> d(inviscid_solid(), mixed(0.5), distorted(random));
   for (int cycle = 0; cycle < 20; ++cycle) {
     for (Vec3d& v : d.nodes.v) v = random.vector(40000.0);
     d.step(dt);
@@ -128,7 +121,7 @@ double highest_frequency(const Corners& x) {
   std::array<Vec3d, 4> u{Vec3d{1, 2, 3}, {-2, 1, 0.5}, {0.3, -1, 2}, {1, 1, -4}};
   double omega2 = 0.0;
   for (int k = 0; k < 3000; ++k) {
-    Driven<Elastic> d(inviscid(), steel, x);
+    Driven<Elastic> d(inviscid_solid(), steel, x);
     for (std::size_t i = 0; i < 4; ++i) d.nodes.v[i] = u[i];
     d.step(dt);
     double length = 0.0;
@@ -145,7 +138,7 @@ double highest_frequency(const Corners& x) {
 TEST(Tetrahedron, StableStepIsOnTheSafeSideAndNear) {
   Random random;
   const auto ratio = [](const Corners& x) {
-    Driven<Elastic> d(inviscid(), steel, x);
+    Driven<Elastic> d(inviscid_solid(), steel, x);
     return d.step(0.0).stable_step * highest_frequency(x) / 2.0;
   };
   // The bound is exact for the regular one but for the norm that stands in for the eigenvalue, 3^(1/16).
@@ -160,7 +153,7 @@ TEST(Tetrahedron, StableStepIsOnTheSafeSideAndNear) {
 TEST(Tetrahedron, FailedOneIsDeleted) {
   PiecewiseLinear law = bilinear(250, 0);
   law.failure_strain = 0.02;
-  Driven<PiecewiseLinear> d(inviscid(), law, regular);
+  Driven<PiecewiseLinear> d(inviscid_solid(), law, regular);
   int cycle = 0;
   for (; cycle < 5000 && d.at(L::alive) > 0.5; ++cycle) {
     d.nodes.v[3].z = 1000.0;

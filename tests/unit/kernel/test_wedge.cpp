@@ -21,13 +21,6 @@ Corners distorted(Random& random) {
   return x;
 }
 
-HexahedronProperties inviscid() {
-  HexahedronProperties b;
-  b.density = steel_density;
-  b.bulk_linear = b.bulk_quadratic = 0.0;
-  return b;
-}
-
 /// See driven_solid.hpp.
 struct Wedge {
   static constexpr std::size_t corners = 6;
@@ -57,12 +50,12 @@ double volume(const Corners& x) {
 
 TEST(Wedge, BatchGivesTheBitsOfEachAlone) {
   batch_gives_the_bits_of_each_alone<Wedge>(
-      inviscid(), mixed(0.3), [](Random& r) { return distorted(r); }, 1);
+      inviscid_solid(), mixed(0.3), [](Random& r) { return distorted(r); }, 1);
 }
 
 TEST(Wedge, Patch) {
   Random random;
-  Driven<Elastic> d(inviscid(), steel, distorted(random));
+  Driven<Elastic> d(inviscid_solid(), steel, distorted(random));
   for (Vec3d& v : d.nodes.v) {
     const Vec3d& x = d.nodes.x[&v - d.nodes.v];
     v = 1e-6 * Vec3d{x.x + 0.5 * x.y, x.y + 0.5 * x.x - 0.2 * x.z, 0.3 * x.z - 0.2 * x.y};
@@ -81,7 +74,7 @@ TEST(Wedge, Patch) {
 TEST(Wedge, ConstantStressIsPassedOnExactly) {
   Random random;
   const Corners x = distorted(random);
-  Driven<Elastic> d(inviscid(), steel, x);
+  Driven<Elastic> d(inviscid_solid(), steel, x);
   for (int p = 0; p < L::points; ++p)
     for (int i = 0; i < 3; ++i) d.state[d.layout.point(p) + i] = 1.0;
   d.step(0.0);
@@ -96,7 +89,7 @@ TEST(Wedge, ConstantStressIsPassedOnExactly) {
 
 TEST(Wedge, RigidRotationStrainsNothing) {
   Random random;
-  Driven<PlasticKinematic> d(inviscid(), mixed(0.5), distorted(random));
+  Driven<PlasticKinematic> d(inviscid_solid(), mixed(0.5), distorted(random));
   for (int cycle = 0; cycle < 20; ++cycle) {
     for (Vec3d& v : d.nodes.v) v = random.vector(40000.0);
     d.step(1e-7);
@@ -112,7 +105,7 @@ TEST(Wedge, OnlyRigidMotionIsFree) {
   WedgeMotion<double> rest;
   std::copy(x.begin(), x.end(), rest.x);
   const std::vector<double> K = element_stiffness(rest, [&](const WedgeMotion<double>& motion, double step) {
-    Driven<Elastic> d(inviscid(), steel, x);
+    Driven<Elastic> d(inviscid_solid(), steel, x);
     return one_element(motion, d.state, [&](const auto& all, double* store) {
       return wedge_cycle(d.properties, d.law, all, step, store);
     });
@@ -128,7 +121,7 @@ Corners forces_by(const std::array<std::size_t, 6>& number, bool mirrored) {
   const auto place = [&](const Vec3d& v) { return mirrored ? Vec3d{-v.x, v.y, v.z} : v; };
   Corners numbered;
   for (std::size_t i = 0; i < 6; ++i) numbered[i] = place(x[number[i]]);
-  Driven<PlasticKinematic> d(inviscid(), mixed(0.3), numbered);
+  Driven<PlasticKinematic> d(inviscid_solid(), mixed(0.3), numbered);
   for (int cycle = 0; cycle < 20; ++cycle) {
     Corners v;
     for (Vec3d& a : v) a = random.vector(40000.0);
