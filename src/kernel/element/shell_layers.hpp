@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -37,46 +38,118 @@ struct Column {
   ThicknessStrain<R> thinning;
 };
 
+/// Adds what layer k has to the sums over its column.
+template <class R, class Law>
+[[gnu::always_inline]] inline void add_layer(const ShellProperties& shell, [[maybe_unused]] const LawKernel<Law>& law,
+                                             int k, const LayerTensor<R>& s, const ThicknessStrain<R>& e,
+                                             Column<R>& c) {
+  const double zeta = 0.5 * (shell.layers.zeta[at(k)] - shell.offset), weight = shell.layers.weight[at(k)];
+  ShellResultants<R>& n = c.n;
+  c.thinning.total += weight * e.total;
+  c.thinning.plastic += weight * e.plastic;
+  const R xx = weight * s.xx, yy = weight * s.yy, xy = weight * s.xy;
+  n.nxx += xx;
+  n.nyy += yy;
+  n.nxy += xy;
+  n.mxx += zeta * xx;
+  n.myy += zeta * yy;
+  n.mxy += zeta * xy;
+  if constexpr (std::is_same_v<Law, Laminate>) {
+    n.qx += (weight * law.of(k).shear_force) * s.xz;
+    n.qy += (weight * law.of(k).shear_force) * s.yz;
+  } else {
+    n.qx += weight * s.xz;
+    n.qy += weight * s.yz;
+  }
+}
+
+/// Strain rate of layer k.
+template <class R, class Law>
+[[gnu::always_inline]] inline LayerTensor<R> rate_of_layer(const ShellProperties& shell,
+                                                           [[maybe_unused]] const LawKernel<Law>& law, int k,
+                                                           const ShellRates<R>& d, const R& t) {
+  const R z = 0.5 * (shell.layers.zeta[at(k)] - shell.offset) * t;
+  LayerTensor<R> rate{d.xx + z * d.kxx, d.yy + z * d.kyy, d.xy + z * d.kxy, d.xz, d.yz};
+  if constexpr (std::is_same_v<Law, Laminate>) {
+    rate.xz *= R(law.of(k).shear_strain);
+    rate.yz *= R(law.of(k).shear_strain);
+  }
+  return rate;
+}
+
+/// Advances the layers of a column by a step, one after the other. `first`: the state of its first layer.
+template <class R, class Law>
+[[gnu::always_inline]] inline Column<R> advance_one_by_one(const ShellProperties& shell, const LawKernel<Law>& law,
+                                                           const ShellRates<R>& d, const R& t, double dt,
+                                                           Number<R>* first) {
+  const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
+  Column<R> c;
+  for (int k = 0; k < shell.layers.count; ++k) {
+    Number<R>* stress = first + k * stride;
+    LayerTensor<R> s = load_layer<R>(stress);
+    const ThicknessStrain<R> e =
+        law_of(law, k).layer(s, rate_of_layer(shell, law, k, d, t), dt, stress + LayerTensor<R>::size * lanes<R>);
+    store_layer(stress, s);
+    add_layer(shell, law, k, s, e, c);
+  }
+  return c;
+}
+
+/// Of a column whose layers flow two at a time; those of one with more go one by one.
+inline constexpr int most_flowing_layers = 8;
+
+/// The second part of advance_column(): the layers `yielding`, a bit for each, flow, and all are added up.
+template <class R, class Law>
+[[gnu::noinline]] Column<R> flow_in_pairs(const ShellProperties& shell, const LawKernel<Law>& law,
+                                          const ShellRates<R>& d, const R& t, double dt, Number<R>* first,
+                                          unsigned yielding) {
+  const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
+  ThicknessStrain<R> thickness[most_flowing_layers];
+  for (int k = 0; k < shell.layers.count; ++k)
+    thickness[k] = law.elastic_thickness(rate_of_layer(shell, law, k, d, t), dt);
+  const auto next = [&] {
+    const int k = std::countr_zero(yielding);
+    yielding &= yielding - 1;
+    Number<R>* stress = first + k * stride;
+    return LayerPlace<R>{stress, stress + LayerTensor<R>::size * lanes<R>, &thickness[k]};
+  };
+  while (yielding != 0) {
+    const LayerPlace<R> one = next();
+    if (yielding != 0)
+      law.flow_layers(one, next(), dt);
+    else
+      law.flow_layer(one, dt);
+  }
+  Column<R> c;
+  for (int k = 0; k < shell.layers.count; ++k)
+    add_layer(shell, law, k, load_layer<R>(first + k * stride), thickness[k], c);
+  return c;
+}
+
 /// Advances the layers of a column by a step. `first`: the state of its first layer.
 template <class R, class Law>
 [[gnu::always_inline]] inline Column<R> advance_column(const ShellProperties& shell, const LawKernel<Law>& law,
                                                        const ShellRates<R>& d, const R& t, double dt,
                                                        Number<R>* first) {
-  const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
-  Column<R> c;
-  ShellResultants<R>& n = c.n;
-  for (int k = 0; k < shell.layers.count; ++k) {
-    const auto point = at(k);
-    const double zeta = 0.5 * (shell.layers.zeta[point] - shell.offset), weight = shell.layers.weight[point];
-    const R z = zeta * t;
-    Number<R>* stress = first + k * stride;
-    Number<R>* history = stress + LayerTensor<R>::size * lanes<R>;
-    LayerTensor<R> s = load_layer<R>(stress);
-    LayerTensor<R> rate{d.xx + z * d.kxx, d.yy + z * d.kyy, d.xy + z * d.kxy, d.xz, d.yz};
-    if constexpr (std::is_same_v<Law, Laminate>) {
-      rate.xz *= R(law.of(k).shear_strain);
-      rate.yz *= R(law.of(k).shear_strain);
+  if constexpr (!FlowsInPairs<Law>) {
+    return advance_one_by_one(shell, law, d, t, dt, first);
+  } else {
+    if (shell.layers.count > most_flowing_layers) [[unlikely]]
+      return [&] [[gnu::noinline]] { return advance_one_by_one(shell, law, d, t, dt, first); }();
+    const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
+    unsigned yielding = 0;
+    Column<R> c;
+    for (int k = 0; k < shell.layers.count; ++k) {
+      Number<R>* stress = first + k * stride;
+      LayerTensor<R> s = load_layer<R>(stress);
+      const LayerTensor<R> rate = rate_of_layer(shell, law, k, d, t);
+      yielding |= law.strain_layer(s, rate, dt, stress + LayerTensor<R>::size * lanes<R>) ? 1u << k : 0u;
+      store_layer(stress, s);
+      add_layer(shell, law, k, s, law.elastic_thickness(rate, dt), c);
     }
-    const ThicknessStrain<R> e = law_of(law, k).layer(s, rate, dt, history);
-    store_layer(stress, s);
-    c.thinning.total += weight * e.total;
-    c.thinning.plastic += weight * e.plastic;
-    const R xx = weight * s.xx, yy = weight * s.yy, xy = weight * s.xy;
-    n.nxx += xx;
-    n.nyy += yy;
-    n.nxy += xy;
-    n.mxx += zeta * xx;
-    n.myy += zeta * yy;
-    n.mxy += zeta * xy;
-    if constexpr (std::is_same_v<Law, Laminate>) {
-      n.qx += (weight * law.of(k).shear_force) * s.xz;
-      n.qy += (weight * law.of(k).shear_force) * s.yz;
-    } else {
-      n.qx += weight * s.xz;
-      n.qy += weight * s.yz;
-    }
+    if (yielding != 0) return flow_in_pairs(shell, law, d, t, dt, first, yielding);
+    return c;
   }
-  return c;
 }
 
 /// The thickness after a step, stored as the element's (ISTUPD).

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/columns.hpp"
 #include "base/real.hpp"
 #include "kernel/law/law_kernel.hpp"
 #include "kernel/law/piecewise_linear.hpp"
@@ -39,7 +40,8 @@ class BilinearHardening {
   class At {
    public:
     static constexpr bool limited = false;
-    At(const BilinearHardening& hardening, const Number<R>* history)
+    template <class History>
+    At(const BilinearHardening& hardening, const History& history)
         : slope_(hardening.isotropic_),
           start_(hardening.yield_ + hardening.isotropic_ * load_field<R>(history, plastic_strain_field)) {}
     YieldStress<R> operator()(const R& increment) const { return {start_ + slope_ * increment, slope_}; }
@@ -77,13 +79,15 @@ class CurveHardening {
   class At {
    public:
     static constexpr bool limited = false;
-    At(const CurveHardening& hardening, const Number<R>* history)
+    template <class History>
+    At(const CurveHardening& hardening, const History& history)
         : hardening_(hardening), plastic_strain_(load_field<R>(history, plastic_strain_field)) {
       if (hardening.table_.active()) {
-        rows_.find(hardening.table_, plastic_strain_, x_, end_);
-        const auto at_rest = [&](int) { return hardening.table_.at_first_curve(); };
-        y_ = rows_.of_cells(&RateTable::Cell::y, at_rest);
-        slope_ = rows_.of_cells(&RateTable::Cell::slope, at_rest);
+        const typename RateRows<R>::Row row = rows_.find(hardening.table_, plastic_strain_);
+        x_ = row.begin;
+        end_ = row.end;
+        y_ = row.y;
+        slope_ = row.slope;
       } else if (hardening.straight_) {
         const YieldCurve::Piece& line = hardening.curve_.last();
         x_ = R(line.x);
@@ -108,10 +112,11 @@ class CurveHardening {
     void fetch(const R& strain) {
       const YieldCurve::Piece* piece[lanes<R>];
       for (int l = 0; l < lanes<R>; ++l) piece[l] = &hardening_.curve_.at(lane(strain, l));
-      x_ = each_lane<R>([&](int l) { return piece[l]->x; });
-      end_ = each_lane<R>([&](int l) { return piece[l]->end; });
-      y_ = each_lane<R>([&](int l) { return piece[l]->y; });
-      slope_ = each_lane<R>([&](int l) { return piece[l]->slope; });
+      const Columns<R> c = columns<R>([&](int l) { return &piece[l]->x; });
+      x_ = c[0];
+      end_ = c[1];
+      y_ = c[2];
+      slope_ = c[3];
     }
 
     const CurveHardening& hardening_;

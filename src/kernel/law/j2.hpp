@@ -8,6 +8,7 @@
 #include "kernel/law/hardening.hpp"
 #include "kernel/law/law_kernel.hpp"
 #include "kernel/law/plastic_return.hpp"
+#include "kernel/law/twin_place.hpp"
 
 namespace nugget::kernel {
 
@@ -38,8 +39,8 @@ class J2 {
   }
 
   /// Which points have failed.
-  template <class R>
-  MaskOf<R> failed(const Number<R>* history) const {
+  template <class R, class History>
+  MaskOf<R> failed(const History& history) const {
     return load_field<R>(history, plastic_strain_field) >= R(failure_strain_);
   }
 
@@ -47,14 +48,45 @@ class J2 {
   template <class R>
   [[gnu::always_inline]] inline ThicknessStrain<R> layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
                                                          Number<R>* history) const {
-    const LayerTensor<R> strain = R(dt) * rate;
-    elastic_.add(s, strain);
-    if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
-    ThicknessStrain<R> thickness{-elastic_.thinning * (strain.xx + strain.yy), R(0.0)};
-
-    const Parts<LayerTensor<R>, R> trial = parts(s, history);
-    if (any(trial.A + trial.B > lowest2_)) flow(s, dt, history, thickness);
+    const bool yields = strain_layer(s, rate, dt, history);
+    ThicknessStrain<R> thickness = elastic_thickness(rate, dt);
+    if (yields) flow(s, dt, history, thickness);
     return thickness;
+  }
+
+  /// The first, elastic part of layer(); true where any of the points may have to flow.
+  template <class R>
+  [[gnu::always_inline]] inline bool strain_layer(LayerTensor<R>& s, const LayerTensor<R>& rate, double dt,
+                                                  const Number<R>* history) const {
+    elastic_.add(s, R(dt) * rate);
+    if (can_fail()) s = select(failed<R>(history), LayerTensor<R>{}, s);
+    const Parts<LayerTensor<R>, R> trial = parts(s, history);
+    return any(trial.A + trial.B > lowest2_);
+  }
+  /// What layer() gives where nothing flows.
+  template <class R>
+  [[gnu::always_inline]] inline ThicknessStrain<R> elastic_thickness(const LayerTensor<R>& rate, double dt) const {
+    const LayerTensor<R> strain = R(dt) * rate;
+    return {-elastic_.thinning * (strain.xx + strain.yy), R(0.0)};
+  }
+  /// The second, of a layer that has been strained.
+  template <class R>
+  void flow_layer(const LayerPlace<R>& at, double dt) const {
+    LayerTensor<R> s = load_layer<R>(at.stress);
+    flow(s, dt, at.history, *at.thickness);
+    store_layer(at.stress, s);
+  }
+  /// The same of two layers together.
+  template <class R>
+  [[gnu::noinline]] void flow_layers(const LayerPlace<R>& a, const LayerPlace<R>& b, double dt) const {
+    using T = Twin<R>;
+    const TwinPlace<Number<R>> stress{a.stress, b.stress}, history{a.history, b.history};
+    LayerTensor<T> s = load_layer<T>(stress);
+    ThicknessStrain<T> thickness{{a.thickness->total, b.thickness->total}, T(0.0)};
+    return_to_yield(s, dt, history, thickness);
+    store_layer(stress, s);
+    *a.thickness = {thickness.total.a, thickness.plastic.a};
+    *b.thickness = {thickness.total.b, thickness.plastic.b};
   }
 
   /// Adds a step of strain rate to a solid's stress: radial return.
@@ -96,13 +128,13 @@ class J2 {
     R A{}, B{};
   };
 
-  template <class R>
+  template <class R, class History>
   [[gnu::always_inline]] inline Parts<LayerTensor<R>, R> parts(const LayerTensor<R>& s,
-                                                               const Number<R>* history) const {
+                                                               [[maybe_unused]] const History& history) const {
     Parts<LayerTensor<R>, R> p;
     p.relative = s;
     if constexpr (back_stress) {
-      p.back = load_layer<R>(history + back_stress_field * lanes<R>);
+      p.back = load_layer<R>(from_field<R>(history, back_stress_field));
       p.relative = {s.xx - p.back.xx, s.yy - p.back.yy, s.xy - p.back.xy, s.xz - p.back.xz, s.yz - p.back.yz};
     }
     const LayerTensor<R>& d = p.relative;
@@ -145,6 +177,11 @@ class J2 {
   /// Returns yielding layers to the yield surface. Kept out of line: most points of most cycles are elastic.
   template <class R>
   [[gnu::noinline]] void flow(LayerTensor<R>& s, double dt, Number<R>* history, ThicknessStrain<R>& thickness) const {
+    return_to_yield(s, dt, history, thickness);
+  }
+  template <class R, class History>
+  [[gnu::always_inline]] inline void return_to_yield(LayerTensor<R>& s, double dt, const History& history,
+                                                     ThicknessStrain<R>& thickness) const {
     const Parts<LayerTensor<R>, R> trial = parts(s, history);
     const R plastic_strain = load_field<R>(history, plastic_strain_field), trial2 = trial.A + trial.B;
     typename Hardening::template At<R> yield(hardening_, history);
@@ -168,7 +205,7 @@ class J2 {
     if constexpr (back_stress) {
       const R grow = shift * r.increment;
       const LayerTensor<R> back = trial.back + shrunk(grow * r.over_a, grow * r.over_b);
-      store_layer(history + back_stress_field * lanes<R>, select(plastic, back, trial.back));
+      store_layer(from_field<R>(history, back_stress_field), select(plastic, back, trial.back));
       returned = returned + back;
     }
     s = select(plastic, returned, s);

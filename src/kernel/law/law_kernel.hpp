@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kernel/law/stress_space.hpp"
+#include "kernel/law/twin_place.hpp"
 
 namespace nugget::kernel {
 
@@ -23,7 +23,8 @@ namespace nugget::kernel {
 ///   step_share()                            what the viscous stress of layers leaves of the stable step, of membranes
 ///   stiffness_share()                       stiffness of a point now over that of its elastic constants
 ///   shear_wave_modulus()                    part of wave_modulus() beside the bulk modulus of an equation of state
-///   may_pull_otherwise                      whether the slope at rest may differ between tension and compression
+///   strain_layer(), elastic_thickness(), flow_layer(), flow_layers()   layer() in parts, the last of two layers at a
+///   time may_pull_otherwise                      whether the slope at rest may differ between tension and compression
 /// Laws with element kernels of their own (own_kernels.hpp) have besides:
 ///   elastic()                               elastic constants
 ///   points_to_delete()                      failed points that delete an element, as in ComposedLaw; 0: all
@@ -40,6 +41,11 @@ inline constexpr int first_own_field = plastic_strain_field + 1;
 template <class Law>
 concept LawOfLayers = requires(const LawKernel<Law>& law, LayerTensor<double>& s, double* history) {
   law.layer(s, s, 0.0, history);
+};
+/// Laws whose layers of a column may be strained first, and those that yield then flow, two at a time.
+template <class Law>
+concept FlowsInPairs = requires(const LawKernel<Law>& law, const LayerPlace<double>& layer) {
+  law.flow_layers(layer, layer, 0.0);
 };
 /// Laws of bricks.
 template <class Law>

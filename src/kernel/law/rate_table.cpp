@@ -22,9 +22,9 @@ RateTable::RateTable(const std::vector<YieldCurve>& curves, const std::vector<do
   std::set<double> corners{0.0};
   for (const YieldCurve& curve : curves)
     for (const YieldCurve::Piece& piece : curve.pieces()) corners.insert(piece.x);
-  begins_.assign(corners.begin(), corners.end());
-  corners_ = Intervals(begins_);
-  for (const double strain : begins_)
+  const std::vector<double> begins(corners.begin(), corners.end());
+  corners_ = Intervals(begins);
+  for (const double strain : begins)
     for (const Stretch& stretch : stretches_) {
       const auto curve = static_cast<std::size_t>(std::max(stretch.place, 0.0));
       const YieldCurve::Piece low = curves[curve].at(strain);
@@ -33,7 +33,11 @@ RateTable::RateTable(const std::vector<YieldCurve>& curves, const std::vector<do
       const auto at = [&](const YieldCurve::Piece& piece) { return piece.y + piece.slope * (strain - piece.x); };
       cells_.push_back({at(low), at(high) - at(low), low.slope, high.slope - low.slope});
     }
-  begins_.push_back(std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const Cell& first_curve = cells(i)[at_first_curve()];
+    const double end = i + 1 < begins.size() ? begins[i + 1] : std::numeric_limits<double>::infinity();
+    rows_.push_back({begins[i], end, first_curve.y, first_curve.slope});
+  }
 }
 
 }  // namespace nugget::kernel

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/columns.hpp"
 #include "base/elementary.hpp"
 #include "base/intervals.hpp"
 #include "kernel/law/plastic_return.hpp"
@@ -43,18 +44,18 @@ class RateTable {
   struct Cell {
     double y, rise, slope, bend;
   };
+  /// Those plastic strains, and the first curve there: y + slope (strain - begin).
   struct Row {
-    double begin, end;
-    const Cell* cells;  ///< one a stretch
+    double begin, end, y, slope;
   };
-  Row row(double plastic_strain) const {
-    const std::size_t i = corners_.at(plastic_strain);
-    return {begins_[i], begins_[i + 1], &cells_[i * stretches_.size()]};
-  }
+  std::size_t row_at(double plastic_strain) const { return corners_.at(plastic_strain); }
+  const Row& row(std::size_t number) const { return rows_[number]; }
+  /// Of a row, one a stretch.
+  const Cell* cells(std::size_t row) const { return &cells_[row * stretches_.size()]; }
 
  private:
-  Intervals corners_;           // those of all curves
-  std::vector<double> begins_;  // and infinity
+  Intervals corners_;  // those of all curves
+  std::vector<Row> rows_;
   std::vector<Cell> cells_;
   std::vector<Stretch> stretches_;  // the last, beyond the rates, has span 0
 };
@@ -63,20 +64,26 @@ class RateTable {
 template <class R>
 class RateRows {
  public:
-  /// Gives where the rows begin and end, too.
-  void find(const RateTable& table, const R& strain, R& begin, R& end) {
-    RateTable::Row rows[lanes<R>];
+  struct Row {
+    R begin, end, y, slope;
+  };
+  Row find(const RateTable& table, const R& strain) {
+    std::size_t rows[lanes<R>];
     for (int l = 0; l < lanes<R>; ++l) {
-      rows[l] = table.row(lane(strain, l));
-      cells_[l] = rows[l].cells;
+      rows[l] = table.row_at(lane(strain, l));
+      cells_[l] = table.cells(rows[l]);
     }
-    begin = each_lane<R>([&](int l) { return rows[l].begin; });
-    end = each_lane<R>([&](int l) { return rows[l].end; });
+    const Columns<R> c = columns<R>([&](int l) { return &table.row(rows[l]).begin; });
+    return {c[0], c[1], c[2], c[3]};
   }
-  /// A number of the cells in the stretches that `stretch` gives for each lane.
+  struct Cells {
+    R y, rise, slope, bend;
+  };
+  /// In the stretches that `stretch` gives for each lane.
   template <class Stretch>
-  R of_cells(double RateTable::Cell::*number, Stretch&& stretch) const {
-    return each_lane<R>([&](int l) { return cells_[l][stretch(l)].*number; });
+  [[gnu::always_inline]] inline Cells cells(Stretch&& stretch) const {
+    const Columns<R> c = columns<R>([&](int l) { return &cells_[l][stretch(l)].y; });
+    return {c[0], c[1], c[2], c[3]};
   }
 
  private:
@@ -137,7 +144,9 @@ class ByTable {
     const Increment at = increment(w);
     const R strain = yield_.plastic_strain() + at.value;
     if (any(left_rows(strain))) {
-      rows_.find(table_, strain, begin_, end_);
+      const typename RateRows<R>::Row row = rows_.find(table_, strain);
+      begin_ = row.begin;
+      end_ = row.end;
       take(place_);
     }
     const R rise = rise_at(strain), slope = slope_ + w * bend_;
@@ -196,10 +205,8 @@ class ByTable {
     const int end = static_cast<int>(table_.stretches().size()) - 1;
     R place = R(0.0), more = R(1.0);
     for (int i = table_.at_first_curve() + 1; i < end; ++i) {
-      const auto of_curve = [&](int) { return i; };
-      const R y = rows_.of_cells(&RateTable::Cell::y, of_curve),
-              slope = rows_.of_cells(&RateTable::Cell::slope, of_curve);
-      more = select(stress >= y + slope * from, more, R(0.0));
+      const typename RateRows<R>::Cells curve = rows_.cells([i](int) { return i; });
+      more = select(stress >= curve.y + curve.slope * from, more, R(0.0));
       if (!any(more > 0.0)) break;
       place += more;
     }
@@ -220,14 +227,15 @@ class ByTable {
       numbers[l] = static_cast<int>(lane(place, l)) + table_.at_first_curve();
       stretches[l] = &table_.stretches()[static_cast<std::size_t>(numbers[l])];
     }
-    start_ = dt_ * each_lane<R>([&](int l) { return stretches[l]->start; });
-    span_ = select(place < table_.last(), dt_ * each_lane<R>([&](int l) { return stretches[l]->span; }), most_);
-    log_span_ = each_lane<R>([&](int l) { return stretches[l]->log_span; });
-    const auto number = [&](int l) { return numbers[l]; };
-    y_ = rows_.of_cells(&RateTable::Cell::y, number);
-    rise_ = rows_.of_cells(&RateTable::Cell::rise, number);
-    slope_ = rows_.of_cells(&RateTable::Cell::slope, number);
-    bend_ = rows_.of_cells(&RateTable::Cell::bend, number);
+    const Columns<R> stretch = columns<R>([&](int l) { return &stretches[l]->place; });
+    start_ = dt_ * stretch[1];
+    span_ = select(place < table_.last(), dt_ * stretch[2], most_);
+    log_span_ = stretch[3];
+    const typename RateRows<R>::Cells cells = rows_.cells([&](int l) { return numbers[l]; });
+    y_ = cells.y;
+    rise_ = cells.rise;
+    slope_ = cells.slope;
+    bend_ = cells.bend;
   }
 
   const Yield& yield_;

@@ -25,15 +25,16 @@ struct LinearYield {
 class AtStrain {
  public:
   static constexpr bool limited = false;
-  AtStrain(const RateTable& table, double strain) : strain_(strain) { rows_.find(table, strain, begin_, end_); }
+  AtStrain(const RateTable& table, double strain) : strain_(strain), rows_{}, row_(rows_.find(table, strain)) {}
   double plastic_strain() const { return strain_; }
   const RateRows<double>& rows() const { return rows_; }
-  const double& begin() const { return begin_; }
-  const double& end() const { return end_; }
+  const double& begin() const { return row_.begin; }
+  const double& end() const { return row_.end; }
 
  private:
-  double strain_, begin_, end_;
+  double strain_;
   RateRows<double> rows_;
+  RateRows<double>::Row row_;
 };
 
 /// An unknown that counts how often it is asked.
