@@ -114,6 +114,23 @@ std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, c
   return WeldForce{load.resultants, (*function)(load).value};
 }
 
+/// d3plot and binout hold numbers of single precision: beyond their range they would say infinity, of a solution that
+/// ended normally.
+void check_range(const Matrices& m, const Statics& s) {
+  constexpr double range = std::numeric_limits<float>::max();
+  const auto fits = [](double value) { return std::abs(value) <= range; };  // not a number: no
+  const auto refuse = [](const std::string& what) {
+    throw Factorization::SolverError{fmt::format(
+        "{} is no number that results can hold (at most {:.3g}): see the loads, prescribed motions and stiffnesses of "
+        "the deck, and their units",
+        what, range)};
+  };
+  for (std::size_t n = 0; n < m.system.model.nodes.size(); ++n)
+    if (!std::ranges::all_of(s.motion[m.system.node_of[n]], fits))
+      refuse(fmt::format("the displacement of node {}", m.system.model.nodes.id[n]));
+  if (!fits(s.energy) || !fits(s.external)) refuse("the strain energy");
+}
+
 /// Where the softest motion of K with a little of M is largest, " (it moves most at node 7, along (0 0 1))", after a
 /// few steps of inverse iteration: what moves without stiffness shows there. Empty where it is not found.
 std::string place_of_softest_motion(const Matrices& m) {
@@ -286,6 +303,7 @@ Statics solve_statics(const Matrices& m, Findings& findings) {
     s.support_force.push_back(force);
     s.external += 0.5 * force * dot(support.taken, part_of(s.motion[support.node], support.rotation));
   }
+  check_range(m, s);
   for (const weld::Weld& weld : m.system.ties.welds) s.weld.push_back(weld_force(m, weld, s.motion, findings));
   return s;
 }
