@@ -273,7 +273,9 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
              field.range.low == any_value.low) {  // a range of its own says which signs it has
     report({with_meaning(field, "expected an id, which is above 0: a sign means nothing here"), {}});
   } else if (const bool names = value.number < 0.0 && field.negative != IdSpace::none;
-             names || field.kind == Kind::integer) {
+             names && value.number != std::trunc(value.number)) {
+    report({with_meaning(field, "expected a whole number: below 0 it stands for an id"), {}});
+  } else if (names || field.kind == Kind::integer) {
     cell.value = transformed_id(value.number, names ? field.negative : field.id);
     if (std::abs(cell.value) > largest_integer) {
       report({with_meaning(field, "the id with the offset of *INCLUDE_TRANSFORM is more than 2147483647"), {}});

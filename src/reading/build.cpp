@@ -72,14 +72,26 @@ std::string correction(const deck::Block& block, const KeywordLookup& lookup) {
   return similar.empty() ? std::string{} : fmt::format("is it *{}?", similar);
 }
 
+/// The options of a keyword of which an unknown one is written: `its options are _ID, _BIRTH_DEATH; `.
+std::string forms_of_nearest(const deck::Block& block, const KeywordLookup& lookup) {
+  const Keyword* base = lookup.row ? nullptr : nearest_keyword(block.keyword);
+  if (base == nullptr || base->name.starts_with("MAT_") || base->status != KeywordStatus::used || base->options.empty())
+    return {};
+  std::string text;
+  for (const auto option : base->options) text += fmt::format("{} _{}", text.empty() ? "" : ",", option);
+  return fmt::format("its options are{}; ", text);
+}
+
 void report_refusal(Findings& findings, const deck::Block& block, const KeywordLookup& lookup, bool skip_unsupported) {
   const std::string meant = correction(block, lookup);
   if (lookup.harmless || skip_unsupported)
     findings.warning(block.place, block.starred(), lookup.why + "; the cards are left out", meant);
   else
-    findings.error(
-        block.place, block.starred(), lookup.why,
-        meant.empty() ? "remove it, or run with --skip-unsupported to leave such cards out at your own risk" : meant);
+    findings.error(block.place, block.starred(), lookup.why,
+                   meant.empty() ? fmt::format("{}remove it, or run with --skip-unsupported to leave such cards out at "
+                                               "your own risk",
+                                               forms_of_nearest(block, lookup))
+                                 : meant);
 }
 
 void read_block(Builder& b, const deck::Block& block, KeywordSummary& summary) {

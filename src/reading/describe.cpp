@@ -200,8 +200,7 @@ std::string similar_keyword(std::string_view written) {
   const std::size_t allowed = name.size() < 8 ? 0 : name.size() < 16 ? 1 : 2;
   std::string best;
   std::size_t nearest = allowed + 1;
-  const auto consider = [&](std::string_view known, const Keyword& row) {
-    if (known.ends_with('*')) return;
+  const auto consider = [&](const std::string& known, const Keyword& row) {
     const std::size_t difference = known.size() > name.size() ? known.size() - name.size() : name.size() - known.size();
     if (difference > allowed) return;
     if (const std::size_t d = distance(name, known); d > 0 && d < nearest) {
@@ -211,10 +210,15 @@ std::string similar_keyword(std::string_view written) {
         if (std::ranges::find(row.options, option->substr(1)) != row.options.end()) best += *option;
     }
   };
+  const auto consider_forms = [&](std::string_view known, const Keyword& row) {
+    if (known.ends_with('*')) return;
+    consider(std::string(known), row);
+    for (const auto option : row.options) consider(fmt::format("{}_{}", known, option), row);
+  };
   for (const Keyword& keyword : keywords()) {
     if (keyword.status == KeywordStatus::refused) continue;
-    consider(keyword.name, keyword);
-    for (const auto alias : keyword.aliases) consider(alias, keyword);
+    consider_forms(keyword.name, keyword);
+    for (const auto alias : keyword.aliases) consider_forms(alias, keyword);
   }
   return best;
 }

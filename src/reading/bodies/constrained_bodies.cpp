@@ -153,7 +153,7 @@ void check_inertia(Builder& builder) {
     builder.findings.add(
         {harmless ? Severity::note : Severity::error,
          body.place,
-         "",
+         body.origin == RigidBody::Origin::part ? "*PART_INERTIA" : "*CONSTRAINED_NODAL_RIGID_BODY_INERTIA",
          {},
          {},
          fmt::format("the tensor of inertia of {} is not that of a body: it is not positive definite{}", name_of(body),

@@ -105,7 +105,9 @@ void Builder::report_missing(const Ids& ids, std::string_view what, const deck::
   const int id = id_of(field);
   const std::string* const refused = ids.left_out(id);
   if (refused == nullptr)
-    field.report(findings, Severity::error, fmt::format("{} {} is not defined", what, id));
+    // What was defined by an id that could not be read, which was said there, is entered as 0.
+    field.report(findings, Severity::error, fmt::format("{} {} is not defined", what, id),
+                 ids.find(0) == none ? "" : fmt::format("correct the id of the {} that could not be read", what));
   else if (skip_unsupported)
     field.report(findings, Severity::error,
                  fmt::format("{} {} is left out, as {} is not supported", what, id, *refused),

@@ -196,6 +196,16 @@ Surface surface_of(Builder& builder, const deck::Entry& field, int type, const C
   return surface;
 }
 
+/// The sides of the card; nothing where the type could not be read, which was said: what the id is of is not known.
+Surface side_a(Builder& builder, const RowOf<SidesCard>& row, const Contact& contact) {
+  if (row[&SidesCard::surfatyp].refused) return {};
+  return surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
+}
+Surface side_b(Builder& builder, const RowOf<SidesCard>& row, const Contact& contact) {
+  if (row[&SidesCard::surfbtyp].refused) return {};
+  return surface_of(builder, row[&SidesCard::surfb], row->surfbtyp, contact);
+}
+
 void take_box(Builder& builder, const deck::Entry& field, Surface& surface) {
   const Box* box = builder.box(field);
   if (box == nullptr) return;
@@ -209,18 +219,22 @@ void take_boxes(Builder& builder, const RowOf<SidesCard>& row, Contact& contact)
     if (field.integer() < 0)
       refuse(builder, field, "a box that moves on is not built; expected the id of a *DEFINE_BOX",
              "give the id without its sign: what lies in the box at the start takes part");
-  take_box(builder, row[&SidesCard::saboxid], contact.a);
-  take_box(builder, row[&SidesCard::sbboxid], contact.b);
+  if (row->saboxid > 0) take_box(builder, row[&SidesCard::saboxid], contact.a);
+  if (row->sbboxid > 0) take_box(builder, row[&SidesCard::sbboxid], contact.b);
 }
 
 void take_single_surface(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
   if (row->surfatyp == 4)
     return refuse(builder, row[&SidesCard::surfatyp], "a single surface has no node set for a side",
                   "name parts, shells or segments");
+  if (row->surfb != 0)
+    row[&SidesCard::surfb].report(builder.findings, Severity::warning,
+                                  "no effect: a single surface has no other side; what SURFA names meets itself",
+                                  "leave it 0, or write *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE for two sides");
   if (row->surfa == 0)
     contact.a.everything = true;
   else
-    contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
+    contact.a = side_a(builder, row, contact);
 }
 
 /// A surface that is tied to itself is both sides of the tie.
@@ -248,13 +262,13 @@ void take_two_sides(Builder& builder, const RowOf<SidesCard>& row, Contact& cont
            "name parts, shells or a segment set");
   refuse_missing_sides(builder, row,
                        "name both sides; *CONTACT_AUTOMATIC_SINGLE_SURFACE with SURFA 0 is for all parts and all");
-  contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
-  contact.b = surface_of(builder, row[&SidesCard::surfb], row->surfbtyp, contact);
+  contact.a = side_a(builder, row, contact);
+  contact.b = side_b(builder, row, contact);
 }
 
 void take_transducer(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
-  contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
-  if (row->surfb != 0) contact.b = surface_of(builder, row[&SidesCard::surfb], row->surfbtyp, contact);
+  contact.a = side_a(builder, row, contact);
+  if (row->surfb != 0) contact.b = side_b(builder, row, contact);
 }
 
 void take_tie(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
@@ -262,8 +276,8 @@ void take_tie(Builder& builder, const RowOf<SidesCard>& row, Contact& contact) {
     return refuse(builder, row[&SidesCard::surfbtyp], "the reference side of a tie needs segments",
                   "name parts, shells or a segment set");
   refuse_missing_sides(builder, row, "name what is tied, and to what");
-  contact.a = surface_of(builder, row[&SidesCard::surfa], row->surfatyp, contact);
-  contact.b = surface_of(builder, row[&SidesCard::surfb], row->surfbtyp, contact);
+  contact.a = side_a(builder, row, contact);
+  contact.b = side_b(builder, row, contact);
 }
 
 // ---- the cards that always stand

@@ -82,7 +82,7 @@ struct StepCard3 {
   double rmavg = 0;
 };
 const CardOf<StepCard3> step_card_3{
-    {&StepCard3::rmavg, real("rmavg", dimension::inertia, 0, at_least(0), "rotational mass of tied nodes of solids")},
+    {&StepCard3::rmavg, real("rmavg", dimension::inertia, 0, at_least(0), "inertia of tied nodes, not obeyed")},
     flag("igado", "isogeometric shells, no effect"),
     real("dtusr", dimension::time, 0, only(0), "time step of user routines"),
     flag("dtdynv", "no effect"),
@@ -311,10 +311,10 @@ struct EnergyCard {
   int hgen = 0, rwen = 0, slnten = 0, rylen = 0;
 };
 const CardOf<EnergyCard> energy_card{
-    {&EnergyCard::hgen, integer("hgen", 1, between(1, 2), "2: hourglass energy is written and counts in the balance")},
-    {&EnergyCard::rwen, integer("rwen", 2, between(1, 2), "2: so is that of rigid walls")},
-    {&EnergyCard::slnten, integer("slnten", 1, between(1, 2), "2: so is that of contacts")},
-    {&EnergyCard::rylen, integer("rylen", 1, between(1, 2), "2: so is that of damping")},
+    {&EnergyCard::hgen, integer("hgen", 1, between(1, 2), "hourglass energy is written and counted, as with 2")},
+    {&EnergyCard::rwen, integer("rwen", 2, between(1, 2), "the same of rigid walls")},
+    {&EnergyCard::slnten, integer("slnten", 1, between(1, 2), "the same of contacts")},
+    {&EnergyCard::rylen, integer("rylen", 1, between(1, 2), "the same of damping")},
     integer("irgen", 2, any_value, "reference geometry, no effect"),
     integer("maten", 1, any_value, "shares of the internal energy, no effect"),
     integer("drlen", 1, any_value, "drilling energy, no effect"),
@@ -445,7 +445,8 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
            "write the sum of the kinds that are to be deleted");
   c.mass_scaling_at_start_only = row->ms1st == 1;
   c.weight_of_added_mass = second->emscl;
-  c.tied_rotary_mass = third->rmavg;
+  expect(b, Severity::warning,
+         {{third[&StepCard3::rmavg], 0, "not obeyed: tied nodes of solids get no rotary inertia by it, as with 0"}});
   b.defer(Phase::conditions,
           [row](Builder& later) { later.model.control.step_curve = later.curve(row[&StepCard::lctm]); });
 }
@@ -481,9 +482,8 @@ void read_control_contact(Builder& b, const Block& block, const Options&) {
   expect_end(b, cursor);
   expect(b, Severity::warning,
          {{one[&ContactCard1::penopt], 1, "not obeyed: the smaller stiffness of node and segment is used, as with 1"},
-          {one[&ContactCard1::thkchg], 0, "not obeyed: contact sees the initial thickness, as with 0"}});
-  expect(b, Severity::warning,
-         {{six[&ContactCard6::shledg], 0, "not obeyed: shell edges are round, as with 0"},
+          {one[&ContactCard1::thkchg], 0, "not obeyed: contact sees the initial thickness, as with 0"},
+          {six[&ContactCard6::shledg], 0, "not obeyed: shell edges are round, as with 0"},
           {six[&ContactCard6::shltrw], 0, "not obeyed: rigid walls stop the mid-surface of shells, as with 0"},
           {six[&ContactCard6::pstiff], 0, "not obeyed: penalty stiffness comes from the material, as with 0"}});
   b.defer(Phase::checks, [one](Builder& later) { check_wall_penalty(later, one); });
@@ -541,9 +541,8 @@ void read_control_shell(Builder& b, const Block& block, const Options&) {
   if (one->bwc == 1)  // what it projects is the warping stiffness
     expect(b, Severity::warning, {{one[&ShellCard1::proj], 0, "not obeyed: drill projection is used, as with 0"}});
   expect(b, Severity::warning,
-         {{three[&ShellCard3::cntco], 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"}});
-  expect(b, Severity::warning,
-         {{four[&ShellCard4::delfr], 0, "not obeyed: shells that have come loose stay"},
+         {{three[&ShellCard3::cntco], 0, "not obeyed: contact surfaces lie about the mid-surface, as with 0"},
+          {four[&ShellCard4::delfr], 0, "not obeyed: shells that have come loose stay"},
           {four[&ShellCard4::keepcs], 0, "not obeyed: the contact segments of failed shells go with them"}});
   if (four->drcpsid != 0) b.defer(Phase::checks, [four](Builder& later) { resist_drilling(later, four); });
   Control& c = b.model.control;

@@ -54,7 +54,8 @@ CardOf<SeamCard> seam_card_of(IdSpace parts) {
       {&SeamCard::idns, id("idns", IdSpace::set, required, "set of its nodes, in order")},
       {&SeamCard::idp, id("idp", parts, 0, "part or part set that it counts for; 0: all of the zones")},
       {&SeamCard::ipflag, integer("ipflag", 0, between(0, 1), "what IDP is: 0 a part, 1 a part set")},
-      {&SeamCard::imonflag, integer("imonflag", 0, between(0, 1), "0: ISW and IFW rise; 1: they may do as they like")},
+      {&SeamCard::imonflag,
+       integer("imonflag", 0, between(0, 1), "no effect: curves of ISW and IFW need not rise, as with 1")},
   };
 }
 const CardOf<SeamCard> seam_of_part = seam_card_of(IdSpace::part), seam_of_set = seam_card_of(IdSpace::set);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "base/index.hpp"
 #include "reading/bodies/rigid_bodies.hpp"
@@ -184,9 +185,11 @@ class Starter {
   deck::Entry field_;
 };
 
-Vec3d in_global(Builder& builder, const deck::Entry& icid, const Vec3d& local) {
+/// Vectors of one card together: a system that is not there is one finding.
+void turn_to_global(Builder& builder, const deck::Entry& icid, std::initializer_list<Vec3d*> vectors) {
   const Index system = builder.system(icid);
-  return system == none ? local : builder.model.systems[system].axes.global(local);
+  if (system == none) return;
+  for (Vec3d* v : vectors) *v = builder.model.systems[system].axes.global(*v);
 }
 
 /// In local axes the components are as written; else *INCLUDE_TRANSFORM turns them.
@@ -267,8 +270,7 @@ void read_velocity(Builder& builder, const Block& block, const Options&) {
       exempt.spin = velocity_of(block, local, Vec3d{others->vxre, others->vyre, others->vzre});
     }
     builder.defer(Phase::conditions, [row, motion, exempt](Builder& b) mutable {
-      for (Vec3d* v : {&motion.velocity, &motion.spin, &exempt.velocity, &exempt.spin})
-        *v = in_global(b, row[&VelocityCard1::icid], *v);
+      turn_to_global(b, row[&VelocityCard1::icid], {&motion.velocity, &motion.spin, &exempt.velocity, &exempt.spin});
       start_set(b, row, motion, exempt);
     });
   }
@@ -288,8 +290,7 @@ Motion motion_of(Builder& builder, const Block& block, const RowOf<VelocityCard>
 void start_node(Builder& builder, const RowOf<VelocityCard>& row, Motion motion) {
   const Index node = builder.node(row[&VelocityCard::target]);
   if (node == none) return;
-  motion.velocity = in_global(builder, row[&VelocityCard::icid], motion.velocity);
-  motion.spin = in_global(builder, row[&VelocityCard::icid], motion.spin);
+  turn_to_global(builder, row[&VelocityCard::icid], {&motion.velocity, &motion.spin});
   Starter(builder, row[&VelocityCard::target]).start({node}, motion, [](Index) { return false; });
 }
 
@@ -304,12 +305,13 @@ void read_node_velocity(Builder& builder, const Block& block, const Options&) {
   }
 }
 
-void start_body(Builder& builder, const RowOf<VelocityCard>& row, const Motion& motion) {
+void start_body(Builder& builder, const RowOf<VelocityCard>& row, Motion motion) {
   const Index index = find_body(builder, row[&VelocityCard::target]);
   if (index == none) return;
   RigidBody& body = builder.model.rigid_bodies[index];
-  body.inertia.velocity = in_global(builder, row[&VelocityCard::icid], motion.velocity);
-  body.inertia.spin = in_global(builder, row[&VelocityCard::icid], motion.spin);
+  turn_to_global(builder, row[&VelocityCard::icid], {&motion.velocity, &motion.spin});
+  body.inertia.velocity = motion.velocity;
+  body.inertia.spin = motion.spin;
   const Vec3d center = norm(body.inertia.spin) > 0.0 ? center_of_mass(builder, body) : Vec3d{};
   set_motion(builder.model, body, center, body.inertia.velocity, body.inertia.spin);
 }
@@ -363,29 +365,27 @@ std::vector<Index> generation_nodes(Builder& builder, const RowOf<GenerationCard
   return nodes;
 }
 
-/// Direction of the axis in global axes, not normalized; through two nodes where NX = -999.
-Vec3d generation_axis(Builder& builder, const Block& block, const RowOf<GenerationCard>& row1,
-                      const RowOf<AxisCard>& row2) {
-  if (row2->nx != -999.0)
-    return in_global(builder, row1[&GenerationCard::icid],
-                     velocity_of(block, row1->icid != 0, Vec3d{row2->nx, row2->y, row2->z}));
-  const Index from = builder.node(row2[&AxisCard::first_node]), to = builder.node(row2[&AxisCard::second_node]);
-  if (from == none || to == none) return {};
-  return builder.model.nodes.x[at(to)] - builder.model.nodes.x[from];
-}
-
 void generate(Builder& builder, const Block& block, const RowOf<GenerationCard>& row1, const RowOf<AxisCard>& row2) {
+  const bool local = row1->icid != 0, by_nodes = row2->nx == -999.0;
   Motion motion;
-  motion.velocity = in_global(builder, row1[&GenerationCard::icid],
-                              velocity_of(block, row1->icid != 0, Vec3d{row1->vx, row1->vy, row1->vz}));
+  motion.velocity = velocity_of(block, local, Vec3d{row1->vx, row1->vy, row1->vz});
+  Vec3d axis = by_nodes ? Vec3d{} : velocity_of(block, local, Vec3d{row2->nx, row2->y, row2->z});  // not normalized
+  turn_to_global(builder, row1[&GenerationCard::icid], {&motion.velocity, &axis});
   if (const double omega = row1->omega; omega != 0.0) {
-    const Vec3d axis = generation_axis(builder, block, row1, row2);
+    Index first = none;
+    if (by_nodes) {
+      for (const deck::Entry& field : {row2[&AxisCard::first_node], row2[&AxisCard::second_node]})
+        if (field.integer() == 0) refuse(builder, field, "a node on the axis must be given", "give two nodes");
+      first = builder.node(row2[&AxisCard::first_node]);
+      const Index second = builder.node(row2[&AxisCard::second_node]);
+      if (first == none || second == none) return;
+      axis = builder.model.nodes.x[second] - builder.model.nodes.x[first];
+    }
     if (norm(axis) == 0.0)
       return refuse(builder, row2[&AxisCard::nx], "the axis of rotation has no length",
                     "give its direction, or two nodes");
     motion.spin = omega * unit(axis);
     // The axis goes through the first of its two nodes; XC, YC, ZC are for the other form.
-    const Index first = row2->nx == -999.0 ? builder.node(row2[&AxisCard::first_node]) : none;
     motion.center = first == none ? position(block, {row2->xc, row2->yc, row2->zc}) : builder.model.nodes.x[first];
     motion.turns = true;
   }

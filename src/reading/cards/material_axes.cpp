@@ -30,8 +30,8 @@ kernel::MaterialAxes material_axes(Builder& b, const Block& block, const AxesCar
 }
 
 void take_axes_of_system(Builder& b, const deck::Entry& option, Index material) {
+  if (!(option.value < 0.0)) return;
   const int id = -option.integer();
-  if (id <= 0) return;
   b.defer(Phase::sets, [=](Builder& later) {
     const Index found = later.systems.find(id);
     if (found == none)

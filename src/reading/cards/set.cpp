@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "reading/builder/common_cards.hpp"
@@ -234,9 +236,16 @@ std::optional<SetStep> general_step(Builder& b, const Block& block, const KindCa
       cards.kind == SetKind::segment && step.source == Source::members && step.kind == SetKind::segment;
   const std::size_t most = has_attributes ? 3 : is_face ? 4 : 7;
   const long offset = block.transform ? block.transform->id_offset[static_cast<std::size_t>(option->space)] : 0;
-  for (std::size_t i = 0; i < most; ++i)
-    if (const long id = i < 3 ? row->id[i] : static_cast<long>(row->more[i - 3]); id != 0)
-      step.ids.push_back(static_cast<int>(id + offset));
+  constexpr double largest = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < most; ++i) {
+    const double id = i < 3 ? row->id[i] : row->more[i - 3];  // which may be attributes, and are read as reals
+    if (id == 0.0) continue;
+    if (id != std::trunc(id) || std::abs(id + static_cast<double>(offset)) > largest)
+      refuse(b, i < 3 ? row[at(&GeneralSetCard::id, i)] : row[at(&GeneralSetCard::more, i - 3)],
+             fmt::format("expected an id: a whole number, with the offset of its file at most {:.0f}", largest));
+    else
+      step.ids.push_back(static_cast<int>(id + static_cast<double>(offset)));
+  }
   return step;
 }
 

@@ -40,6 +40,20 @@ void set_points(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law,
   law.yield = {std::move(curve)};
 }
 
+/// Points behind one that is empty: they would not count, nor say so.
+void refuse_gap(Builder& b, const YieldRows& rows) {
+  const YieldCards& cards = rows.cards();
+  const auto is_empty = [&](std::size_t i) { return cards.eps[i] == 0.0 && cards.es[i] == 0.0; };
+  std::size_t end = 0;
+  while (end < cards.eps.size() && !is_empty(end)) ++end;
+  for (std::size_t i = end + 1; i < cards.eps.size(); ++i) {
+    if (is_empty(i)) continue;
+    return refuse(b, cards.es[i] == 0.0 ? rows.strain[at(&YieldCards::eps, i)] : rows.stress[at(&YieldCards::es, i)],
+                  fmt::format("point {} stands behind point {}, which is empty", i + 1, end + 1),
+                  "give the points one after the other, from the first on");
+  }
+}
+
 void set_curve_or_table(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law) {
   const deck::Entry lcss = rows.rate[&YieldCards::lcss];
   const int id = lcss.integer();
@@ -249,6 +263,7 @@ YieldTable yield_table(Builder& b, const deck::Entry& field, int id, bool log_ra
 void set_yield_curves(Builder& b, const YieldRows& rows, kernel::PiecewiseLinear& law) {
   const YieldCards& cards = rows.cards();
   law.yield = {bilinear(cards)};
+  if (cards.lcss == 0) refuse_gap(b, rows);
   if (cards.lcss != 0)
     set_curve_or_table(b, rows, law);
   else if (Curve curve = points(cards); !curve.empty())

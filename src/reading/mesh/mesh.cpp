@@ -546,7 +546,8 @@ void link_section(Builder& b, Part& part, const deck::RowOf<PartCard>& row) {
 /// A part with elements needs both.
 void require_section_and_material(const Part& part, const deck::RowOf<PartCard>& row, Tally& incomplete) {
   if (part.kind == ElementKind::nothing) return;
-  const bool no_section = row->secid == 0, no_material = row->mid == 0;
+  const auto lacks = [&](int PartCard::*id) { return (*row).*id == 0 && !row[id].refused; };
+  const bool no_section = lacks(&PartCard::secid), no_material = lacks(&PartCard::mid);
   if (!no_section && !no_material) return;
   const char* const what = no_section && no_material ? "section and no material" : no_section ? "section" : "material";
   incomplete.add(

@@ -334,6 +334,14 @@ TEST(Sets, Faults) {
   EXPECT_TRUE(strip("*SET_NODE_ADD\n1\n2\n*SET_NODE_ADD\n2\n1\n").error("contains itself"));
   EXPECT_TRUE(strip("*SET_NODE_GENERAL\n1\nVOL,1\n").error("this option is not supported", "option"));
   EXPECT_TRUE(strip("*SET_SHELL_GENERAL\n1\nBOX,7\n").error("box 7 is not defined"));
+  // ID4 to ID7 may be attributes and are read as reals; as ids they are whole. Sabotage: 2.5 is node 2, 1e30 node 0.
+  for (const char* id : {"2.5", "1e30", "-3e9"}) {
+    const auto set = [id](const char* option) {
+      return fmt::format("*SET_NODE_GENERAL\n1\n{},1,1,1,{}\n", option, id);
+    };
+    EXPECT_TRUE(strip(set("NODE")).error("expected an id: a whole number", "id4")) << id;
+    EXPECT_TRUE(strip(set("DPART")).error("expected an id: a whole number", "id4")) << id;
+  }
   EXPECT_TRUE(strip("*SET_SEGMENT\n1\n1,2,1,2\n").error("three or four different nodes"));
   EXPECT_TRUE(strip("*SET_NODE_GENERATE\n1\n500,600\n").warning("node set 1 has no members"));
   EXPECT_GT(strip("*SET_NODE_LIST_SMOOTH\n1\n1,2\n").findings.errors(), 0);

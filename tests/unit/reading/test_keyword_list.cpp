@@ -124,6 +124,17 @@ TEST(KeywordList, MisspeltNamesAreGuessed) {
   EXPECT_TRUE(Built(small_deck("*MAT_ELASTC_TITLE\nsteel\n         9\n")).error("is it *MAT_ELASTIC_TITLE?"));
 }
 
+/// Sabotage: options are not compared, and not said.
+TEST(KeywordList, MisspeltOptionsAreGuessed) {
+  EXPECT_EQ(similar_keyword("CONTACT_SPOTWELD_WITH_TORSON"), "CONTACT_SPOTWELD_WITH_TORSION");
+  EXPECT_EQ(similar_keyword("SET_NODE_LIST_GENERAT"), "SET_NODE_LIST_GENERATE");
+  EXPECT_EQ(similar_keyword("CONTACT_TIED_NODES_TO_SURFACE_OFSET_ID"), "CONTACT_TIED_NODES_TO_SURFACE_OFFSET_ID");
+  const Built far(small_deck("*BOUNDARY_SPC_SET_BIRTH\n1\n"));
+  EXPECT_TRUE(far.error("this form of *BOUNDARY_SPC_SET is not supported")) << far.all_findings();
+  EXPECT_TRUE(far.error("its options are _ID, _BIRTH_DEATH; remove it")) << far.all_findings();
+  EXPECT_FALSE(Built(small_deck("*MAT_ELASTIC_PLASTIC_HYDRO\n9\n")).error("its options are"));
+}
+
 TEST(KeywordList, DescribesCardsFieldByField) {
   const std::string text = describe_keyword("*boundary_prescribed_motion_set_id");
   EXPECT_THAT(text, HasSubstr("*BOUNDARY_PRESCRIBED_MOTION_SET: used"));

@@ -215,7 +215,7 @@ TEST(Sections, Hourglass) {
 
 TEST(Controls, WhatIsObeyed) {
   const auto b = built(
-      "*CONTROL_TERMINATION\n0.12,500,0.01,5.0,3.0\n*CONTROL_TIMESTEP\n1.0e-7,0.67,2,,-1.0e-6,4,,1\n\n2.0\n"
+      "*CONTROL_TERMINATION\n0.12,500,0.01,5.0,3.0\n*CONTROL_TIMESTEP\n1.0e-7,0.67,2,,-1.0e-6,4,,1\n"
       "*DEFINE_CURVE\n4\n0.0,1.0\n*CONTROL_SHELL\n25.0,1,,1,2,1\n1.0,1\n*CONTROL_BULK_VISCOSITY\n1.4,0.05,-2\n"
       "*CONTROL_HOURGLASS\n4,0.03\n*CONTROL_ENERGY\n2,1,2,2\n*CONTROL_OUTPUT\n1,,,0\n*CONTROL_CONTACT\n0.2\n,,,,,,,"
       "1\n\n"
@@ -235,7 +235,6 @@ TEST(Controls, WhatIsObeyed) {
   EXPECT_DOUBLE_EQ(c.mass_step, -1e-6);
   EXPECT_EQ(c.step_curve, 0);
   EXPECT_TRUE(c.mass_scaling_at_start_only);
-  EXPECT_DOUBLE_EQ(c.tied_rotary_mass, 2.0);
   EXPECT_DOUBLE_EQ(c.warp_warning, 25.0);
   EXPECT_EQ(c.sort_triangles, SortTriangles::c0);
   EXPECT_EQ(c.thickness_update, 1);
@@ -272,13 +271,13 @@ TEST(Controls, DefaultsOfLsDyna) {
 
 TEST(Controls, WhatCannotBeObeyed) {
   const auto b = built(
-      "*CONTROL_TIMESTEP\n\n,,1\n*CONTROL_SHELL\n,3,,5\n0.5\n*CONTROL_CONTACT\n0.1,,,,2\n\n\n,,,,,1,0.5\n\n,,,,,,0.5\n*"
+      "*CONTROL_TIMESTEP\n\n,,1\n0.5\n*CONTROL_SHELL\n,3,,5\n0.5\n*CONTROL_CONTACT\n0.1,,,,2\n\n\n,,,,,1,0.5\n\n,,,,,,0.5\n*"
       "CONTROL_OUTPUT\n1,,,1\n*CONTROL_ACCURACY\n1,2\n*CONTROL_SHELL\n\n\n\n,,,1\n");
   EXPECT_TRUE(b.error("only 0 is supported (selective mass scaling)", "imscl")) << b.all_findings();
   EXPECT_TRUE(b.error("expected 0 to 2", "esort"));
   EXPECT_TRUE(b.error("expected 0 to 4", "istupd"));
   EXPECT_TRUE(b.error("only 1 is supported", "rotascl"));
-  for (const auto* field : {"penopt", "shltrw", "iaccop", "keepcs"})
+  for (const auto* field : {"rmavg", "penopt", "shltrw", "iaccop", "keepcs"})
     EXPECT_TRUE(b.warning("not obeyed", field)) << field << '\n' << b.all_findings();
   EXPECT_TRUE(b.warning("not obeyed", "osu"));
 }
