@@ -19,6 +19,7 @@ constexpr std::size_t nodes_per_sum = 1024;
 constexpr std::size_t nodes_ahead = 16;
 // Groups sleep for half of the way that they have, if that is so many steps: they wake before a node can touch.
 constexpr double steps_of_sleep = 32.0;
+constexpr int most_pushes = 8;
 
 kernel::WallShape shape_of(const model::RigidWall& wall) {
   switch (wall.shape) {
@@ -80,13 +81,13 @@ void RigidWall::press(const contact::Step& step, std::span<Row> f) {
 
 void RigidWall::constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
                           std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip,
-                          double fastest, const system::Share* share) {
+                          double fastest, const system::Share* share, HeldNodes* supports) {
   force_ = {};
   normal_force_ = 0.0;
   touching_ = 0;
   pending_energy_ = power_on_change_ = 0.0;
   const double between_middles = 0.5 * (dt + dt_previous);
-  Step step{dt, between_middles, x, v, f, mass, skip, prescribed_velocity(time, dt), fastest, share};
+  Step step{dt, between_middles, x, v, f, mass, skip, prescribed_velocity(time, dt), fastest, share, supports};
   if (share != nullptr) list_followed(*share);
   const bool active = acts(time);
   if (mass_ > 0.0 && time >= birth_) {
@@ -128,8 +129,12 @@ std::vector<RigidWall::Caught> RigidWall::find_caught(const Shape& shape, const 
     if (!step.skip.empty() && step.skip[node]) continue;
     if (step.share != nullptr && step.share->answering(node) != step.share->ranks().rank()) continue;
     const Vec3d from = vec(step.x[node]) - origin_, v = vec(step.v[node]);
-    if (push(shape, from, from + step.dt * (v - step.wall_velocity), attachment_[i]).touching)
-      caught.push_back({static_cast<int>(i), attachment_[i], step.mass[node], from, v});
+    const kernel::WallPush p = push(shape, from, from + step.dt * (v - step.wall_velocity), attachment_[i]);
+    if (!p.touching) continue;
+    const HeldNodes::Held held = step.held(node);
+    const Vec3d way = held.free_part(p.normal);
+    const double share = held.count > 0 ? dot(way, way) : 1.0;
+    if (share >= least_free) caught.push_back({static_cast<int>(i), attachment_[i], step.mass[node] / share, from, v});
   }
   if (step.share == nullptr) return caught;
   caught = gather_lists(step.share->ranks(), caught);
@@ -251,31 +256,57 @@ void RigidWall::stop(const Shape& shape, int index, Group& group, bool begins, c
   const Vec3d free = vec(step.v[node]);
   Vec3d relative = free - step.wall_velocity;
   kernel::WallPush p = push(shape, from, from + step.dt * relative, attachment);
+  const HeldNodes::Held held = p.touching ? step.held(node) : HeldNodes::Held{};
   Vec3d before = begins ? free : last;
   // Of a wall that begins, what the forces have changed since then is no velocity that the wall has stopped; and only a
   // node that in one step goes half of its way to the wall meets it as the group wakes.
-  if (begins && step.mass[node] > 0.0) before = free - (step.between_middles / step.mass[node]) * vec(step.f[node]);
+  if (begins && step.mass[node] > 0.0)
+    before = free - (step.between_middles / step.mass[node]) * held.free_part(vec(step.f[node]));
   last = free;
-  if (!p.touching) {
+  const Vec3d way = held.free_part(p.normal);
+  const double share = held.count > 0 ? dot(way, way) : 1.0;
+  if (!p.touching || share < least_free) {
     attachment = kernel::WallAttachment::none;
     return;
   }
+  const Vec3d normal = p.normal;
   const bool first = attachment == kernel::WallAttachment::none;
-  const double speed = dot(relative, p.normal);
+  const double speed = dot(relative, normal);
   attachment = attachment == kernel::WallAttachment::welded || (friction_ >= 2.0 && first && -speed > weld_velocity_)
                    ? kernel::WallAttachment::welded
                    : kernel::WallAttachment::touching;
 
+  Vec3d slid;  // what friction changes
   if (friction_ > 0.0) {
-    relative += friction(relative - speed * p.normal, std::abs(p.distance) / step.dt);
+    slid = friction(relative - speed * p.normal, std::abs(p.distance) / step.dt / share);
+    // Where the node is held it slides along the wall in the directions that are left.
+    if (held.count > 0) {
+      slid = held.free_part(slid);
+      slid -= dot(slid, way) / share * way;
+    }
+    relative += slid;
     // On a round wall less sliding needs another push.
     const kernel::WallPush again = push(shape, from, from + step.dt * relative, attachment);
     if (again.touching) p = again;
   }
-  relative += (p.distance / step.dt) * p.normal;
+  if (held.count == 0) {
+    relative += (p.distance / step.dt) * p.normal;
+  } else {
+    // Not along the normal: on a round wall one push does not bring it all the way.
+    for (int pushes = 0; p.touching && pushes < most_pushes; ++pushes) {
+      relative += (p.distance / step.dt / share) * way;
+      p = push(shape, from, from + step.dt * relative, attachment);
+    }
+    p.normal = normal;
+  }
 
   const Vec3d after = relative + step.wall_velocity;
-  const Vec3d impulse = step.mass[node] * (after - free);
+  Vec3d impulse = step.mass[node] * (after - free);
+  if (held.count > 0) {
+    const Vec3d of_both = impulse;
+    impulse = (dot(of_both, way) / share) * normal + step.mass[node] * slid;
+    step.supports->take_up(node, of_both - impulse);
+  }
   last = after;
   set(step.v[node], after);
   stopped.push_back({index,

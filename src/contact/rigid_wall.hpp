@@ -10,6 +10,7 @@
 #include "base/curve.hpp"
 #include "base/period_mean.hpp"
 #include "base/row.hpp"
+#include "contact/held_nodes.hpp"
 #include "contact/step.hpp"
 #include "contact/wall_penalty.hpp"
 #include "kernel/contact/wall.hpp"
@@ -41,8 +42,16 @@ namespace nugget::contact {
 /// None moves before its birth time, from which the curve counts. Nodes of rigid bodies are stopped by penalty, if at
 /// all: WallPenalty, whose forces, work and push on a wall with mass count with those of the other nodes. Results are
 /// the same bits for any number of threads.
+///
+/// Supports and prescribed motions go before (docs/decisions/0178): the wall pushes a node where these leave it free,
+/// as far as it takes for the wall's condition to hold, too; they take up what of the wall's impulse is along them. A
+/// node that is held along the normal is left alone.
 class RigidWall {
  public:
+  /// A node that supports hold along the normal, or within 6 degrees of it (what of the normal is free, squared), is
+  /// left alone: it would be shot aside.
+  static constexpr double least_free = 0.01;
+
   /// `nodes`: the tracked nodes, numbered as in the arrays of `constrain`. `motion`: the curve that
   /// `wall.motion_curve` names, or null. `bodies`: stops the nodes of rigid bodies.
   RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion = nullptr,
@@ -59,10 +68,11 @@ class RigidWall {
   /// (dt + dt_previous)/2. `skip` (by node; may be empty) marks nodes that the wall leaves alone: dependent ones, and
   /// those of rigid bodies. `f`: the other forces on the nodes at `time`. `fastest`: a speed that no node exceeds;
   /// nodes that cannot reach the wall for a while are then not looked at. `share`: in a run over several ranks, of
-  /// which each looks at nodes that it follows.
+  /// which each looks at nodes that it follows. `supports`: what holds nodes beside the wall; null: nothing does.
   void constrain(double time, double dt, double dt_previous, std::span<const Row> x, std::span<Row> v,
                  std::span<const Row> f, std::span<const double> mass, std::span<const unsigned char> skip,
-                 double fastest = std::numeric_limits<double>::infinity(), const system::Share* share = nullptr);
+                 double fastest = std::numeric_limits<double>::infinity(), const system::Share* share = nullptr,
+                 HeldNodes* supports = nullptr);
   /// Over several ranks: what is known of the nodes for which one answers, on its way to another one.
   void carry(int rank, const system::Share& share, system::Parcel& parcel);
   std::size_t tracked() const { return nodes_.size(); }  ///< nodes
@@ -113,8 +123,8 @@ class RigidWall {
   struct Caught {
     int tracked = 0;
     kernel::WallAttachment attachment = kernel::WallAttachment::none;
-    double mass = 0.0;
-    Vec3d from, v;  ///< its place off the reference point, its velocity
+    double mass = 0.0;  ///< that resists along the normal: of a held node more than its own
+    Vec3d from, v;      ///< its place off the reference point, its velocity
   };
   /// What the wall does to one node in a step.
   struct Stopped {
@@ -132,6 +142,9 @@ class RigidWall {
     Vec3d wall_velocity;
     double fastest;              ///< of the nodes
     const system::Share* share;  ///< null: one process
+    HeldNodes* supports;         ///< null: none
+
+    HeldNodes::Held held(int node) const { return supports != nullptr ? supports->held(node) : HeldNodes::Held{}; }
   };
   /// Tracked nodes side by side in the list, whose impulses are summed up together.
   struct Group {

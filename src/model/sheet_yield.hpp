@@ -11,8 +11,8 @@ namespace nugget::model {
 /// small steps. Empty where it does not flow, or has no effective plastic strain.
 Curve yield_at_rest(const Material& material);
 /// Factor on it over the plastic strain rate, at 2 % of plastic strain, by the same test at other speeds; empty where
-/// the rate does not count.
-Curve rate_factor(const Material& material);
+/// the rate does not count. The speeds are shares of that at which a wave goes through `thickness` [length].
+Curve rate_factor(const Material& material, double thickness);
 
 /// The same as a tensile test shows it. Both 0 where there is no such curve.
 struct Strength {

@@ -155,6 +155,16 @@ std::array<std::array<double, m>, m> transformed(const std::array<std::array<dou
   return all;
 }
 
+/// Angle about r from s to the principal axis about which the bricks bend the hardest; 0 where all axes are alike.
+double principal_angle(const FaceMatrix& stiffness, const JointMotions& motions, const std::array<double, 2>& share) {
+  constexpr double alike = 1e-6;
+  const std::array<FaceVector, joint_size> motion = motions_of_joint(motions, share);
+  const double ss = product(motion[3], product(stiffness, motion[3])),
+               tt = product(motion[4], product(stiffness, motion[4])),
+               st = product(motion[3], product(stiffness, motion[4]));
+  return std::hypot(ss - tt, 2.0 * st) > alike * (ss + tt) ? 0.5 * std::atan2(2.0 * st, ss - tt) : 0.0;
+}
+
 }  // namespace
 
 FaceMotion face_motion(std::span<const Vec3d> x, std::span<const Vec3d> v, const Vec3d& point) {
@@ -187,7 +197,7 @@ void System::make_brick_joints() {
     std::vector<Vec3d> x;
     for (const model::Index node : section.nodes()) x.push_back(ties.x[node]);
     const weld::BrickSection::Shape shape = section.shape(x);
-    const JointMotions motions{shape.axes, 0.5 * (shape.centre[0] + shape.centre[1])};
+    JointMotions motions{shape.axes, 0.5 * (shape.centre[0] + shape.centre[1])};
     const auto corners_of = [&](ElementLocation location) {
       Corners corners;
       const ElementNodes node = groups[location.group]->nodes(at(location.element));
@@ -209,6 +219,14 @@ void System::make_brick_joints() {
         for (std::size_t j = 0; j < of_faces; ++j) stiffness[i][j] += one[i][j];
     }
     BrickJoint joint{w, *joints[w], {}, motions, {}};
+    // The s of an assembly starts from the global axes, which are no matter of its joint.
+    if (weld.elements.size() > 1) {
+      const double angle = principal_angle(stiffness, motions, joint.joint.share);
+      const auto& [r, s, t] = shape.axes;
+      if (angle != 0.0)
+        motions.axes = {r, std::cos(angle) * s + std::sin(angle) * t, std::cos(angle) * t - std::sin(angle) * s};
+      joint.motions = motions;
+    }
     const std::array<FaceVector, joint_size> motion = motions_of_joint(motions, joint.joint.share);
     for (std::size_t i = 0; i < joint_size; ++i) joint.stiffness[i] = product(motion[i], product(stiffness, motion[i]));
     // Rigid faces move as one brick of the layer says, so it takes the change for all of them.

@@ -208,6 +208,55 @@ def over_an_edge(c):
     return cards.text(2e-4, "GLSTAT", "RCFORC")
 
 
+def on_assemblies(c):
+    """Two sheets of a steel with Cowper and Symonds' rates on two assemblies of four bricks each that lie askew in the plane."""
+    cards = Cards(c)
+    steel = (c.of(7.85e-9, 1, -3), c.of(210000, 1, -1, -2), 0.3)
+    cards.add("SECTION_SHELL", (1, 16, 0.8333, 3), [c.of(1.25, 0, 1)] * 4)
+    cards.add("SECTION_SOLID", (3, 1))
+    cards.add("HOURGLASS", (3, 6, 1.0))
+    cards.add("MAT_PIECEWISE_LINEAR_PLASTICITY", (1, *steel, c.of(300, 1, -1, -2), c.of(1000, 1, -1, -2)), (c.of(40, 0, 0, -1), 5.0), (), ())
+    cards.add("MAT_SPOTWELD", (3, *steel, c.of(400, 1, -1, -2), c.of(1000, 1, -1, -2)), ())
+    shells = []
+    for part, (x, y, z) in ((1, (0.0, 0.0, 0.0)), (2, (1.0, 1.25, 1.5))):
+        cards.append(f"*PART\nsheet\n{part},1,1")
+        grid = [[cards.node((x + 5.0 * i + 0.25 * (j % 2), y + 5.5 * j, z)) for i in range(7)] for j in range(5)]
+        shells += [(part, grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i]) for j in range(4) for i in range(6)]
+    cards.add("INITIAL_VELOCITY_NODE", *((n, c.vector((12000.0, 6000.0 + 500.0 * j, 4000.0 + 1500.0 * i), c.velocity)) for j, row in enumerate(grid) for i, n in enumerate(row)))
+    cards.add("ELEMENT_SHELL", *((c.first + e, *shell) for e, shell in enumerate(shells)))
+    cards.append("*PART\nweld\n3,3,3,0,3")
+    bricks = []
+    for x, y, u, v in ((12.0, 10.0, (1.25, 0.75), (-0.5, 1.0)), (20.0, 15.0, (0.75, 1.25), (-1.0, 0.5))):
+        at = {(i, j, k): cards.node((x + i * u[0] + j * v[0], y + i * u[1] + j * v[1], 1.5 * k)) for k in (0, 1) for j in (-1, 0, 1) for i in (-1, 0, 1)}
+        bricks += [[at[i + a, j + b, k] for k in (0, 1) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))] for j in (-1, 0) for i in (-1, 0)]
+    cards.add("ELEMENT_SOLID", *((c.first + 1000 + e, 3, *brick) for e, brick in enumerate(bricks)))
+    cards.add("SET_PART_LIST", (1,), (1, 2))
+    cards.add("CONTACT_SPOTWELD", (3, 1, 3, 2), (), ())
+    return cards.text(1.5e-4, "GLSTAT", "SWFORC")
+
+
+def beside_supports(c):
+    """A sheet between a wall with mass and a cylinder, with friction; edges of it are held and driven askew to both."""
+    cards = Cards(c)
+    cards.add("SECTION_SHELL", (1, 2, 0.8333, 3), [c.of(1.25, 0, 1)] * 4)
+    cards.add("MAT_PLASTIC_KINEMATIC", (1, c.of(7.85e-9, 1, -3), c.of(210000, 1, -1, -2), 0.3, c.of(300, 1, -1, -2), c.of(1500, 1, -1, -2), 1), ())
+    cards.append("*PART\nsheet\n1,1,1")
+    grid = [[cards.node((5.0 * i, 5.5 * j + 0.25 * i, 2.0 + 0.0625 * i * j)) for i in range(7)] for j in range(5)]
+    cards.add("ELEMENT_SHELL", *((c.first + 10 * j + i, 1, grid[j][i], grid[j][i + 1], grid[j + 1][i + 1], grid[j + 1][i]) for j in range(4) for i in range(6)))
+    cards.add("INITIAL_VELOCITY_NODE", *((n, c.vector((3000.0, 2000.0 + 100.0 * j, -20000.0 + 1000.0 * i), c.velocity)) for j, row in enumerate(grid) for i, n in enumerate(row)))
+    cards.add("DEFINE_COORDINATE_SYSTEM", (1, c.place((0, 0, 0)), c.place((8, 2, 4))), (c.place((-2, 8, 0)),))
+    cards.add("DEFINE_VECTOR", (2, 0, 0, 0, c.vector((6.0, 4.0, -4.0), c.length)))
+    cards.add("SET_NODE_LIST", (1,), [row[0] for row in grid])
+    cards.add("SET_NODE_LIST", (2,), grid[0][1:])
+    cards.add("SET_NODE_LIST", (3,), [row[6] for row in grid[1:]])
+    cards.add("BOUNDARY_SPC_SET", (1, 1, 1, 0, 0, 0, 0, 0), (2, 1, 0, 1, 1, 0, 0, 0))
+    cards.add("DEFINE_CURVE", (1,), (0, c.of(9000, 0, 1, -1)), (c.of(1, 0, 0, 1), c.of(9000, 0, 1, -1)))
+    cards.add("BOUNDARY_PRESCRIBED_MOTION_SET", (3, 4, 0, 1, 1.0, 2))
+    cards.add("RIGIDWALL_PLANAR_MOVING", (0,), (c.place((0, 0, 0.5)), c.place((0.5, -1.0, 10.5)), 0.3), (c.of(3e-6, 1), c.of(5000, 0, 1, -1)))
+    cards.add("RIGIDWALL_GEOMETRIC_CYLINDER", (0,), (c.place((2, 9, -7)), c.place((12, 12, -6.75)), 0.2), (c.of(8, 0, 1), c.of(20, 0, 1)))
+    return cards.text(2e-4, "GLSTAT", "RWFORC")
+
+
 FIBRES = ("MAT_022", (1, 1.52e-9, 127e3, 8.41e3, 8.41e3, 0.0205, 0.0205, 0.3), (4.21e3, 4.21e3, 4.21e3, "", 2), (0, 0, 0, 0.6, 0.8, 0.1),
           (0, 0, 0, -0.8, 0.6, 0), (154.0, 2200.0, 48.9, 199.0, 1e-9))
 RUBBER = ("MAT_027", (1, 1.2e-9, 0.49, 0.4, 0.1), ())
@@ -367,6 +416,34 @@ class Invariance(CommandTest):
             found.append({q: [s[q][0] for s in states] for q in ("kinetic_energy", "internal_energy", "sliding_interface_energy")})
         for other in found[1:]:
             self.compare(found[0], other)
+
+    def same_in_cases(self, make, cases, values, *options):
+        reference = None
+        for case in cases:
+            self.nugget("run", self.write(make(case), "model.k").name, "-o", "out", "-j1", "--quiet", *options)
+            found = values(lsda.read(self.folder / "out" / "binout0000"), case)
+            reference = reference or found
+            with self.subTest(turned=case.turn != Case().turn, time=case.time):
+                self.compare(reference, found)
+
+    def test_joints_of_assemblies(self):
+        """Sabotage: the joint's axes from the global ones; rates of sheets tabulated for seconds; at rest at 1e-12 a unit of time."""
+        def values(found, case):
+            states, welds = lsda.states(found, "glstat"), lsda.states(found, "swforc")
+            out = {q: [s[q][0] / case.energy for s in states] for q in ("kinetic_energy", "internal_energy")}
+            return {**out, **{f"{q} of weld {w}": [s[q][w] / case.force for s in welds] for q in ("axial", "shear") for w in (0, 1)}}
+        cases = (Case(), Case(turn=oblique()), Case(mass=1e-3, time=1e-3))
+        self.same_in_cases(on_assemblies, cases, values, "--weld-tie", "joint")
+
+    def test_walls_beside_supports(self):
+        """Sabotage: what the wall does to a node, along the global axes only where it is held."""
+        def values(found, case):
+            states = lsda.states(found, "glstat")
+            for state in states:
+                self.assertAlmostEqual(state["energy_ratio"][0], 1.0, delta=2e-3)
+            out = {q: [s[q][0] / case.energy for s in states] for q in ("kinetic_energy", "internal_energy", "external_work")}
+            return {**out, **{f"wall {w}": [s["normal_force"][w] / case.force for s in lsda.states(found, "rwforc")] for w in (0, 1)}}
+        self.same_in_cases(beside_supports, (Case(), Case(turn=oblique(), shift=(64.0, -32.0, 16.0)), Case(mass=1e-3, length=1e3)), values)
 
     def test_first_node_of_triangles(self):
         """Sabotage: a frame along the first side."""

@@ -26,16 +26,6 @@ class SilentMistakes(CommandTest):
                 self.write(HEAD + held + "*INITIAL_VELOCITY_GENERATION\n" + card(0, 0, 0, vx, vy, 0) + card("") + "*END\n")
                 self.assertEqual("nothing moved" in self.nugget("run", "model.k", "--quiet").stderr, said)
 
-    def test_a_wall_that_moves_nodes_off_their_supports(self):
-        """A support across the wall's normal or along it is met; one askew to both is not."""
-        systems = "*DEFINE_COORDINATE_VECTOR\n" + card(1, 1, 0, 1, 0, 1, 0)  # x of it is between the global x and z
-        wall = "*RIGIDWALL_PLANAR\n" + card(0) + card(0, 0, -0.5, 0, 0, 1)
-        for system, dofs, said in ((1, (1, 0, 0), True), (0, (1, 0, 0), False), (0, (0, 0, 1), False), (0, (1, 1, 1), False), (1, (1, 0, 1), False)):
-            with self.subTest(system=system, dofs=dofs):
-                self.write(HEAD + MESH + systems + wall + "*BOUNDARY_SPC_NODE\n" + card(1, system, *dofs, 0, 0, 0) + "*END\n")
-                run = self.nugget("run", "model.k", "--quiet", "--max-cycles", 3).stderr
-                self.assertEqual("1 of the nodes of wall 1, first node 1, are held or driven along directions askew" in run, said, run)
-
     def test_collapsed_quads(self):
         for triangles, esort, elform, said in ((5, 0, 2, "warning"), (1, 0, 2, "note"), (0, 0, 2, None), (5, 1, 2, None), (5, 0, 4, None)):
             s = Sheets(shells=elform)

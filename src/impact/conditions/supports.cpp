@@ -236,6 +236,12 @@ Supports::Supports(const system::System& system, Findings& findings) : system_(s
                            });
   orthogonalize(constrained_dofs_, system, findings);
   find_together(findings);
+  for (std::size_t d = 0; d < prescribed_dofs_.size(); ++d)
+    if (prescribed_dofs_[d].body < 0 && !prescribed_dofs_[d].rotation)
+      of_translations_.push_back({prescribed_dofs_[d].node, false, d});
+  for (std::size_t h = 0; h < constrained_dofs_.size(); ++h)
+    if (!constrained_dofs_[h].rotation) of_translations_.push_back({constrained_dofs_[h].node, true, h});
+  std::ranges::sort(of_translations_);
 }
 
 void Supports::find_together(Findings& findings) {
@@ -521,6 +527,7 @@ void Supports::meet(const Together& group, system::State& state, double velocity
 
 void Supports::prescribe(system::State& state, double velocity_interval, std::span<system::RigidBody> bodies) {
   dt_previous_ = state.dt_previous;
+  velocity_interval_ = velocity_interval;
   for (std::vector<Reaction>* reactions : {&spc_, &motion_})
     for (Reaction& r : *reactions) {
       r.force = r.moment = {};
@@ -571,11 +578,51 @@ void Supports::meet_stop(std::size_t driven, double impulse, double velocity_int
   PrescribedDof& dof = prescribed_dofs_[driven];
   if (!meets(dof)) return;
   dof.velocity = dot(dof.axis, vec(dof.rotation ? state.w[dof.node] : state.v[dof.node]));
-  const double force = velocity_interval > 0.0 ? impulse / velocity_interval : 0.0;
+  add_force(dof, motion_[dof.reaction], velocity_interval > 0.0 ? impulse / velocity_interval : 0.0);
+}
+
+void Supports::add_force(ConstrainedDof& dof, Reaction& reaction, double force) {
   dof.force += force;
-  Reaction& reaction = motion_[dof.reaction];
   (dof.rotation ? reaction.moment : reaction.force) += force * dof.axis;
-  reaction.energy += 0.5 * force * dof.before * state.dt_previous;
+  reaction.energy += 0.5 * force * dof.before * dt_previous_;
+}
+
+struct Supports::Holding {
+  Directions directions;
+  std::array<const OfTranslations*, 3> of{};
+};
+
+Supports::Holding Supports::holding(int node) const {
+  Holding found;
+  for (const OfTranslations& t : std::ranges::equal_range(of_translations_, node, {}, &OfTranslations::node)) {
+    const ConstrainedDof& dof = t.is_held ? constrained_dofs_[t.number] : prescribed_dofs_[t.number];
+    if (dof.active && found.directions.add(dof.axis, 0.0)) found.of[at(found.directions.size() - 1)] = &t;
+  }
+  return found;
+}
+
+contact::HeldNodes::Held Supports::held(int node) const {
+  const Holding holding = Supports::holding(node);
+  Held found;
+  found.count = holding.directions.size();
+  for (int k = 0; k < found.count; ++k) found.axes[at(k)] = holding.directions.unit(k);
+  return found;
+}
+
+void Supports::take_up(int node, const Vec3d& impulse) {
+  if (!(velocity_interval_ > 0.0)) return;
+  Holding holding = Supports::holding(node);
+  Directions& directions = holding.directions;
+  for (int k = 0; k < directions.size(); ++k) directions.set_impulse(k, dot(directions.unit(k), impulse));
+  directions.share_out();
+  for (int k = 0; k < directions.size(); ++k) {
+    const OfTranslations& t = *holding.of[at(k)];
+    const double force = directions.impulse(k) / velocity_interval_;
+    if (t.is_held)
+      add_force(constrained_dofs_[t.number], spc_[constrained_dofs_[t.number].reaction], force);
+    else
+      add_force(prescribed_dofs_[t.number], motion_[prescribed_dofs_[t.number].reaction], force);
+  }
 }
 
 void Supports::average_reactions(const system::State& state) {
@@ -640,7 +687,7 @@ void Supports::PrescribedDof::archive(Archive& a) {
 
 void Supports::archive(Archive& a) {
   a(constrained_dofs_, prescribed_dofs_, spc_, motion_, dt_previous_);
-  a.built(system_, together_);
+  a.built(system_, together_, of_translations_, velocity_interval_);
 }
 
 }  // namespace nugget::impact

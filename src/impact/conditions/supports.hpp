@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "base/archive.hpp"
 #include "base/index.hpp"
 #include "base/period_mean.hpp"
+#include "contact/held_nodes.hpp"
 #include "impact/energy/energy.hpp"
 #include "system/parcel.hpp"
 #include "system/system.hpp"
@@ -19,7 +21,7 @@ namespace nugget::impact {
 /// (docs/decisions/0002): a force F at t(n) does 1/2 F . (v(n-1/2) dt(n-1) + v(n+1/2) dt(n)). It stands with each
 /// reaction and is summed up when somebody asks, so that a rank of several meets the supports of the nodes that it
 /// follows only (docs/decisions/0130).
-class Supports {
+class Supports : public contact::HeldNodes {
  public:
   Supports(const system::System& system, Findings& findings);
 
@@ -76,6 +78,9 @@ class Supports {
   /// After a stop has changed the velocity of the body by which the last `prescribe` left it: `impulse` is what the
   /// motion does, along its axis, beside what it did then.
   void meet_stop(std::size_t driven, double impulse, double velocity_interval, const system::State& state);
+  /// What the last `prescribe` met of a node's translations.
+  Held held(int node) const override;
+  void take_up(int node, const Vec3d& impulse) override;
   /// In sub-cycling, behind all that adds to reactions: these become what results show.
   void average_reactions(const system::State& state);
 
@@ -118,6 +123,10 @@ class Supports {
         held;  ///< places in prescribed_dofs_, of the last card first; in constrained_dofs_
   };
   void find_together(Findings& findings);
+  /// What holds and drives the translations of a node in the step that the last `prescribe` met, motions first.
+  struct Holding;
+  Holding holding(int node) const;
+  void add_force(ConstrainedDof& dof, Reaction& reaction, double force);
   double target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
                 double velocity_interval) const;
   double circular_target(PrescribedDof& prescribed, const system::State& state, double old_velocity,
@@ -151,7 +160,16 @@ class Supports {
   bool meets(const ConstrainedDof& dof) const { return system_.follows(at(dof.node)); }
 
   std::vector<Reaction> spc_, motion_;
-  double dt_previous_ = 0.0;  ///< of the last prescribe
+  double dt_previous_ = 0.0;        ///< of the last prescribe
+  double velocity_interval_ = 0.0;  ///< of the last prescribe
+  /// A motion or an SPC of a node's translations, by node.
+  struct OfTranslations {
+    int node;
+    bool is_held;        ///< by an SPC
+    std::size_t number;  ///< in prescribed_dofs_ or constrained_dofs_
+    auto operator<=>(const OfTranslations&) const = default;
+  };
+  std::vector<OfTranslations> of_translations_;
 };
 
 }  // namespace nugget::impact

@@ -2,6 +2,7 @@
 #include "impact/connections/brick_joints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
@@ -11,6 +12,16 @@ namespace nugget::impact {
 BrickJoints::Moving::Moving(const system::System& system, const system::BrickJoint& joint)
     : source(&joint), section(system.ties.welds[joint.weld], system.ties.x) {
   const weld::Weld& weld = system.ties.welds[joint.weld];
+  if (weld.elements.size() > 1) {
+    std::vector<Vec3d> start;
+    for (const model::Index n : section.nodes()) start.push_back(system.ties.x[n]);
+    const Frame3d axes = section.shape(start).axes;
+    constexpr double none = 1e-9;
+    if (const double turned = dot(axes.e3, joint.motions.axes.e2); std::abs(turned) > none) {
+      cosine = dot(axes.e2, joint.motions.axes.e2);
+      sine = turned;
+    }
+  }
   of_first_face = weld.face[0].size();
   for (const model::Index n : section.nodes()) nodes.push_back(system.node_of[n]);
   for (const model::Index e : weld.elements) {
@@ -26,6 +37,12 @@ BrickJoints::Moving::Moving(const system::System& system, const system::BrickJoi
 void BrickJoints::Moving::gather(const system::System& system, std::vector<Vec3d>& sum) const {
   std::fill(sum.begin(), sum.end(), Vec3d{});
   for (const Corner& c : corners) sum[c.node] += system.nodal_force(c.location, c.corner);
+}
+
+Frame3d BrickJoints::Moving::axes_in(const Frame3d& section_axes) const {
+  if (sine == 0.0) return section_axes;
+  const auto& [r, s, t] = section_axes;
+  return {r, cosine * s + sine * t, cosine * t - sine * s};
 }
 
 BrickJoints::BrickJoints(system::System& system) : system_(system) {
@@ -81,7 +98,7 @@ void BrickJoints::meet(Moving& joint, const system::State& state) {
     joint.x[n] = vec(state.x[joint.nodes[n]]) + 0.5 * state.dt * joint.v[n];
   }
   const weld::BrickSection::Shape shape = joint.section.shape(joint.x);
-  joint.motions = {shape.axes, 0.5 * (shape.centre[0] + shape.centre[1])};
+  joint.motions = {joint.axes_in(shape.axes), 0.5 * (shape.centre[0] + shape.centre[1])};
   const std::span<const Vec3d> places(joint.x), velocities(joint.v);
   joint.face = {system::face_motion(places.first(joint.of_first_face), velocities.first(joint.of_first_face),
                                     joint.motions.middle),
@@ -143,8 +160,8 @@ const std::vector<BrickJoints::Work>& BrickJoints::book() {
 
 void BrickJoints::Moving::archive(Archive& a) {
   a(state);
-  a.built(source, section, nodes, of_first_face, corners, acts, slid, force, force_after, x, v, motions, face, moved,
-          stiffness, resultant);
+  a.built(source, section, cosine, sine, nodes, of_first_face, corners, acts, slid, force, force_after, x, v, motions,
+          face, moved, stiffness, resultant);
 }
 
 void BrickJoints::archive(Archive& a) {

@@ -44,11 +44,14 @@ class BrickJoints {
     Moving(const system::System& system, const system::BrickJoint& source);
     /// Forces of the bricks on the faces' nodes.
     void gather(const system::System& system, std::vector<Vec3d>& force) const;
+    /// The joint's axes where the section has these: turned about r by the angle between both at the start.
+    Frame3d axes_in(const Frame3d& section_axes) const;
     std::size_t end_of(std::size_t node) const { return node < of_first_face ? 0 : 1; }
 
     const system::BrickJoint* source;
     weld::BrickSection section;
-    std::vector<int> nodes;  ///< of the system; those of the first face come first
+    double cosine = 1.0, sine = 0.0;  ///< of that angle
+    std::vector<int> nodes;           ///< of the system; those of the first face come first
     std::size_t of_first_face = 0;
     struct Corner {
       system::System::ElementLocation location;

@@ -82,33 +82,47 @@ void Joints::find_bounds() {
   const auto count = [&](const system::RigidBody* body) -> int& { return pieces[at(body->node) - system_.nodes]; };
   for (const Joint& j : joints_)
     for (const system::RigidBody* body : j.body) count(body) += 1 + static_cast<int>(j.directions.size());
-  const auto over = [](double a, double sum) { return sum > 0.0 ? a / sum : 0.0; };
   for (Joint& j : joints_) {
-    // Traces: row sums in body axes would change as bodies turn. They bound the largest eigenvalue.
-    double shared = 0.0, rotary_shared = 0.0, own = 0.0, rotary_own = 0.0;
-    for (const std::size_t side : {0u, 1u}) {
-      const system::RigidBody& body = *j.body[side];
-      const system::Mobility::Matrix inverse = system::inverse_inertia(body);
-      const double point = trace(inverse_mass_at(body, inverse, met_at(j, side))), turning = trace(inverse);
-      if (j.source->transmits()) {
-        const double met = transmitted(*j.source, side, point, turning);
-        own += met;
-        shared += count(&body) * met;
-        continue;
-      }
-      own += point;
-      rotary_own += turning;
-      shared += count(&body) * point;
-      rotary_shared += count(&body) * turning;
-    }
-    const double share = std::min(stiffness_share * j.source->stiffness_scale, largest_share);
-    j.bound = over(share, shared);
-    j.rotary_bound = over(share, rotary_shared);
-    // c = 2 xi sqrt(k m) with the mean mass of the relative motion.
-    const double ratio = 2.0 * damping_ratio * j.source->damping;
-    j.damping = ratio * std::sqrt(j.bound * over(j.source->transmits() ? 1.0 : 3.0, own));
-    j.rotary_damping = ratio * std::sqrt(j.rotary_bound * over(3.0, rotary_own));
+    for (const std::size_t side : {0u, 1u}) j.pieces[side] = count(j.body[side]);
+    set_bounds(j, met_at(j, 0));
   }
+}
+
+void Joints::set_bounds(Joint& j, const Vec3d& lever) {
+  const auto over = [](double a, double sum) { return sum > 0.0 ? a / sum : 0.0; };
+  // Traces: row sums in body axes would change as bodies turn. They bound the largest eigenvalue.
+  double shared = 0.0, rotary_shared = 0.0, own = 0.0, rotary_own = 0.0;
+  for (const std::size_t side : {0u, 1u}) {
+    const system::RigidBody& body = *j.body[side];
+    const system::Mobility::Matrix inverse = system::inverse_inertia(body);
+    const double point = trace(inverse_mass_at(body, inverse, side == 0 ? lever : j.arm[1])), turning = trace(inverse);
+    if (side == 0) j.give = point;
+    if (j.source->transmits()) {
+      const double met = transmitted(*j.source, side, point, turning);
+      own += met;
+      shared += j.pieces[side] * met;
+      continue;
+    }
+    own += point;
+    rotary_own += turning;
+    shared += j.pieces[side] * point;
+    rotary_shared += j.pieces[side] * turning;
+  }
+  const double share = std::min(stiffness_share * j.source->stiffness_scale, largest_share);
+  j.bound = over(share, shared);
+  j.rotary_bound = over(share, rotary_shared);
+  // c = 2 xi sqrt(k m) with the mean mass of the relative motion.
+  const double ratio = 2.0 * damping_ratio * j.source->damping;
+  j.damping = ratio * std::sqrt(j.bound * over(j.source->transmits() ? 1.0 : 3.0, own));
+  j.rotary_damping = ratio * std::sqrt(j.rotary_bound * over(3.0, rotary_own));
+}
+
+void Joints::follow_slide(Joint& j, const Motion& m) {
+  if (j.constrained == ConstrainedDirections::all && j.source->kind != Kind::screw) return;
+  const system::RigidBody& body = *j.body[0];
+  const Vec3d lever = body.axes.local(m.arm[0] + m.gap);
+  // It never becomes stiffer again: an open joint would give energy.
+  if (trace(inverse_mass_at(body, system::inverse_inertia(body), lever)) > j.give) set_bounds(j, lever);
 }
 
 void Joints::apply(system::State& state) {
@@ -237,6 +251,8 @@ void Joints::apply(Joint& j, system::State& state) {
   m.sliding = m.velocity[1] - m.velocity[0] - cross(m.spin[0], m.gap);
   m.turning = m.spin[1] - m.spin[0];
 
+  follow_slide(j, m);
+
   // Half of the work of the step: of the loads before it, and of those after it.
   const auto book = [&] {
     for (std::size_t side = 0; side < 2; ++side)
@@ -299,9 +315,9 @@ double Joints::energy() const {
 }
 
 void Joints::Joint::archive(Archive& a) {
-  a(force, moment, load, slip, step, stiffening, share, most_energy, energy, opening, largest_opening, failed,
-    failure_time);
-  a.built(source, body, arm, axis, other, constrained, directions, bound, rotary_bound, damping, rotary_damping, size);
+  a(give, bound, damping, force, moment, load, slip, step, stiffening, share, most_energy, energy, opening,
+    largest_opening, failed, failure_time);
+  a.built(source, body, arm, axis, other, constrained, directions, pieces, rotary_bound, rotary_damping, size);
 }
 
 void Joints::archive(Archive& a) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "impact/conditions/directions.hpp"
 #include "system/parcel.hpp"
 #include "system/share.hpp"
 
@@ -32,12 +33,18 @@ void report_constrained_nodes(const model::RigidWall& wall, const std::vector<in
                               constrained, wall.id, by_penalty ? "" : " or belong to nodal rigid bodies"));
 }
 
+struct HeldTranslations {
+  std::vector<Vec3d> directions;  // at right angles
+  bool driven = false;
+};
+
 /// What an SPC or a motion takes of a node's translations, by node; of those that a wall tracks.
-std::map<model::Index, std::vector<Vec3d>> held_directions(const model::RigidWall& wall, const model::Model& model) {
-  std::map<model::Index, std::vector<Vec3d>> held;
-  const auto add = [&](model::Index node, const Vec3d& direction) {
+std::map<model::Index, HeldTranslations> held_directions(const model::RigidWall& wall, const model::Model& model) {
+  std::map<model::Index, HeldTranslations> held;
+  const auto add = [&](model::Index node, const Vec3d& direction, bool driven) {
     if (!std::ranges::binary_search(wall.nodes, node)) return;
-    std::vector<Vec3d>& known = held[node];
+    held[node].driven = held[node].driven || driven;
+    std::vector<Vec3d>& known = held[node].directions;
     Vec3d rest = direction;
     for (const Vec3d& a : known) rest -= dot(a, rest) * a;
     if (const double left = norm(rest); left > 1e-3) known.push_back((1.0 / left) * rest);
@@ -45,37 +52,39 @@ std::map<model::Index, std::vector<Vec3d>> held_directions(const model::RigidWal
   const Frame3d global{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const model::SinglePointConstraint& spc : model.spcs) {
     const Frame3d& axes = spc.system == model::none ? global : model.systems[spc.system].axes;
-    if ((spc.fixed & 1u) != 0) add(spc.node, axes.e1);
-    if ((spc.fixed & 2u) != 0) add(spc.node, axes.e2);
-    if ((spc.fixed & 4u) != 0) add(spc.node, axes.e3);
+    if ((spc.fixed & 1u) != 0) add(spc.node, axes.e1, false);
+    if ((spc.fixed & 2u) != 0) add(spc.node, axes.e2, false);
+    if ((spc.fixed & 4u) != 0) add(spc.node, axes.e3, false);
   }
   for (const model::PrescribedMotion& motion : model.motions)
-    if (motion.target == model::PrescribedMotion::Target::nodes && !motion.rotation && !motion.circular &&
-        motion.only_direction)
-      for (const model::Index node : motion.nodes) add(node, motion.direction);
+    if (motion.target == model::PrescribedMotion::Target::nodes && !motion.rotation && !motion.circular)
+      for (const model::Index node : motion.nodes) {
+        add(node, motion.direction, true);
+        if (motion.only_direction) continue;
+        for (const Vec3d& across : normals(motion.direction)) add(node, across, true);
+      }
   return held;
 }
 
-/// A plane wall takes the velocity along its normal whatever else holds a node: one that is held askew to it goes off
-/// its support, and what the support would do beside the wall is in no energy.
-void report_nodes_held_askew(const model::RigidWall& wall, const model::Model& model, Findings& findings) {
+/// A node that is held along the normal of a plane wall goes through it: of no concern where neither moves.
+void report_nodes_held_along_the_normal(const model::RigidWall& wall, const model::Model& model, Findings& findings) {
   if (wall.shape != model::RigidWall::Shape::plane) return;
-  std::size_t askew = 0;
+  const bool moves = wall.mass > 0.0 || wall.motion_curve != model::none;
+  std::size_t count = 0;
   model::Index first = model::none;
-  for (const auto& [node, directions] : held_directions(wall, model)) {
+  for (const auto& [node, found] : held_directions(wall, model)) {
     double share = 0.0;  // of the normal, squared
-    for (const Vec3d& a : directions) share += dot(a, wall.normal) * dot(a, wall.normal);
-    if (share < 1e-4 || share > 1.0 - 1e-4) continue;
-    ++askew;
+    for (const Vec3d& a : found.directions) share += dot(a, wall.normal) * dot(a, wall.normal);
+    if (share <= 1.0 - contact::RigidWall::least_free || !(moves || found.driven)) continue;
+    ++count;
     if (first == model::none) first = node;
   }
-  if (askew > 0)
-    findings.warning(
-        wall.place, "*RIGIDWALL",
-        fmt::format("{} of the nodes of wall {}, first node {}, are held or driven along directions askew to "
-                    "its normal: where they touch it, the wall moves them off these, and energy is lost",
-                    askew, wall.id, model.nodes.id[first]),
-        "leave them out of the wall's nodes, or hold them along the wall or its normal");
+  if (count > 0)
+    findings.warning(wall.place, "*RIGIDWALL",
+                     fmt::format("{} of the nodes of wall {}, first node {}, are held or driven along its normal, so "
+                                 "that it does not stop them",
+                                 count, wall.id, model.nodes.id[first]),
+                     "leave them out of the wall's nodes where they meet it");
 }
 
 /// Of any node, infinite where one is no number; the same on all ranks.
@@ -104,7 +113,7 @@ Walls::Walls(const system::System& system, Findings& findings) {
     std::vector<int> nodes;
     for (model::Index n : wall.nodes) nodes.push_back(system.node_of[n]);
     report_constrained_nodes(wall, nodes, system, findings);
-    report_nodes_held_askew(wall, model, findings);
+    report_nodes_held_along_the_normal(wall, model, findings);
     const Curve* curve = wall.motion_curve == model::none ? nullptr : &model.curves[wall.motion_curve];
     std::optional<contact::WallPenalty> bodies;
     if (const double scale = model.control.wall_penalty; scale > 0.0) bodies.emplace(system, wall, nodes, scale);
@@ -120,7 +129,7 @@ Walls::Walls(const system::System& system, Findings& findings) {
 }
 
 void Walls::constrain(const system::System& system, system::State& state, std::span<const unsigned char> dependent,
-                      double& power_on_change) {
+                      contact::HeldNodes& supports, double& power_on_change) {
   const model::Model& model = system.model;
   // Worth while where walls look at most nodes.
   std::size_t tracked = 0;
@@ -136,7 +145,7 @@ void Walls::constrain(const system::System& system, system::State& state, std::s
         std::abs(model.curves[card.motion_curve].x.back() + card.birth - time) <= 1e-6 * state.dt)
       time -= state.dt;
     walls_[w].constrain(time, state.dt, state.dt_previous, state.x, state.v, state.f, system.mass, dependent, fastest,
-                        system.share());
+                        system.share(), &supports);
     power_on_change += walls_[w].power_on_change();
     if (state.period > 1) walls_[w].average(system::time_of_mean(state), state.begins_period());
   }

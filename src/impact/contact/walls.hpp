@@ -15,10 +15,10 @@ class Walls {
  public:
   Walls(const system::System& system, Findings& findings);
 
-  /// Takes the velocity into a wall from the nodes that touch it, dependent ones excepted (`dependent`, by node); adds
-  /// RigidWall::power_on_change of each wall.
+  /// Takes the velocity into a wall from the nodes that touch it, dependent ones excepted (`dependent`, by node), where
+  /// `supports` leave them free; adds RigidWall::power_on_change of each wall.
   void constrain(const system::System& system, system::State& state, std::span<const unsigned char> dependent,
-                 double& power_on_change);
+                 contact::HeldNodes& supports, double& power_on_change);
   /// Adds the penalty forces on rigid bodies.
   void press(const contact::Step& step, std::span<Row> force);
 

@@ -275,7 +275,7 @@ void Simulation::update_velocities() {
   accelerate();
   components_.supports.prescribe(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies);
   for (system::SpringGroup* springs : stopped_springs_) springs->stop(state_, system_.mass);
-  components_.walls.constrain(system_, state_, dependent_, power_on_change_);
+  components_.walls.constrain(system_, state_, dependent_, components_.supports, power_on_change_);
   components_.stoppers.apply(state_, 0.5 * (state_.dt + state_.dt_previous), system_.bodies, components_.supports);
   components_.supports.average_reactions(state_);
   power_on_change_ += components_.stoppers.power_on_change();

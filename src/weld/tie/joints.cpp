@@ -90,11 +90,19 @@ class SheetTests {
   const Answers& of(const model::Model& model, Index material) {
     const auto [found, is_new] = answers_.try_emplace(material);
     if (is_new)
-      found->second = {model::yield_at_rest(model.materials[material]), model::rate_factor(model.materials[material])};
+      found->second = {model::yield_at_rest(model.materials[material]),
+                       model::rate_factor(model.materials[material], thinnest(model, material))};
     return found->second;
   }
 
  private:
+  static double thinnest(const model::Model& model, Index material) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < model.shells.part.size(); ++e)
+      if (model.parts[model.shells.part[e]].material == material) least = std::min(least, model.shells.thickness[e]);
+    return least;
+  }
+
   std::map<Index, Answers> answers_;
 };
 

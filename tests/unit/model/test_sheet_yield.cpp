@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace nugget::model {
 namespace {
@@ -15,6 +16,7 @@ Material sheet() {
   law.yield = {{.x = {0.0, 0.1, 1.0}, .y = {300.0, 400.0, 400.0}}};
   Material material;
   material.law = law;
+  material.density = 7.85e-9;
   return material;
 }
 
@@ -25,7 +27,7 @@ TEST(SheetYield, IsTheSheetsOwnCurve) {
   EXPECT_NEAR(yield.extrapolated(0.0), 300.0, 0.1);
   EXPECT_NEAR(yield.extrapolated(0.05), 350.0, 0.1);
   EXPECT_NEAR(yield.extrapolated(0.3), 400.0, 0.1);
-  EXPECT_TRUE(rate_factor(sheet()).empty());
+  EXPECT_TRUE(rate_factor(sheet(), 1.0).empty());
 }
 
 // Cowper and Symonds: 1 + (rate / C)^(1/P); under shear the law's rate is that of the effective strain, 1/sqrt(3) of
@@ -34,11 +36,26 @@ TEST(SheetYield, RateIsTheSheetsOwn) {
   Material material = sheet();
   std::get<kernel::PiecewiseLinear>(material.law).rate_c = 40.0;
   std::get<kernel::PiecewiseLinear>(material.law).rate_p = 5.0;
-  const Curve factor = rate_factor(material);
+  const Curve factor = rate_factor(material, 1.0);
   ASSERT_FALSE(factor.empty());
   EXPECT_EQ(factor.clamped(0.0), 1.0);
   EXPECT_NEAR(factor.clamped(40.0), 2.0, 0.03);
-  EXPECT_NEAR(yield_at_rest(material).extrapolated(0.05), 350.0, 3.0);
+  EXPECT_NEAR(yield_at_rest(material).extrapolated(0.05), 350.0, 0.1);
+}
+
+// The same sheet in milliseconds. Sabotage: the same numbers for its rates in any unit of time.
+TEST(SheetYield, UnitsOfTimeDoNotMatter) {
+  Material seconds = sheet(), milliseconds = sheet();
+  milliseconds.density = 7.85e-3;
+  for (auto [material, c] : {std::pair{&seconds, 40.0}, std::pair{&milliseconds, 0.04}}) {
+    auto& law = std::get<kernel::PiecewiseLinear>(material->law);
+    law.rate_c = c;
+    law.rate_p = 5.0;
+  }
+  const Curve one = rate_factor(seconds, 1.2), other = rate_factor(milliseconds, 1.2);
+  for (const double rate : {1e-3, 0.7, 40.0, 900.0, 1.5e4})
+    EXPECT_NEAR(other.clamped(1e-3 * rate), one.clamped(rate), 1e-9 * one.clamped(rate)) << rate;
+  EXPECT_NEAR(yield_at_rest(milliseconds).extrapolated(0.05), yield_at_rest(seconds).extrapolated(0.05), 1e-9 * 350.0);
 }
 
 TEST(SheetYield, AnElasticSheetHasNone) {
