@@ -442,7 +442,7 @@ class Invariance(CommandTest):
             for state in states:
                 self.assertAlmostEqual(state["energy_ratio"][0], 1.0, delta=2e-3)
             out = {q: [s[q][0] / case.energy for s in states] for q in ("kinetic_energy", "internal_energy", "external_work")}
-            return {**out, **{f"wall {w}": [s["normal_force"][w] / case.force for s in lsda.states(found, "rwforc")] for w in (0, 1)}}
+            return {**out, **{f"wall {w}": [s["normal_force"][w] / case.force for s in lsda.states(found, "rwforc/forces")] for w in (0, 1)}}
         self.same_in_cases(beside_supports, (Case(), Case(turn=oblique(), shift=(64.0, -32.0, 16.0)), Case(mass=1e-3, length=1e3)), values)
 
     def test_first_node_of_triangles(self):
