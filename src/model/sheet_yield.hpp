@@ -8,8 +8,9 @@
 namespace nugget::model {
 
 /// Yield stress of a sheet's law over its plastic strain, at rest [stress]: what the law itself gives under shear in
-/// small steps. Empty where it does not flow, or has no effective plastic strain.
-Curve yield_at_rest(const Material& material);
+/// small steps. Empty where it does not flow, or has no effective plastic strain. At rest is 2e-19 of the rate at which
+/// a wave goes through `thickness` [length].
+Curve yield_at_rest(const Material& material, double thickness);
 /// Factor on it over the plastic strain rate, at 2 % of plastic strain, by the same test at other speeds; empty where
 /// the rate does not count. The speeds are shares of that at which a wave goes through `thickness` [length].
 Curve rate_factor(const Material& material, double thickness);

@@ -89,9 +89,11 @@ class SheetTests {
   };
   const Answers& of(const model::Model& model, Index material) {
     const auto [found, is_new] = answers_.try_emplace(material);
-    if (is_new)
-      found->second = {model::yield_at_rest(model.materials[material]),
-                       model::rate_factor(model.materials[material], thinnest(model, material))};
+    if (is_new) {
+      const double thickness = thinnest(model, material);
+      found->second = {model::yield_at_rest(model.materials[material], thickness),
+                       model::rate_factor(model.materials[material], thickness)};
+    }
     return found->second;
   }
 
