@@ -248,7 +248,7 @@ NodalMass shell_nodal_mass(const std::array<Vec3d, 4>& x, double thickness, doub
   const double area = shell_area(x), arm = 0.5 * (profile.mass_centre - offset) * thickness;
   const double mass = 0.25 * area * (density * thickness + mass_per_area);
   const double section2 = thickness * thickness / 12.0;
-  double gyration2 = profile.mass_spread * section2 + area / 12.0 + arm * arm;
+  double gyration2 = std::max(profile.mass_spread * section2, area / 8.0) + arm * arm;
   if (shear_share > 0.0) {
     gyration2 = std::max(gyration2, elastic_gyration2(profile, offset, thickness, section2));
     if (const double spin = 4.0 / (stable_courant_number * stable_courant_number) - 4.0 * shear_share; spin > 0.0) {

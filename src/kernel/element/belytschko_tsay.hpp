@@ -36,8 +36,8 @@ double shell_area(const std::array<Vec3d, 4>& x);
 /// Stable time step before TSSFAC, L / c with c = sqrt(E / (rho (1 - nu^2))) and L by `length` (ISDO) [time].
 double shell_stable_step(const std::array<Vec3d, 4>& x, ShellLength length, double E, double nu, double density);
 
-/// Mass of each of four nodes, rho t A / 4, and inertia m r^2, r^2 = (t^2 + A)/12 (Kennedy, Belytschko, Lin, Nucl. Eng.
-/// Des. 97 (1986), eq. 16, as quoted; docs/decisions/0046), and offset
+/// Mass of each of four nodes, rho t A / 4, and inertia m r^2, r^2 = max(t^2/12, A/8) (Hughes, Cohen, Haroun, Nucl.
+/// Eng. Des. 46 (1978); what LS-DYNA's shells turn with: docs/decisions/0182), and offset
 /// (docs/theory/shell.md#offset-from-the-mid-surface). `shear_share`: stiffness in transverse shear over that in the
 /// plane, kappa G (1 - nu^2) / E. Shear that bends and spins the section vibrates with w^2 = shear_share (c/L)^2 (4 +
 /// L^2/r^2), which is faster than a wave where Poisson's ratio is small: r is raised until a step of 0.93 L/c is stable

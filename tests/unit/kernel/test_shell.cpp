@@ -177,9 +177,9 @@ TEST(Shell, StableStep) {
 TEST(Shell, Mass) {
   const NodalMass m = shell_nodal_mass(positions(square()), 1.2, steel_density);
   EXPECT_DOUBLE_EQ(m.mass, 25.0 * 1.2 * steel_density / 4);
-  EXPECT_DOUBLE_EQ(m.inertia, m.mass * (25.0 + 1.44) / 12);
+  EXPECT_DOUBLE_EQ(m.inertia, m.mass * 25.0 / 8);
   EXPECT_DOUBLE_EQ(shell_nodal_mass(positions(square()), 12.0, steel_density, -1.0).inertia,
-                   10 * m.mass * ((25.0 + 144.0) / 12 + 36.0));
+                   10 * m.mass * (144.0 / 12 + 36.0));
   // Steel with kappa 5/6 leaves it as it is; with Poisson's ratio 0, kappa G / E' = 5/12 of a square of 5: 25 (5/12) /
   // (4/.93^2 - 5/3).
   const double steel_share = 5.0 / 6.0 * (1.0 - steel_nu) / 2.0;
