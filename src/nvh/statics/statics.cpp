@@ -117,7 +117,7 @@ std::optional<WeldForce> weld_force(const Matrices& m, const weld::Weld& weld, c
 /// d3plot and binout hold numbers of single precision: beyond their range they would say infinity, of a solution that
 /// ended normally.
 void check_range(const Matrices& m, const Statics& s) {
-  constexpr double range = std::numeric_limits<float>::max();
+  static constexpr double range = std::numeric_limits<float>::max();
   const auto fits = [](double value) { return std::abs(value) <= range; };  // not a number: no
   const auto refuse = [](const std::string& what) {
     throw Factorization::SolverError{fmt::format(
