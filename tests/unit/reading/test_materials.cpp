@@ -271,7 +271,8 @@ TEST(Controls, DefaultsOfLsDyna) {
 
 TEST(Controls, WhatCannotBeObeyed) {
   const auto b = built(
-      "*CONTROL_TIMESTEP\n\n,,1\n0.5\n*CONTROL_SHELL\n,3,,5\n0.5\n*CONTROL_CONTACT\n0.1,,,,2\n\n\n,,,,,1,0.5\n\n,,,,,,0.5\n*"
+      "*CONTROL_TIMESTEP\n\n,,1\n0.5\n*CONTROL_SHELL\n,3,,5\n0.5\n*CONTROL_CONTACT\n0.1,,,,2\n\n\n,,,,,1,0.5\n\n,,,,,,"
+      "0.5\n*"
       "CONTROL_OUTPUT\n1,,,1\n*CONTROL_ACCURACY\n1,2\n*CONTROL_SHELL\n\n\n\n,,,1\n");
   EXPECT_TRUE(b.error("only 0 is supported (selective mass scaling)", "imscl")) << b.all_findings();
   EXPECT_TRUE(b.error("expected 0 to 2", "esort"));
