@@ -213,7 +213,11 @@ std::string similar_keyword(std::string_view written) {
   const auto consider_forms = [&](std::string_view known, const Keyword& row) {
     if (known.ends_with('*')) return;
     consider(std::string(known), row);
-    for (const auto option : row.options) consider(fmt::format("{}_{}", known, option), row);
+    for (const auto first : row.options) {
+      consider(fmt::format("{}_{}", known, first), row);
+      for (const auto second : row.options)
+        if (second != first) consider(fmt::format("{}_{}_{}", known, first, second), row);
+    }
   };
   for (const Keyword& keyword : keywords()) {
     if (keyword.status == KeywordStatus::refused) continue;

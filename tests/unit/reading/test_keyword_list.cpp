@@ -127,7 +127,7 @@ TEST(KeywordList, MisspeltNamesAreGuessed) {
 /// Sabotage: options are not compared, and not said.
 TEST(KeywordList, MisspeltOptionsAreGuessed) {
   EXPECT_EQ(similar_keyword("CONTACT_SPOTWELD_WITH_TORSON"), "CONTACT_SPOTWELD_WITH_TORSION");
-  EXPECT_EQ(similar_keyword("SET_NODE_LIST_GENERAT"), "SET_NODE_LIST_GENERATE");
+  EXPECT_EQ(similar_keyword("SET_NODE_LIST_GENERTE"), "SET_NODE_LIST_GENERATE");
   EXPECT_EQ(similar_keyword("CONTACT_TIED_NODES_TO_SURFACE_OFSET_ID"), "CONTACT_TIED_NODES_TO_SURFACE_OFFSET_ID");
   const Built far(small_deck("*BOUNDARY_SPC_SET_BIRTH\n1\n"));
   EXPECT_TRUE(far.error("this form of *BOUNDARY_SPC_SET is not supported")) << far.all_findings();
