@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -95,38 +94,8 @@ template <class R, class Law>
   return c;
 }
 
-/// Of a column whose layers flow two at a time; those of one with more go one by one.
-inline constexpr int most_flowing_layers = 8;
-
-/// The second part of advance_column(): the layers `yielding`, a bit for each, flow, and all are added up.
-template <class R, class Law>
-[[gnu::noinline]] Column<R> flow_in_pairs(const ShellProperties& shell, const LawKernel<Law>& law,
-                                          const ShellRates<R>& d, const R& t, double dt, Number<R>* first,
-                                          unsigned yielding) {
-  const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
-  ThicknessStrain<R> thickness[most_flowing_layers];
-  for (int k = 0; k < shell.layers.count; ++k)
-    thickness[k] = law.elastic_thickness(rate_of_layer(shell, law, k, d, t), dt);
-  const auto next = [&] {
-    const int k = std::countr_zero(yielding);
-    yielding &= yielding - 1;
-    Number<R>* stress = first + k * stride;
-    return LayerPlace<R>{stress, stress + LayerTensor<R>::size * lanes<R>, &thickness[k]};
-  };
-  while (yielding != 0) {
-    const LayerPlace<R> one = next();
-    if (yielding != 0)
-      law.flow_layers(one, next(), dt);
-    else
-      law.flow_layer(one, dt);
-  }
-  Column<R> c;
-  for (int k = 0; k < shell.layers.count; ++k)
-    add_layer(shell, law, k, load_layer<R>(first + k * stride), thickness[k], c);
-  return c;
-}
-
-/// Advances the layers of a column by a step. `first`: the state of its first layer.
+/// Advances the layers of a column by a step. `first`: the state of its first layer. Two neighbours that both yield
+/// flow together where the law can do that (docs/decisions/0186).
 template <class R, class Law>
 [[gnu::always_inline]] inline Column<R> advance_column(const ShellProperties& shell, const LawKernel<Law>& law,
                                                        const ShellRates<R>& d, const R& t, double dt,
@@ -134,20 +103,40 @@ template <class R, class Law>
   if constexpr (!FlowsInPairs<Law>) {
     return advance_one_by_one(shell, law, d, t, dt, first);
   } else {
-    if (shell.layers.count > most_flowing_layers) [[unlikely]]
-      return [&] [[gnu::noinline]] { return advance_one_by_one(shell, law, d, t, dt, first); }();
-    const int stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
-    unsigned yielding = 0;
+    const int count = shell.layers.count, stride = (LayerTensor<R>::size + law.layer_history()) * lanes<R>;
+    ThicknessStrain<R> thickness[2];
     Column<R> c;
-    for (int k = 0; k < shell.layers.count; ++k) {
+    const auto place = [&](int k, int of_pair) {
       Number<R>* stress = first + k * stride;
-      LayerTensor<R> s = load_layer<R>(stress);
+      return LayerPlace<R>{stress, stress + LayerTensor<R>::size * lanes<R>, &thickness[of_pair]};
+    };
+    const auto strain = [&](const LayerPlace<R>& layer, int k) {
+      LayerTensor<R> s = load_layer<R>(layer.stress);
       const LayerTensor<R> rate = rate_of_layer(shell, law, k, d, t);
-      yielding |= law.strain_layer(s, rate, dt, stress + LayerTensor<R>::size * lanes<R>) ? 1u << k : 0u;
-      store_layer(stress, s);
-      add_layer(shell, law, k, s, law.elastic_thickness(rate, dt), c);
+      const bool yields = law.strain_layer(s, rate, dt, layer.history);
+      store_layer(layer.stress, s);
+      *layer.thickness = law.elastic_thickness(rate, dt);
+      return yields;
+    };
+    const auto add = [&](const LayerPlace<R>& layer, int k) {
+      add_layer(shell, law, k, load_layer<R>(layer.stress), *layer.thickness, c);
+    };
+    int k = 0;
+    for (; k + 1 < count; k += 2) {
+      const LayerPlace<R> a = place(k, 0), b = place(k + 1, 1);
+      const bool a_yields = strain(a, k), b_yields = strain(b, k + 1);
+      if (a_yields && b_yields)
+        law.flow_layers(a, b, dt);
+      else if (a_yields || b_yields)
+        law.flow_layer(a_yields ? a : b, dt);
+      add(a, k);
+      add(b, k + 1);
     }
-    if (yielding != 0) return flow_in_pairs(shell, law, d, t, dt, first, yielding);
+    if (k < count) {
+      const LayerPlace<R> last = place(k, 0);
+      if (strain(last, k)) law.flow_layer(last, dt);
+      add(last, k);
+    }
     return c;
   }
 }
