@@ -13,6 +13,7 @@ namespace nugget::impact {
 namespace {
 
 constexpr double stiffness_share = 0.25, largest_share = 0.5, damping_ratio = 0.1;
+constexpr double stable_growth = 2.0;  // of the inverse mass that a joint meets, before it softens
 constexpr double bearable_gain = 0.01;  // of the most that a joint ever took, made while it becomes stiffer
 
 using Kind = model::Joint::Kind;
@@ -84,19 +85,20 @@ void Joints::find_bounds() {
     for (const system::RigidBody* body : j.body) count(body) += 1 + static_cast<int>(j.directions.size());
   for (Joint& j : joints_) {
     for (const std::size_t side : {0u, 1u}) j.pieces[side] = count(j.body[side]);
-    set_bounds(j, met_at(j, 0));
+    j.give = trace(inverse_mass_at(*j.body[0], system::inverse_inertia(*j.body[0]), met_at(j, 0)));
+    set_bounds(j);
   }
 }
 
-void Joints::set_bounds(Joint& j, const Vec3d& lever) {
+void Joints::set_bounds(Joint& j) {
   const auto over = [](double a, double sum) { return sum > 0.0 ? a / sum : 0.0; };
   // Traces: row sums in body axes would change as bodies turn. They bound the largest eigenvalue.
   double shared = 0.0, rotary_shared = 0.0, own = 0.0, rotary_own = 0.0;
   for (const std::size_t side : {0u, 1u}) {
     const system::RigidBody& body = *j.body[side];
     const system::Mobility::Matrix inverse = system::inverse_inertia(body);
-    const double point = trace(inverse_mass_at(body, inverse, side == 0 ? lever : j.arm[1])), turning = trace(inverse);
-    if (side == 0) j.give = point;
+    const double point = side == 0 ? j.give : trace(inverse_mass_at(body, inverse, met_at(j, 1)));
+    const double turning = trace(inverse);
     if (j.source->transmits()) {
       const double met = transmitted(*j.source, side, point, turning);
       own += met;
@@ -121,8 +123,11 @@ void Joints::follow_slide(Joint& j, const Motion& m) {
   if (j.constrained == ConstrainedDirections::all && j.source->kind != Kind::screw) return;
   const system::RigidBody& body = *j.body[0];
   const Vec3d lever = body.axes.local(m.arm[0] + m.gap);
+  const double give = trace(inverse_mass_at(body, system::inverse_inertia(body), lever)) / stable_growth;
   // It never becomes stiffer again: an open joint would give energy.
-  if (trace(inverse_mass_at(body, system::inverse_inertia(body), lever)) > j.give) set_bounds(j, lever);
+  if (!(give > j.give)) return;
+  j.give = give;
+  set_bounds(j);
 }
 
 void Joints::apply(system::State& state) {

@@ -105,7 +105,7 @@ class Joints {
     ConstrainedDirections constrained = ConstrainedDirections::all;
     std::vector<Directions> directions;
     std::array<int, 2> pieces{};  ///< at each body, of all joints
-    double give = 0.0;            ///< trace of the inverse mass of A where the force meets it, the largest so far
+    double give = 0.0;            ///< trace of the inverse mass of A where the force meets it, by which it is bounded
     double bound = 0.0, rotary_bound = 0.0;      ///< k dt^2
     double damping = 0.0, rotary_damping = 0.0;  ///< c dt
     Vec3d force, moment;                         ///< on B, at its point
@@ -122,8 +122,8 @@ class Joints {
     void archive(Archive& a);
   };
   void find_bounds();
-  /// Bounds and damping, with the joint's force at `lever` of A.
-  static void set_bounds(Joint& joint, const Vec3d& lever);
+  /// Bounds and damping, by `pieces` and `give`.
+  static void set_bounds(Joint& joint);
   /// Softens a joint whose bodies slide apart: its force meets A farther out.
   static void follow_slide(Joint& joint, const Motion& motion);
   /// Lever of the place where the joint's force meets a body, in body axes, at time 0.
