@@ -13,7 +13,7 @@ namespace nugget::impact {
 namespace {
 
 constexpr double stiffness_share = 0.25, largest_share = 0.5, damping_ratio = 0.1;
-constexpr double stable_growth = 2.0;  // of the inverse mass that a joint meets, before it softens
+constexpr double stable_growth = 2.0;   // of the inverse mass that a joint meets, before it softens
 constexpr double bearable_gain = 0.01;  // of the most that a joint ever took, made while it becomes stiffer
 
 using Kind = model::Joint::Kind;
