@@ -78,10 +78,10 @@ class Strained {
   int flowed_ = 0;
 };
 
-/// In double and in single precision, with all numbers of layers up to one more than flow in pairs.
+/// In double and in single precision, with one layer and more.
 template <class Law>
 void expect_same_bits(const Law& law) {
-  for (int layers = 1; layers <= most_flowing_layers + 1; ++layers) {
+  for (int layers = 1; layers <= 9; ++layers) {
     SCOPED_TRACE(layers);
     Strained<NativeBatch, Law>(law, layers).expect_same_bits(100);
     Strained<SingleBatch, Law>(law, layers).expect_same_bits(100);
