@@ -594,9 +594,10 @@ struct Supports::Holding {
 
 Supports::Holding Supports::holding(int node) const {
   Holding found;
-  for (const OfTranslations& t : std::ranges::equal_range(of_translations_, node, {}, &OfTranslations::node)) {
-    const ConstrainedDof& dof = t.is_held ? constrained_dofs_[t.number] : prescribed_dofs_[t.number];
-    if (dof.active && found.directions.add(dof.axis, 0.0)) found.of[at(found.directions.size() - 1)] = &t;
+  for (auto t = std::ranges::lower_bound(of_translations_, node, {}, &OfTranslations::node);
+       t != of_translations_.end() && t->node == node; ++t) {
+    const ConstrainedDof& dof = t->is_held ? constrained_dofs_[t->number] : prescribed_dofs_[t->number];
+    if (dof.active && found.directions.add(dof.axis, 0.0)) found.of[at(found.directions.size() - 1)] = &*t;
   }
   return found;
 }
