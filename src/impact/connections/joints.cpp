@@ -120,7 +120,7 @@ void Joints::set_bounds(Joint& j) {
 }
 
 void Joints::follow_slide(Joint& j, const Motion& m) {
-  if (j.constrained == ConstrainedDirections::all && j.source->kind != Kind::screw) return;
+  if (j.constrained == ConstrainedDirections::all || j.source->kind == Kind::screw) return;
   const system::RigidBody& body = *j.body[0];
   const Vec3d lever = body.axes.local(m.arm[0] + m.gap);
   const double give = trace(inverse_mass_at(body, system::inverse_inertia(body), lever)) / stable_growth;
