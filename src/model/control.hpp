@@ -139,7 +139,6 @@ struct Control {
   // *CONTROL_OUTPUT, *CONTROL_SOLID
   bool average_accelerations = false;  ///< IACCOP = 1
   std::vector<Index> eroding_parts;    ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
-  double tied_rotary_mass = 0.0;       ///< RMAVG
 
   Subcycling subcycling;
   bool single_precision = false;  ///< --precision single: elements that are built for it (docs/manual/precision.md)

@@ -23,8 +23,9 @@ namespace nugget::kernel {
 ///   step_share()                            what the viscous stress of layers leaves of the stable step, of membranes
 ///   stiffness_share()                       stiffness of a point now over that of its elastic constants
 ///   shear_wave_modulus()                    part of wave_modulus() beside the bulk modulus of an equation of state
-///   strain_layer(), elastic_thickness(), flow_layer(), flow_layers()   layer() in parts, the last of two layers at a
-///   time may_pull_otherwise                      whether the slope at rest may differ between tension and compression
+///   strain_layer(), elastic_thickness()     the elastic part of layer(), and what that gives
+///   flow_layer(), flow_layers()             its plastic part, of one layer and of two together
+///   may_pull_otherwise                      whether the slope at rest may differ between tension and compression
 /// Laws with element kernels of their own (own_kernels.hpp) have besides:
 ///   elastic()                               elastic constants
 ///   points_to_delete()                      failed points that delete an element, as in ComposedLaw; 0: all
@@ -42,7 +43,7 @@ template <class Law>
 concept LawOfLayers = requires(const LawKernel<Law>& law, LayerTensor<double>& s, double* history) {
   law.layer(s, s, 0.0, history);
 };
-/// Laws whose layers of a column may be strained first, and those that yield then flow, two at a time.
+/// Laws of which two layers that have been strained can flow together.
 template <class Law>
 concept FlowsInPairs = requires(const LawKernel<Law>& law, const LayerPlace<double>& layer) {
   law.flow_layers(layer, layer, 0.0);
