@@ -64,12 +64,13 @@ template <class R>
   return sum;
 }
 
-template <class R>
-LayerTensor<R> load_layer(const Number<R>* s) {
+/// `s`: a pointer, or what stands in the place of one (twin_place.hpp).
+template <class R, class Place>
+LayerTensor<R> load_layer(const Place& s) {
   return {load_field<R>(s, 0), load_field<R>(s, 1), load_field<R>(s, 2), load_field<R>(s, 3), load_field<R>(s, 4)};
 }
-template <class R>
-void store_layer(Number<R>* s, const LayerTensor<R>& a) {
+template <class R, class Place>
+void store_layer(const Place& s, const LayerTensor<R>& a) {
   store_field(s, 0, a.xx);
   store_field(s, 1, a.yy);
   store_field(s, 2, a.xy);

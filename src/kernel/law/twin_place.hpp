@@ -38,19 +38,6 @@ requires(is_twin<T>) TwinPlace<N> from_field(const TwinPlace<N>& state, int fiel
   return {from_field<R>(state.a, field), from_field<R>(state.b, field)};
 }
 
-template <class T, class N>
-requires(is_twin<T>) LayerTensor<T> load_layer(const TwinPlace<N>& s) {
-  return {load_field<T>(s, 0), load_field<T>(s, 1), load_field<T>(s, 2), load_field<T>(s, 3), load_field<T>(s, 4)};
-}
-template <class N, class R>
-void store_layer(const TwinPlace<N>& s, const LayerTensor<Twin<R>>& a) {
-  store_field(s, 0, a.xx);
-  store_field(s, 1, a.yy);
-  store_field(s, 2, a.xy);
-  store_field(s, 3, a.xz);
-  store_field(s, 4, a.yz);
-}
-
 /// Where the state of a layer stands.
 template <class R>
 struct LayerPlace {
