@@ -146,6 +146,28 @@ class Axes(CommandTest):
             self.close([s[f"{c}_velocity"][0] for c in "xyz"], [-300.0, 300.0, 0.0], 0.1)
             self.close([s[f"{c}_acceleration"][0] for c in "xyz"], [-9e4, -9e4, 0.0], 40.0)
 
+    def test_mean_accelerations(self):
+        """IACCOP 1: the change of a velocity over the time between two outputs, here that of a corner which turns by 0.3
+        from one to the next, 1.1 % less than its acceleration; relative to the corner beside it, in their axes, likewise.
+        Sabotage: accelerations of the moment; the origin's left as they are."""
+        w, step = 300.0, 0.001
+        self.spinning("*CONTROL_OUTPUT\n", card(0, 0, 0, 1), "*DEFINE_COORDINATE_NODES\n", card(9, 1, 2, 4, 1),
+                      "*DATABASE_HISTORY_NODE\n", card(7), "*DATABASE_HISTORY_NODE_LOCAL\n", card(3, 9, 2),
+                      "*DATABASE_NODOUT\n", card(step, 3))
+        states = self.states("nodout")
+        self.assertEqual(len(states), 5)
+        for n, s in enumerate(states):
+            t = s["time"][0]
+            self.assertAlmostEqual(t, n * step, delta=1e-8)
+            # of corner 7 about the centre, and of corner 3 relative to corner 1: v = w x r, r = (1/2, 1/2), (1, 1)
+            for i, r in enumerate((math.sqrt(0.5), math.sqrt(2.0))):
+                size = w * r * (2.0 * math.sin(0.5 * w * step) / step if n else w)
+                angle = math.pi / 4 + w * (t - 0.5 * step if n else t) + math.pi
+                if i == 1:
+                    angle -= w * t
+                seen = [s[f"{c}_acceleration"][i] for c in "xyz"]
+                self.close(seen, [size * math.cos(angle), size * math.sin(angle), 0.0], 4e-4 * size)
+
     def test_local_axes_of_rbdout(self):
         """LCO: local components of the velocity are those in axes that turn with the body. Sabotage: LCO not obeyed."""
         v, w = (10.0, -20.0, 5.0), 300.0

@@ -41,7 +41,8 @@ class Restart(RepeatedRuns):
         self.assertTrue(0.2 < summary["weld"][0]["failure_time"] / summary["time"] < 0.8)
 
     def test_a_weld_with_filter_and_damage(self):
-        self.resumed(damaged_weld(), "--until", "4e-5", shares=(0.2, 0.4, 0.6, 0.8))
+        """And mean accelerations in nodout, from the output before the restart file on."""
+        self.resumed(with_cards(damaged_weld(), "*CONTROL_OUTPUT\n,,,1\n"), "--until", "4e-5", shares=(0.2, 0.4, 0.6, 0.8))
         self.assertIn("begins to be damaged", self.read("whole/run.log"))
 
     def test_binout_histories_strains_and_files_of_one_state(self):

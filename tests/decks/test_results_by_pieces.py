@@ -102,7 +102,7 @@ class ResultsByPieces(RepeatedRuns):
         """Elements that are deleted, under mass scaling, of every kind, welds that fail; d3plot and elout of all. Sabotage: pieces in the order of ranks; one
         at the place of another; strains, or a deletion, of an element that another rank computes."""
         cases = {"tube": (of_all(tube(fail=0.02, mass_step=-1.0e-6, end=8.0e-4), "SHELL"), (), [(n, t) for n in (2, 3, 4, 7) for t in (1, 2)]),
-                 "all nodes": (of_all(tube(48, 30, end=2.0e-4), "NODE"), (), ((2, 1), (3, 2))),
+                 "all nodes": (of_all(tube(48, 30, end=2.0e-4).replace("*END", "*CONTROL_OUTPUT\n,,,1\n*END"), "NODE"), (), ((2, 1), (3, 2))),
                  "bricks": (of_all(block(8), "SOLID", "BEAM"), (), ((2, 2), (3, 1))),
                  "ten nodes": (of_all(block(5, elform=2), "SOLID"), (), ((3, 1),)),
                  "thick shells": (plate(12).replace("*END", "*DATABASE_HISTORY_TSHELL\n" + "".join(card(*range(k, k + 8)) for k in range(1, 121, 8)) + "*END"), (),

@@ -25,6 +25,7 @@ struct EloutRows {
   static void set_head(State& state, const Snapshot& now);
   static void blank(const system::System& system, const Take& take);
   static void pass(const Snapshot& now, Table table, ResultParcels& parcels, const Take& take);
+  void archive(Archive&) {}
 };
 
 /// LS-DYNA's number of the laws that beams can have; 0 where it is not known.

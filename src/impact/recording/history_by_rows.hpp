@@ -21,6 +21,7 @@ namespace nugget::impact {
 ///   set_head(state, snapshot)               what a state says besides rows
 ///   blank(system, take)                     all rows some at a time, without what is computed
 ///   pass(snapshot, table, parcels, take)    likewise, as they are now
+///   archive(archive)                        what it keeps from one output to the next
 /// beside which stand, with its table and state in `output`,
 ///   print_head(file, table, state), print_rows(file, table, state)
 template <class Rows>
@@ -56,6 +57,7 @@ class HistoryByRows {
   }
   void archive(Archive& a) {
     if (text_) a(*text_);
+    a(rows_);
     a.built(binout_, shape_, first_, has_first_);
   }
 
@@ -66,7 +68,8 @@ class HistoryByRows {
   /// On another rank than the first, while that writes.
   static void give(const Snapshot& now) {
     ResultParcels parcels(now.system);
-    for (const auto table : Rows::tables(now.system.model)) Rows::pass(now, table, parcels, {});
+    Rows rows;
+    for (const auto table : Rows::tables(now.system.model)) rows.pass(now, table, parcels, {});
     parcels.close();
   }
 
@@ -74,7 +77,7 @@ class HistoryByRows {
   void write_tables(const Snapshot& now, ResultParcels& parcels, output::AsciiFile* text) {
     for (const auto table : Rows::tables(now.system.model)) {
       bool has_head = false;
-      Rows::pass(now, table, parcels, [&](const State& piece) {
+      rows_.pass(now, table, parcels, [&](const State& piece) {
         if (text != nullptr) {
           if (!has_head) print_head(*text, table, piece);
           has_head = true;
@@ -86,6 +89,7 @@ class HistoryByRows {
     }
   }
 
+  Rows rows_;
   std::shared_ptr<output::Binout> binout_;
   std::optional<output::AsciiHistory<State>> text_;
   output::HistoryShape<State> shape_;

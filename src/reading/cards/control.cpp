@@ -641,8 +641,6 @@ void read_output(Builder& b, const Block& block, const Options&) {
   // Its cards from the third on are about LS-DYNA's listings.
   Cursor cursor(b.deck, block, b.findings);
   const auto row = cursor.read(output_card_1);
-  expect(b, Severity::warning,
-         {{row[&OutputCard1::iaccop], 0, "not obeyed: nodout has the accelerations of the moment, as with 0"}});
   b.model.control.average_accelerations = row->iaccop == 1;
   const auto row2 = cursor.read(output_card_2);
   using enum Requests::ShellAxes;

@@ -278,7 +278,7 @@ TEST(Controls, WhatCannotBeObeyed) {
   EXPECT_TRUE(b.error("expected 0 to 2", "esort"));
   EXPECT_TRUE(b.error("expected 0 to 4", "istupd"));
   EXPECT_TRUE(b.error("only 1 is supported", "rotascl"));
-  for (const auto* field : {"rmavg", "penopt", "shltrw", "iaccop", "keepcs"})
+  for (const auto* field : {"rmavg", "penopt", "shltrw", "keepcs"})
     EXPECT_TRUE(b.warning("not obeyed", field)) << field << '\n' << b.all_findings();
   EXPECT_TRUE(b.warning("not obeyed", "osu"));
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/index.hpp"
 #include "impact/recording/histories.hpp"
@@ -57,7 +59,9 @@ void turn_into_accelerometer(const Snapshot& now, model::Index node, output::Nod
 }
 
 /// The motion of a node in the axes that its history asks for; coordinates stay global.
-void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity, output::NodoutRow& row) {
+/// `of_origin`: the motion of the origin of axes that a motion is relative to.
+void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity,
+                          const std::optional<NodeMotion>& of_origin, output::NodoutRow& row) {
   if (entity.system == model::none) return;
   const model::CoordinateSystem& system = now.system.model.systems[entity.system];
   Frame3d axes = system.axes;
@@ -66,11 +70,10 @@ void turn_into_local_axes(const Snapshot& now, const model::NamedEntity& entity,
   if (entity.turning)
     model::frame_of_points(place(system.nodes->origin), place(system.nodes->on_axis), place(system.nodes->in_plane),
                            system.nodes->axis, axes);
-  if (entity.relative) {
+  if (of_origin) {
     const model::Index origin = system.nodes->origin;
-    const NodeMotion of_origin = node_motion(now, index(origin));
-    row.velocity -= of_origin.velocity;
-    row.acceleration -= of_origin.acceleration;
+    row.velocity -= of_origin->velocity;
+    row.acceleration -= of_origin->acceleration;
     const auto start = [&](model::Index n) { return now.system.model.nodes.x[n]; };
     row.displacement =
         row.coordinate - place(origin) - axes.global(system.axes.local(start(entity.index) - start(origin)));
@@ -95,7 +98,16 @@ Motion motion_of(const Snapshot& now, std::size_t i) {
   return {vec(now.state.x[k]), now.history_rotation[i], node_motion(now, k)};
 }
 
-output::NodoutRow row_of(const Snapshot& now, std::size_t i, const Motion& of) {
+/// The motion of the node that history `i` is relative to.
+std::optional<NodeMotion> motion_of_origin(const Snapshot& now, std::size_t i) {
+  const model::Model& model = now.system.model;
+  const model::NamedEntity& entity = model.requests.history_nodes[i];
+  if (entity.system == model::none || !entity.relative) return {};
+  return node_motion(now, at(now.system.node_of[model.systems[entity.system].nodes->origin]));
+}
+
+output::NodoutRow row_of(const Snapshot& now, std::size_t i, const Motion& of,
+                         const std::optional<NodeMotion>& of_origin) {
   const model::Model& model = now.system.model;
   const model::NamedEntity& entity = model.requests.history_nodes[i];
   output::NodoutRow row;
@@ -107,12 +119,28 @@ output::NodoutRow row_of(const Snapshot& now, std::size_t i, const Motion& of) {
   row.rotational_velocity = of.motion.rotational_velocity;
   row.rotational_acceleration = of.motion.rotational_acceleration;
   row.rotation = of.rotation;
-  turn_into_local_axes(now, entity, row);
+  turn_into_local_axes(now, entity, of_origin, row);
   turn_into_accelerometer(now, entity.index, row);
   return row;
 }
 
 }  // namespace
+
+void MeanAccelerations::begin(double time, std::size_t motions) {
+  if (time == time_) return;
+  before_ = std::move(now_);
+  time_before_ = std::exchange(time_, time);
+  now_.assign(motions, {});
+}
+
+NodeMotion MeanAccelerations::averaged(std::size_t i, NodeMotion motion) {
+  now_[i] = {motion.velocity, motion.rotational_velocity};
+  if (before_.empty()) return motion;
+  const double over = 1.0 / (time_ - time_before_);
+  motion.acceleration = over * (motion.velocity - before_[i].velocity);
+  motion.rotational_acceleration = over * (motion.rotational_velocity - before_[i].spin);
+  return motion;
+}
 
 void NodoutRows::set_head(State& s, const Snapshot& now) {
   const model::Model& model = now.system.model;
@@ -143,6 +171,16 @@ void NodoutRows::blank(const system::System& system, const Take& take) {
 
 void NodoutRows::pass(const Snapshot& now, Table, ResultParcels& parcels, const Take& take) {
   const std::vector<model::NamedEntity>& asked = now.system.model.requests.history_nodes;
+  const bool means = now.system.model.control.average_accelerations;
+  if (means) means_.begin(now.state.time, 2 * asked.size());
+  const auto row = [&](std::size_t i, Motion motion) {
+    std::optional<NodeMotion> of_origin = motion_of_origin(now, i);
+    if (means) {
+      motion.motion = means_.averaged(i, motion.motion);
+      if (of_origin) of_origin = means_.averaged(asked.size() + i, *of_origin);
+    }
+    return row_of(now, i, motion, of_origin);
+  };
   std::size_t done = 0;
   pass_rows<Motion>(
       &parcels, asked.size(),
@@ -152,7 +190,7 @@ void NodoutRows::pass(const Snapshot& now, Table, ResultParcels& parcels, const 
       [&](const std::vector<Motion>& motions) {
         State piece;
         set_head(piece, now);
-        for (const Motion& motion : motions) piece.rows.push_back(row_of(now, done++, motion));
+        for (const Motion& motion : motions) piece.rows.push_back(row(done++, motion));
         take(piece);
       });
 }
@@ -161,7 +199,7 @@ output::NodoutState nodout_state(const Snapshot& now) {
   output::NodoutState all;
   NodoutRows::set_head(all, now);
   ResultParcels parcels(now.system);
-  NodoutRows::pass(now, output::NodoutTable::translations, parcels, [&](const output::NodoutState& piece) {
+  NodoutRows().pass(now, output::NodoutTable::translations, parcels, [&](const output::NodoutState& piece) {
     all.rows.insert(all.rows.end(), piece.rows.begin(), piece.rows.end());
   });
   return all;
