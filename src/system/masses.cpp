@@ -48,6 +48,7 @@ void System::assemble_mass() {
 
 void System::transfer_dependent_mass() {
   ++mass_changes_;
+  linked_nodes_.clear();
   carried_mass_ = own_mass;
   carried_inertia_ = own_inertia_;
   carried_mass_.resize(all_nodes(), 0.0);
@@ -65,7 +66,60 @@ void System::transfer_dependent_mass() {
   free_room(carried_inertia_);
 }
 
-void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {
+void System::transfer_changed_mass() {
+  ++mass_changes_;
+  const auto make_unique = [](std::vector<int>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  };
+  if (linked_nodes_.empty()) {
+    map.each_row([&](int dependent, int other) {
+      linked_nodes_.push_back(dependent);
+      linked_nodes_.push_back(other);
+    });
+    make_unique(linked_nodes_);
+  }
+  // What is linked is summed up anew, in the order of transfer_dependent_mass(), so that the sums have the same bits.
+  carried_mass_.resize(all_nodes());
+  carried_inertia_.resize(all_nodes());
+  for (const int node : linked_nodes_) {
+    const auto k = at(node);
+    carried_mass_[k] = k < nodes ? own_mass[k] : 0.0;
+    carried_inertia_[k] = k < nodes ? own_inertia_[k] : 0.0;
+  }
+  map.transfer_mass(carried_mass_, carried_inertia_, static_cast<int>(nodes));
+  make_unique(changed_mass_);
+  const auto of_elements = static_cast<std::ptrdiff_t>(changed_mass_.size());
+  for (const int node : changed_mass_) {
+    const auto k = at(node);
+    if (std::binary_search(linked_nodes_.begin(), linked_nodes_.end(), node)) continue;
+    mass[k] = own_mass[k];
+    inertia[k] = own_inertia_[k];
+  }
+  for (const int node : linked_nodes_) {
+    const auto k = at(node);
+    if (k >= nodes) break;
+    const bool dependent = map.dependent(node);
+    const double m = dependent ? 0.0 : carried_mass_[k],
+                 j = dependent && map.rotations(node) ? 0.0 : carried_inertia_[k];
+    if (m == mass[k] && j == inertia[k]) continue;
+    mass[k] = m;
+    inertia[k] = j;
+    changed_mass_.push_back(node);
+  }
+  std::inplace_merge(changed_mass_.begin(), changed_mass_.begin() + of_elements, changed_mass_.end());
+  changed_mass_.erase(std::unique(changed_mass_.begin(), changed_mass_.end()), changed_mass_.end());
+}
+
+void System::find_scaled_elements() {
+  scaled_elements_.assign(groups.size(), {});
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (std::size_t e = 0; e < groups[g]->size(); ++e)
+      if (groups[g]->mass_scale(e) != 1.0) scaled_elements_[g].push_back(static_cast<int>(e));
+}
+
+void System::set_mass_scale(std::size_t g, std::size_t e, double factor) {
+  ElementGroup& group = *groups[g];
   factor = group.kept_mass_scale(factor);
   const int corners = group.nodes_per_element;
   const double more = factor - group.mass_scale(e);
@@ -74,16 +128,22 @@ void System::set_mass_scale(ElementGroup& group, std::size_t e, double factor) {
   for (int a = 0; a < corners; ++a) {
     own_mass[node[a]] += more * group.nodal_mass(e, a);
     own_inertia_[node[a]] += j;
+    changed_mass_.push_back(node[a]);
   }
   group.scale_mass(e, factor);
   ++mass_changes_;
+  std::vector<int>& scaled = scaled_elements_[g];
+  const auto place = std::lower_bound(scaled.begin(), scaled.end(), static_cast<int>(e));
+  if (place == scaled.end() || *place != static_cast<int>(e)) scaled.insert(place, static_cast<int>(e));
 }
 
 bool System::scale_mass(bool at_start) {
   if (!at_start && model.control.mass_scaling_at_start_only) return false;
-  bool changed = false, any = false;
+  bool any = false;
+  changed_mass_.clear();
   std::vector<ScaledMass> scaled;  // over several ranks
-  for (auto& group : groups) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const auto& group = groups[g];
     const double target = std::max(group->mass_step, group->physical_mass_step);
     if (target <= 0.0) continue;
     any = true;
@@ -98,16 +158,15 @@ bool System::scale_mass(bool at_start) {
         if (!group->alive(e) || step == 0.0) continue;
         const double wanted = exactly ? now * (target / step) * (target / step) : group->wanted_mass_scale(e);
         if (share_) {
-          const auto g = static_cast<int>(&group - groups.data());
+          const auto index = static_cast<int>(g);
           const double physical = group->physical_mass_scale(e);
-          if ((wanted != now || physical != by_dt) && share_->answers_for(g, e))
-            scaled.push_back({wanted, physical, e, g});
+          if ((wanted != now || physical != by_dt) && share_->answers_for(index, e))
+            scaled.push_back({wanted, physical, e, index});
           continue;
         }
         if (group->physical_mass_scale(e) != by_dt) ++mass_changes_;
         if (!exactly && wanted == now) continue;
-        set_mass_scale(*group, e, wanted);
-        changed = true;
+        set_mass_scale(g, e, wanted);
       }
     }
   }
@@ -119,12 +178,15 @@ bool System::scale_mass(bool at_start) {
       group.take_physical_mass_scale(s.element, s.physical);
       ++mass_changes_;
       if (s.factor == group.mass_scale(s.element)) continue;
-      set_mass_scale(group, s.element, s.factor);
-      changed = true;
+      set_mass_scale(at(s.group), s.element, s.factor);
     }
   }
-  if (changed) transfer_dependent_mass();
-  return changed;
+  if (changed_mass_.empty()) return false;
+  if (at_start)
+    transfer_dependent_mass();
+  else
+    transfer_changed_mass();
+  return true;
 }
 
 const System::Masses& System::masses() const {

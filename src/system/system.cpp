@@ -67,6 +67,7 @@ System::System(const model::Model& m, const weld::Ties& t, Findings& findings, E
   link_slots();
   if (periods_.on()) subcycles_ = Subcycles(*this);
   assemble_mass();
+  find_scaled_elements();
   transfer_dependent_mass();
   make_bodies();
   check_springs(*this, findings);
@@ -527,9 +528,9 @@ void System::archive(Archive& a) {
   a.built(groups, slots_, single_slots_);            // a group's slots behind its states
   a.built(model, ties, brick_joints, weld_stacks, nodes, node_of, model_node, body_of, springs, shell_location,
           solid_location, beam_location, discrete_location, start_, start_is_forgotten_, elements_have_started_,
-          carried_mass_, carried_inertia_, mass_only_elements_, constraint_source_, damping_slots, sums_, blocks_,
-          periods_, share_, sums_by_rank_, computed_, deleted_, deletions_seen_, steps_of_others_, reported_below,
-          mass_changes_, masses_, masses_are_of_);
+          carried_mass_, carried_inertia_, linked_nodes_, changed_mass_, scaled_elements_, mass_only_elements_,
+          constraint_source_, damping_slots, sums_, blocks_, periods_, share_, sums_by_rank_, computed_, deleted_,
+          deletions_seen_, steps_of_others_, reported_below, mass_changes_, masses_, masses_are_of_);
   a.section("elements");
   for (const auto& group : groups) {
     a(*group);
@@ -544,6 +545,8 @@ void System::archive(Archive& a) {
   }
   if (!a.reading()) return;
   ++mass_changes_;
+  linked_nodes_.clear();
+  find_scaled_elements();
   take_share_of_what_was_read();
 }
 

@@ -194,6 +194,10 @@ class System {
   /// Mass scaling to the deck's DT2MS and the welds' DT: raises the density of elements whose stable step is too small.
   /// True if any mass was added; nodal masses are then assembled anew.
   bool scale_mass(bool at_start);
+  /// Nodes whose masses the last scale_mass(false) changed, their own or those handed over to them; ascending.
+  std::span<const int> nodes_of_changed_mass() const { return changed_mass_; }
+  /// Elements of a group whose density has ever been scaled; ascending.
+  std::span<const int> scaled_elements(std::size_t group) const { return scaled_elements_[group]; }
 
   /// Releases nodes of a rigid body while the model moves: they are free from now on, with their own mass and the
   /// velocity they have. What the body keeps moves on as a body of its own mass and inertia; linear momentum is
@@ -313,8 +317,12 @@ class System {
   void link_slots();
   /// Forces of bodies and anchors begin at 0.
   void clear_virtual(std::span<Row> force, std::span<Row> moment) const;
-  /// Sets the density factor of an element and puts the change on its nodes.
-  void set_mass_scale(ElementGroup& group, std::size_t e, double factor);
+  /// Sets the density factor of an element of group g and puts the change on its nodes.
+  void set_mass_scale(std::size_t g, std::size_t e, double factor);
+  void find_scaled_elements();
+  /// What transfer_dependent_mass() does, after changes in the own masses of `changed_mass_`, which then has all nodes
+  /// whose masses change by that.
+  void transfer_changed_mass();
 
   std::vector<Vec3d> start_;  ///< positions at time 0, by system node; empty once all is made
   bool start_is_forgotten_ = false;
@@ -339,6 +347,9 @@ class System {
   std::string name(const ConstraintSource& constraint_name) const;
   std::vector<ConstraintSource> constraint_source_;     ///< by system node
   std::vector<double> carried_mass_, carried_inertia_;  ///< own, and handed over by ties; also of nodes of bodies
+  std::vector<int> linked_nodes_;                       ///< dependent ones and those they follow; empty: not known
+  std::vector<int> changed_mass_;
+  std::vector<std::vector<int>> scaled_elements_;  ///< by group
 
   Vec3d in_slot(std::size_t slot) const {
     return slot < slots_.size() ? slots_[slot] : single_slots_[slot - slots_.size()];

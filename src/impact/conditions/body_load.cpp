@@ -29,40 +29,84 @@ void ActingLoad<model::BodyLoad>::update_masses() {
     load_parts();
 }
 
-/// By node as its elements have it: what mass scaling added and EMSCL leaves without weight [mass].
-std::vector<double> ActingLoad<model::BodyLoad>::nodes_without_weight() const {
+void ActingLoad<model::BodyLoad>::Weightless::add(std::size_t k, double mass) {
+  if (mass_.size() <= k) {
+    mass_.resize(k + 1, 0.0);
+    known_.resize(k + 1, 0);
+  }
+  mass_[k] += mass;
+  if (known_[k] != 0) return;
+  known_[k] = 1;
+  const int node = static_cast<int>(k);
+  nodes_.insert(std::lower_bound(nodes_.begin(), nodes_.end(), node), node);
+}
+
+void ActingLoad<model::BodyLoad>::Weightless::clear() {
+  for (const int k : nodes_) mass_[nugget::at(k)] = 0.0;
+}
+
+void ActingLoad<model::BodyLoad>::find_weightless() {
   const double share = 1.0 - system_.model.control.weight_of_added_mass;
-  std::vector<double> without(system_.nodes, 0.0);
-  for (const auto& group : system_.groups) {
-    for (std::size_t e = 0; e < group->size(); ++e) {
-      const double added = group->mass_scale(e) - group->physical_mass_scale(e);
+  of_elements_.clear();
+  for (std::size_t g = 0; g < system_.groups.size(); ++g) {
+    const system::ElementGroup& group = *system_.groups[g];
+    for (const int element : system_.scaled_elements(g)) {
+      const std::size_t e = at(element);
+      const double added = group.mass_scale(e) - group.physical_mass_scale(e);
       if (!(added > 0.0)) continue;
-      const auto nodes = group->nodes(e);
-      for (int a = 0; a < group->nodes_per_element; ++a) without[nodes[a]] += share * added * group->nodal_mass(e, a);
+      const auto nodes = group.nodes(e);
+      for (int a = 0; a < group.nodes_per_element; ++a)
+        of_elements_.add(nodes[a], share * added * group.nodal_mass(e, a));
     }
   }
-  return without;
+}
+
+void ActingLoad<model::BodyLoad>::find_weightless_of_all() {
+  find_weightless();
+  handed_over_.clear();
+  for (const int node : of_elements_.nodes()) {
+    const double own = of_elements_.at(at(node));
+    if (own == 0.0) continue;
+    if (!system_.map.dependent(node))
+      handed_over_.add(at(node), own);
+    else
+      for (const system::ConstraintMap::Term& t : system_.map.terms(node)) handed_over_.add(at(t.node), t.weight * own);
+  }
+}
+
+/// Of a node of the system, or of a body behind them.
+double ActingLoad<model::BodyLoad>::mass_of_all(std::size_t k) const {
+  if (k < system_.nodes) return system_.mass[k] - handed_over_.at(k);
+  const system::RigidBody& body = system_.bodies[k - system_.nodes];
+  // The mass that a deck gives a body is not that of its elements, scaled or not.
+  return body.mass - (system_.model.rigid_bodies[body.source].given ? 0.0 : handed_over_.at(k));
 }
 
 void ActingLoad<model::BodyLoad>::load_everything() {
-  const std::vector<double> own = nodes_without_weight();
-  std::vector<double> without(system_.nodes + system_.bodies.size(), 0.0);
-  for (std::size_t k = 0; k < system_.nodes; ++k) {
-    if (!system_.map.dependent(static_cast<int>(k)))
-      without[k] += own[k];
-    else
-      for (const system::ConstraintMap::Term& t : system_.map.terms(static_cast<int>(k)))
-        without[t.node] += t.weight * own[k];
-  }
-  for (std::size_t k = 0; k < without.size(); ++k) {
-    const bool rigid = k >= system_.nodes;
-    // The mass that a deck gives a body is not that of its elements, scaled or not.
-    if (rigid && system_.model.rigid_bodies[system_.bodies[k - system_.nodes].source].given) without[k] = 0.0;
-    const double m = (rigid ? system_.bodies[k - system_.nodes].mass : system_.mass[k]) - without[k];
+  find_weightless_of_all();
+  for (std::size_t k = 0; k < system_.nodes + system_.bodies.size(); ++k) {
+    const double m = mass_of_all(k);
     if (m <= 0.0) continue;
     nodes_.push_back(static_cast<int>(k));
     mass_.push_back(m);
   }
+}
+
+void ActingLoad<model::BodyLoad>::update_masses(std::span<const int> changed) {
+  if (!load_.nodes.empty() || !load_.parts.empty()) return update_masses();
+  find_weightless_of_all();
+  const auto update = [&](std::size_t k) {
+    const auto place = std::lower_bound(nodes_.begin(), nodes_.end(), static_cast<int>(k));
+    const bool loaded = place != nodes_.end() && *place == static_cast<int>(k);
+    const double m = mass_of_all(k);
+    if (loaded == (m <= 0.0)) return false;  // it comes in or goes out
+    if (loaded) mass_[static_cast<std::size_t>(place - nodes_.begin())] = m;
+    return true;
+  };
+  bool same_nodes = true;
+  for (const int node : changed) same_nodes &= update(at(node));
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b) same_nodes &= update(system_.nodes + b);
+  if (!same_nodes) update_masses();
 }
 
 /// The parts' own nodal masses; what they put on dependent nodes reaches the independent ones through `collect`.
@@ -122,9 +166,9 @@ void ActingLoad<model::BodyLoad>::load_nodes() {
     for (const model::Index n : nodes) wanted[place(n)] = 0;
     take(rigid.node, rigid.mass);
   }
-  const std::vector<double> without = nodes_without_weight();
+  find_weightless();
   for (std::size_t k = 0; k < system_.nodes; ++k)
-    if (wanted[k]) take(static_cast<int>(k), system_.own_mass[k] - without[k]);
+    if (wanted[k]) take(static_cast<int>(k), system_.own_mass[k] - of_elements_.at(k));
 }
 
 double ActingLoad<model::BodyLoad>::motion(const system::State& state) const {
@@ -175,7 +219,7 @@ void ActingLoad<model::BodyLoad>::carry(system::Carried what, const system::Syst
 
 void ActingLoad<model::BodyLoad>::archive(Archive& a) {
   a(last_, last_force_, work_of_node_, nodes_, mass_);
-  a.built(load_, system_);
+  a.built(load_, system_, of_elements_, handed_over_);
 }
 
 }  // namespace nugget::impact

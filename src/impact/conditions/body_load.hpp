@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "impact/conditions/acting_load.hpp"
@@ -19,12 +20,31 @@ class ActingLoad<model::BodyLoad> {
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   /// Takes the masses that it acts on from the system, of what mass scaling added the share EMSCL.
   void update_masses();
+  /// The same after mass scaling that changed the masses of these nodes.
+  void update_masses(std::span<const int> changed);
   void archive(Archive& a);
 
  private:
   double motion(const system::State& state) const;
   void apply_centrifugal(system::State& state, double dt, double omega);
-  std::vector<double> nodes_without_weight() const;
+  /// By node what mass scaling added and EMSCL leaves without weight [mass].
+  class Weightless {
+   public:
+    void add(std::size_t k, double mass);
+    void clear();
+    double at(std::size_t k) const { return k < mass_.size() ? mass_[k] : 0.0; }
+    const std::vector<int>& nodes() const { return nodes_; }  ///< those that have ever had any; ascending
+
+   private:
+    std::vector<double> mass_;
+    std::vector<char> known_;
+    std::vector<int> nodes_;
+  };
+  /// As the elements have it.
+  void find_weightless();
+  /// As it is handed over to the nodes and bodies that others follow.
+  void find_weightless_of_all();
+  double mass_of_all(std::size_t k) const;
   void load_nodes();
   void load_everything();
   void load_parts();
@@ -36,6 +56,7 @@ class ActingLoad<model::BodyLoad> {
   double last_ = 0.0;                 ///< acceleration of the last cycle [length/time^2]
   std::vector<Vec3d> last_force_;     ///< by node of the system, of a centrifugal load [force]
   std::vector<double> work_of_node_;  ///< so far [energy]
+  Weightless of_elements_, handed_over_;
 };
 
 }  // namespace nugget::impact

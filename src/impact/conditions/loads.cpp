@@ -44,6 +44,12 @@ void Loads::update_masses() {
   });
 }
 
+void Loads::update_masses(std::span<const int> changed) {
+  for_each(*this, [&](auto& load) {
+    if constexpr (requires { load.update_masses(changed); }) load.update_masses(changed);
+  });
+}
+
 void Loads::find_covered(const std::function<bool(int)>& presses) {
   for_each(*this, [&](auto& load) {
     if constexpr (requires { load.find_covered(presses); }) load.find_covered(presses);

@@ -33,6 +33,8 @@ class Loads {
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   /// To be called when masses have changed.
   void update_masses();
+  /// The same after mass scaling that changed the masses of these nodes.
+  void update_masses(std::span<const int> changed);
   /// Before `apply`: what contact covers of the faces through which gas leaks, see ActingLoad<ControlVolume>.
   void find_covered(const std::function<bool(int)>& presses);
 

@@ -32,10 +32,11 @@ const char* volatile interrupted_by = nullptr;  ///< by whom; null: not at all
 
 /// What a node of a rigid part brings to a contact is its share of the body's mass, whatever the density of its mesh;
 /// of a body that nothing can move, none, which counts as held. `mass`: that of all nodes then; empty where there is no
-/// such body, and what nodes have is what they bring.
+/// such body, and what nodes have is what they bring. `rigid`: the nodes of such bodies, ascending.
 void find_rigid_contact_mass(const system::System& system, std::span<const unsigned char> dependent,
-                             std::vector<double>& mass) {
+                             std::vector<double>& mass, std::vector<int>& rigid) {
   mass.clear();
+  rigid.clear();
   for (const system::RigidBody& body : system.bodies) {
     const model::RigidBody& source = system.model.rigid_bodies[body.source];
     const bool held = is_fully_prescribed(system.model, body.source);
@@ -50,8 +51,10 @@ void find_rigid_contact_mass(const system::System& system, std::span<const unsig
     for (const model::Index n : source.nodes) {
       const std::size_t k = at(system.node_of[n]);
       mass[k] = share * system.own_mass[k];
+      rigid.push_back(static_cast<int>(k));
     }
   }
+  std::sort(rigid.begin(), rigid.end());
 }
 
 /// `model`: null, or that of the system.
@@ -322,7 +325,7 @@ void Simulation::step() {
   applied_forces();
   add_time(loads);
   transfer_dependent_forces();
-  if (system_.scale_mass(false)) update_inverse_mass();
+  if (system_.scale_mass(false)) update_scaled_mass();
   add_time(constraints);
 }
 
@@ -441,8 +444,28 @@ void Simulation::update_inverse_mass() {
       inverse_inertia_[k] = system_.inertia[k] > 0.0 ? 1.0 / system_.inertia[k] : 0.0;
     }
   });
-  find_rigid_contact_mass(system_, dependent_, contact_mass_);
+  find_rigid_contact_mass(system_, dependent_, contact_mass_, rigid_contact_nodes_);
   components_.loads.update_masses();
+}
+
+void Simulation::update_scaled_mass() {
+  const std::span<const int> changed = system_.nodes_of_changed_mass();
+  const auto is_rigid = [&](int k) {
+    return std::binary_search(rigid_contact_nodes_.begin(), rigid_contact_nodes_.end(), k);
+  };
+  bool rigid = false;
+  for (const int node : changed) {
+    const std::size_t k = at(node);
+    if (system_.follows(k)) {
+      inverse_mass_[k] = system_.mass[k] > 0.0 ? 1.0 / system_.mass[k] : 0.0;
+      inverse_inertia_[k] = system_.inertia[k] > 0.0 ? 1.0 / system_.inertia[k] : 0.0;
+    }
+    if (contact_mass_.empty()) continue;
+    contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
+    rigid |= is_rigid(node);
+  }
+  if (rigid) find_rigid_contact_mass(system_, dependent_, contact_mass_, rigid_contact_nodes_);
+  components_.loads.update_masses(changed);
 }
 
 Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
@@ -669,7 +692,7 @@ void Simulation::archive(Archive& a) {
   a(v_period_, w_period_);
   a.section("clock");
   a(seconds_, solve_seconds_);
-  a.built(contact_forces_, run_end_, contact_costs_now_, deleted_now_);
+  a.built(rigid_contact_nodes_, contact_forces_, run_end_, contact_costs_now_, deleted_now_);
   a.built(gives_energy_, assembled_step_, at_rest_, advised_scale_, stopped_springs_, v_before_, w_before_,
           momentum_before_, not_finite_, stop_requested_, restart_file_due_, state_asked_, ranks_, next_marks_,
           rank_reports_, traffic_before_, cycle_before_, shared_out_at_, checkpoints_, begin_, timed_until_, shares_,

@@ -146,6 +146,8 @@ class Simulation {
   /// Transfers the loads of dependent nodes to the independent ones; rigid welds that they overload are released.
   void transfer_dependent_forces();
   void update_inverse_mass();
+  /// The same after System::scale_mass(false): of the nodes whose masses that changed.
+  void update_scaled_mass();
   /// At the start, and where nodes were released: bounds that follow from nodal masses.
   void update_mass_bounds();
   void report_weak_ties(Findings& findings);
@@ -194,6 +196,7 @@ class Simulation {
   Components components_;
   std::vector<system::SpringGroup*> stopped_springs_;    ///< those with stops
   std::vector<double> contact_mass_;                     ///< by node, where that of rigid parts is not that of nodes
+  std::vector<int> rigid_contact_nodes_;                 ///< nodes of such parts; ascending
   std::vector<unsigned char> dependent_;                 ///< by node
   ZeroedVector<double> inverse_mass_, inverse_inertia_;  ///< by node; over several ranks of those that it follows
   system::Rows v_before_, w_before_;
