@@ -11,14 +11,13 @@
 #include "app/audit_table.hpp"
 #include "app/command.hpp"
 #include "app/frf.hpp"
+#include "app/linear_checks.hpp"
 #include "app/linear_job.hpp"
 #include "app/load_cases.hpp"
 #include "app/partition_report.hpp"
-#include "app/preload.hpp"
 #include "app/run_log.hpp"
 #include "app/subcycling.hpp"
 #include "impact/simulation/simulation.hpp"
-#include "nvh/statics/static_loads.hpp"
 #include "nvh/statics/statics.hpp"
 #include "output/column_units.hpp"
 #include "weld/tie/disc.hpp"
@@ -127,6 +126,12 @@ void try_first_cycles(const model::Model& model, impact::Simulation& simulation,
   if (outcome.termination == impact::Termination::error)
     findings.error({model.deck, 0, 0}, {}, "a run ends at its start: " + outcome.message,
                    "look at this place of the model, and at what was reported above");
+  else if (simulation.without_end(model.control.end_time, simulation.first_step()))
+    findings.error(
+        {model.deck, 0, 0}, {},
+        fmt::format("a run would have no end: the time step {:.4g} of {} is so small a share of the end time",
+                    simulation.first_step(), simulation.smallest_by()),
+        "see density, stiffness and dimensions there, and ENDTIM of *CONTROL_TERMINATION");
 }
 
 /// What the linear analysis that the deck asks for refuses; its equations are set up, not solved.
@@ -134,12 +139,7 @@ void try_linear_setup(const fs::path& directory, const RunArguments& arguments, 
                       Analysis analysis, Findings& findings) {
   if (analysis == Analysis::statics) nvh::check_statics(p.model, findings);
   LinearJob job(directory, arguments, p, findings);
-  const model::Model& model = job.deck().model;
-  if (job.assembled() && analysis == Analysis::modes_and_responses)
-    nvh::report_fixed_motions(job.matrices().equations, model, findings);
-  if (job.assembled() && analysis == Analysis::statics) nvh::check_resistance(job.matrices(), findings);
-  if (job.assembled() && analysis != Analysis::statics) check_responses(job.matrices(), model, findings);
-  if (analysis != Analysis::statics) check_preload(model, nullptr, findings);
+  check_linear(job, {.analysis = analysis}, findings);
 }
 
 ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
@@ -152,13 +152,15 @@ ExitCode check_in(const fs::path& directory, const CheckArguments& arguments) {
   // Faults of ties, of the system and of what acts in it are reported together.
   const Analysis analysis = analysis_of(p.model);
   std::string ranks;
-  if (p.is_tied && analysis != Analysis::explicit_dynamics) {
+  if (analysis != Analysis::explicit_dynamics) {
     try_linear_setup(directory, arguments.deck, p, analysis, findings);
   } else if (p.is_tied) {
     std::optional<system::System> system;
     make_system(p, system, findings);
     impact::Simulation simulation(*system, findings);
     check_subcycling(simulation, findings);
+    if (p.model.implicit.after_run && findings.errors() == 0)
+      check_modes_after(directory, arguments.deck, p, simulation, findings);
     if (findings.errors() == 0) try_first_cycles(p.model, simulation, findings);
     if (findings.errors() == 0 && arguments.ranks > 0) ranks = report_partition(directory, simulation, arguments.ranks);
   }

@@ -18,6 +18,7 @@
 #include "app/contact_warnings.hpp"
 #include "app/frf.hpp"
 #include "app/history_columns.hpp"
+#include "app/linear_checks.hpp"
 #include "app/load_cases.hpp"
 #include "app/modes.hpp"
 #include "app/outcome.hpp"
@@ -470,6 +471,9 @@ ExitCode run_explicit(const fs::path& directory, const RunArguments& arguments, 
   make_system(p, system, findings, elements_start(joined));
   if (system) simulation.emplace(*system, findings, p.model.implicit.after_run ? nullptr : &p.model);
   if (system) check_subcycling(*simulation, findings);
+  // Each rank of several has its own share of the run only.
+  if (system && p.model.implicit.after_run && findings.errors() == 0 && joined.ranks() == nullptr)
+    check_modes_after(directory / "modes", arguments, p, *simulation, findings);
   if (system && p.model.control.single_precision) say_what_stays_double(*system, findings);
   std::string welds;  // of a deck that is refused, as `nugget check` reports them: all that is to be mended, at once
   if (from != nullptr) {

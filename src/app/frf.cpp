@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "app/command.hpp"
+#include "app/linear_checks.hpp"
 #include "app/linear_job.hpp"
 #include "app/modes.hpp"
 #include "app/preload.hpp"
 #include "app/status.hpp"
-#include "app/without_part.hpp"
 #include "model/units.hpp"
 #include "nvh/response/radiated_power.hpp"
 #include "nvh/response/response_states.hpp"
@@ -33,27 +33,52 @@ struct Response {
   const std::vector<Complex>& value;
 };
 
-/// `equations`: of the model; that many modes are all there are.
-std::string describe_method(const nvh::Modes& modes, std::size_t equations, const nvh::SolutionMethod& method,
-                            double highest_asked, const std::string& unit) {
+/// How the responses of a keyword were computed.
+std::string describe_method(const nvh::Modes& modes, const nvh::SolutionMethod& method, const std::string& unit) {
   if (method.direct) return " direct solution at each frequency\n";
   std::string s = " no mode takes part, only the static response";
-  double highest = 0.0;
-  if (method.last > method.first) {
-    highest = modes.frequency(method.last - 1);
-    s = fmt::format(" modes {} to {}, up to {:.6g}{}", method.first + 1, method.last, highest, unit);
-  }
+  if (method.last > method.first)
+    s = fmt::format(" modes {} to {}, up to {:.6g}{}", method.first + 1, method.last, modes.frequency(method.last - 1),
+                    unit);
   if (!method.residual.empty())
     s += fmt::format(", and {} residual vector{} from {:.6g}{} on for all above", method.residual.size(),
                      method.residual.size() == 1 ? "" : "s", method.residual.front(), unit);
-  s += '\n';
-  const bool all = method.first == 0 && method.last == equations;
-  if (method.last > method.first && highest < highest_asked && !all)
-    s += fmt::format(
-        " warning: the response is asked for up to {:.6g}{}, above the last mode: it is doubtful there; raise NEIG of "
-        "*CONTROL_IMPLICIT_EIGENVALUE, FNMAX or MDMAX, or solve directly (nugget frf --direct)\n",
-        highest_asked, unit);
-  return s;
+  return s + '\n';
+}
+
+/// Up to which frequency all modes take part: from there on there is only the residual vector.
+double reach_of(const nvh::Modes& modes, const model::FrequencyResponse::Selection& selection) {
+  const nvh::ModeRange range = nvh::modes_that_take_part(modes, selection);
+  const double last = range.last > range.first ? modes.frequency(range.last - 1) : 0.0;
+  if (selection.last > 0 && range.last < modes.eigenvalue.size()) return last;  // cut by MDMAX, or by what is lower
+  const double known = modes.proof.complete() ? modes.proof.high : last;
+  return std::max(last, selection.highest > 0.0 ? std::min(known, selection.highest) : known);
+}
+
+void doubt_modes(const nvh::Matrices& matrices, const nvh::Modes& modes,
+                 const model::FrequencyResponse::Selection& selection, double highest_asked, const Place& place,
+                 const char* keyword, Findings& doubts) {
+  const double reach = reach_of(modes, selection);
+  const bool all = modes.eigenvalue.size() == matrices.size() && selection.last == 0 && selection.highest == 0.0;
+  if (all || reach >= highest_asked) return;
+  const std::string unit = model::unit_of_frequency(model::units_of(matrices.system.model));
+  doubts.warning(place, keyword,
+                 fmt::format("the response is asked for up to {:.6g}{}, and modes take part up to {:.6g}{}: it is "
+                             "doubtful above",
+                             highest_asked, unit, reach, unit),
+                 "raise NEIG of *CONTROL_IMPLICIT_EIGENVALUE, FNMAX or MDMAX, or solve directly (nugget frf --direct)");
+}
+
+/// The highest frequency of all that is asked for.
+double highest_of(const model::SteadyState& request) {
+  double most = 0.0;
+  const auto take = [&](const model::Frequencies& f) {
+    if (!f.frequency.empty()) most = std::max(most, f.frequency.back());
+  };
+  take(request);
+  if (request.states) take(*request.states);
+  if (request.radiated_power) take(request.frequencies_of_power());
+  return most;
 }
 
 /// Where a response is largest; infinite ones (of free bodies at frequency 0) do not count.
@@ -114,8 +139,7 @@ std::string frf_of(const fs::path& directory, const output::Header& header, cons
     for (std::size_t i = 0; i < request.cases.size(); ++i)
       titles += fmt::format(" case {}: {}\n", i + 1, request.cases[i].title);
   return title("Frequency response", responses.size(), result.frequency, summary) + titles +
-         describe_method(modes, matrices.size(), result.method, result.frequency.back(),
-                         model::unit_of_frequency(model::units_named(summary.units))) +
+         describe_method(modes, result.method, model::unit_of_frequency(model::units_named(summary.units))) +
          peaks(responses, result.frequency, "frf.csv", summary);
 }
 
@@ -134,8 +158,7 @@ std::string ssd_of(const fs::path& directory, const output::Header& header, cons
     if (const auto& c = request.cases[i]; !c.id.empty())
       titles += fmt::format(" case {}: {} {}\n", i + 1, c.id, c.title);
   return title("Steady state", responses.size(), result.frequency, summary) + titles +
-         describe_method(modes, matrices.size(), result.method, result.frequency.back(),
-                         model::unit_of_frequency(model::units_named(summary.units))) +
+         describe_method(modes, result.method, model::unit_of_frequency(model::units_named(summary.units))) +
          peaks(responses, result.frequency, "ssd.csv", summary);
 }
 
@@ -168,8 +191,14 @@ std::string power_of(const fs::path& directory, const output::Header& header, co
 }  // namespace
 
 std::string responses_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
-                         const nvh::Modes& modes, const model::Model& model, output::Summary& summary,
+                         const nvh::Modes& modes, const model::Model& model, output::Summary& summary, Findings& doubts,
                          const nvh::ProgressCallback& progress) {
+  if (const auto& frf = model.frequency_response; frf && !frf->direct)
+    doubt_modes(matrices, modes, frf->modes, frf->frequency.back(), frf->cases.front().excitation.place,
+                "*FREQUENCY_DOMAIN_FRF", doubts);
+  if (const auto& ssd = model.steady_state; ssd && !ssd->direct)
+    doubt_modes(matrices, modes, ssd->modes, highest_of(*ssd), ssd->cases.front().loads.front().excitation.place,
+                "*FREQUENCY_DOMAIN_SSD", doubts);
   std::string text;
   if (model.frequency_response)
     text += frf_of(directory, header, matrices, modes, *model.frequency_response, summary, progress);
@@ -206,18 +235,18 @@ ExitCode direct_responses(const fs::path& directory, const RunArguments& argumen
                           Findings& findings) {
   LinearJob job(directory, arguments, std::move(prepared), findings);
   const model::Model& model = job.deck().model;
-  if (job.assembled()) check_responses(job.matrices(), model, findings);
-  check_preload(model, nullptr, findings);
-  note_what_takes_no_part(model, model.implicit.modes < 0, findings);
+  check_linear(job, {.analysis = Analysis::direct_response}, findings);
   if (!job.accepted()) return ExitCode::refused;
   return job.attempt([&] {
     Status status(arguments.quiet);
-    output::Summary summary = job.summary();
+    output::Summary& summary = job.summary();
     const std::string preload = stiffen_by_preload(job.matrices());
+    Findings doubts;
     const std::string text =
-        responses_of(directory, job.header(), job.matrices(), {}, model, summary, std::ref(status));
+        responses_of(directory, job.header(), job.matrices(), {}, model, summary, doubts, std::ref(status));
+    job.report_more(doubts);
     summary.seconds.solve = job.seconds();
-    job.write(summary);
+    job.write_summary();
     report::write_report(directory);
     status.clear();
     job.add_to_log(preload + text);

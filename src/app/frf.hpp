@@ -13,11 +13,11 @@
 namespace nugget::app {
 
 /// Computes the responses over frequency that the deck asks for (*FREQUENCY_DOMAIN_FRF, _SSD), writes their files, adds
-/// them to the summary and returns what run.log says of them. Throws nvh::Factorization::SolverError,
-/// output::WriteError.
+/// them to the summary and returns what run.log says of them. `doubts`: frequencies that the modes do not reach. Throws
+/// nvh::Factorization::SolverError, output::WriteError.
 std::string responses_of(const std::filesystem::path& directory, const output::Header& header,
                          const nvh::Matrices& matrices, const nvh::Modes& modes, const model::Model& model,
-                         output::Summary& summary, const nvh::ProgressCallback& progress);
+                         output::Summary& summary, Findings& doubts, const nvh::ProgressCallback& progress);
 
 /// Findings for what the equations cannot answer.
 void check_responses(const nvh::Matrices& matrices, const model::Model& model, Findings& findings);

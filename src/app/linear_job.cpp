@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/audit_table.hpp"
 #include "app/outcome.hpp"
 #include "app/run_log.hpp"
 #include "base/index.hpp"
@@ -171,8 +172,12 @@ void LinearJob::report_findings() {
 
 bool LinearJob::accepted() {
   if (findings_.errors() > 0) {
+    std::string welds = report_refused_welds(deck_, findings_);
+    welds += audit_table(deck_.model, deck_.ties, deck_.audit);
     start_log(log_, arguments_, deck_, findings_);
+    log_.add(welds);
     refuse(directory_, log_, findings_);
+    if (!arguments_.quiet) fmt::print(stderr, "{}", welds);
     return false;
   }
   report_findings();
@@ -186,8 +191,9 @@ output::Header LinearJob::header() const {
   return {deck_.model.title, fmt::format("nugget {}", NUGGET_VERSION), today()};
 }
 
-output::Summary LinearJob::summary() const {
-  output::Summary s;
+output::Summary& LinearJob::summary() {
+  if (summary_) return *summary_;
+  output::Summary& s = summary_.emplace();
   s.version = NUGGET_VERSION;
   s.deck = arguments_.deck;
   s.load_case = arguments_.load_case;
@@ -205,10 +211,28 @@ output::Summary LinearJob::summary() const {
   return s;
 }
 
-void LinearJob::write(const output::Summary& summary) const {
-  output::write_welds(directory_, summary.welds);
+void LinearJob::write_summary() {
+  output::write_welds(directory_, summary().welds);
   output::write_column_units(directory_, model::units_of(deck_.model));  // of the tables that are there by now
-  output::write_summary(directory_, summary);
+  output::write_summary(directory_, summary());
+}
+
+void LinearJob::report_more(const Findings& more) {
+  if (more.all().empty()) return;
+  for (const Finding& f : more.all()) {
+    findings_.add(f);
+    fmt::print(stderr, "{}\n", to_string(f));
+    log_.add(fmt::format(" {}\n\n", to_string(f)));
+  }
+  output::write_findings(directory_, findings_.all());
+}
+
+ExitCode LinearJob::give_up(const std::string& why) {
+  if (!findings_reported_) report_findings();
+  summary().termination = "error";
+  summary().message = why;
+  write_summary();
+  return end({impact::Termination::error, why});
 }
 
 ExitCode LinearJob::end(const impact::Outcome& outcome, const std::string& done) {

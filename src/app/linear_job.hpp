@@ -38,23 +38,25 @@ class LinearJob {
     try {
       return work();
     } catch (const nvh::Factorization::SolverError& error) {
-      if (!findings_reported_) report_findings();
-      return end({impact::Termination::error, error.text});
+      return give_up(error.text);
     }
   }
 
   /// Wall time since the last call, or since the matrices were there.
   double seconds() { return clock_.seconds(); }
   output::Header header() const;
-  /// The keys that all analyses have.
-  output::Summary summary() const;
-  void write(const output::Summary& summary) const;
+  /// What summary.json gets, also where the solver gives up: the keys that all analyses have, and what they add.
+  output::Summary& summary();
+  void write_summary();
+  /// Findings about the solution, behind those that `accepted` has reported.
+  void report_more(const Findings& more);
   void add_to_log(const std::string& text) { log_.add(text); }
   /// `done`: what was done, in words, for the terminal.
   ExitCode end(const impact::Outcome& outcome, const std::string& done = {});
 
  private:
   void report_findings();
+  ExitCode give_up(const std::string& why);
 
   std::filesystem::path directory_;
   RunArguments arguments_;
@@ -67,6 +69,7 @@ class LinearJob {
   std::optional<model::Model> model_;
   std::optional<system::System> system_;
   std::optional<nvh::Matrices> matrices_;
+  std::optional<output::Summary> summary_;
   double setup_seconds_ = 0.0;
 };
 

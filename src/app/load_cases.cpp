@@ -25,7 +25,10 @@ std::string folder_of(const deck::Case& c, const std::vector<deck::Case>& cases)
 }  // namespace
 
 bool has_cases(const RunArguments& arguments) {
-  return arguments.load_case == 0 && arguments.resume.empty() && !deck::cases(arguments.deck).empty();
+  if (arguments.load_case != 0 || !arguments.resume.empty()) return false;
+  const std::vector<deck::Case> cases = deck::cases(arguments.deck);
+  // One without a number cannot be asked for: reading the deck says so.
+  return !cases.empty() && std::ranges::none_of(cases, [](const deck::Case& c) { return c.id <= 0; });
 }
 
 ExitCode each_case(const RunArguments& arguments, const std::function<ExitCode(const RunArguments&)>& work) {

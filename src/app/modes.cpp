@@ -9,17 +9,16 @@
 
 #include "app/frf.hpp"
 #include "app/least_welds.hpp"
+#include "app/linear_checks.hpp"
 #include "app/linear_job.hpp"
 #include "app/mode_pairs.hpp"
 #include "app/preload.hpp"
 #include "app/run_log.hpp"
 #include "app/status.hpp"
 #include "app/weld_study.hpp"
-#include "app/without_part.hpp"
 #include "model/units.hpp"
 #include "nvh/eigen/mode_files.hpp"
 #include "nvh/matrices/ranks.hpp"
-#include "nvh/statics/static_loads.hpp"
 #include "output/results.hpp"
 #include "report/page.hpp"
 
@@ -159,12 +158,8 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
                   const std::optional<nvh::ShapeFile>& other, const impact::Simulation* after) {
   LinearJob job(directory, arguments.run, std::move(prepared), findings, after != nullptr ? &after->system() : nullptr);
   const model::Model& model = job.deck().model;
-  if (job.assembled()) nvh::report_fixed_motions(job.matrices().equations, model, findings);
-  if (job.assembled() && arguments.response) check_responses(job.matrices(), model, findings);
-  if (job.assembled() && model.implicit.modes < 0 && model.implicit.geometric && !model.implicit.after_run)
-    nvh::check_resistance(job.matrices(), findings);
-  check_preload(model, after, findings);
-  if (after == nullptr) note_what_takes_no_part(model, model.implicit.modes < 0, findings);
+  check_linear(job, {.analysis = Analysis::modes_and_responses, .responses = arguments.response, .after = after},
+               findings);
   if (!job.accepted()) return ExitCode::refused;
   nvh::Matrices& matrices = job.matrices();
   const nvh::ModeRequest request = request_of(arguments, model);
@@ -181,7 +176,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     Status status(arguments.run.quiet);
     const std::string preload = stiffen_by_preload(matrices, after);
     const nvh::Modes modes = nvh::find_modes(matrices, request, std::ref(status));
-    output::Summary summary = job.summary();
+    output::Summary& summary = job.summary();
     fill_mode_reports(modes, summary);
     summary.seconds.solve = job.seconds();
     status("strain energies and files");
@@ -191,7 +186,9 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
     std::string more;  // that is reported after the modes
     if (arguments.response) {
       status("frequency response");
-      more = responses_of(directory, job.header(), matrices, modes, model, summary, std::ref(status));
+      Findings doubts;
+      more = responses_of(directory, job.header(), matrices, modes, model, summary, doubts, std::ref(status));
+      job.report_more(doubts);
     }
     if (arguments.least_welds > 0.0)
       more += find_least_welds(directory, matrices, modes, arguments.least_welds, units, std::ref(status));
@@ -208,7 +205,7 @@ ExitCode modes_of(const fs::path& directory, const ModesArguments& arguments, Pr
       summary.termination = "error";
       summary.message = outcome.message;
     }
-    job.write(summary);
+    job.write_summary();
     report::write_report(directory);
     const std::string table = mode_table(modes, units);
     job.add_to_log(preload + table + energy_table(model, job.deck().ties, modes, shares) + more +

@@ -215,7 +215,10 @@ std::string report_refused_welds(PreparedDeck& p, Findings& findings) {
     Findings found;
     tie_and_audit(p, p.model.nodes.x, found);  // a model with errors is none to set contacts up in
     weld::failure::report_missing_data(p.model, p.ties, found);
+    const bool contact_is_refused = !refused_contact(findings).empty();
     for (Finding finding : found.all()) {
+      if (contact_is_refused && finding.text.ends_with(": no contact tracks it"))
+        continue;  // it may have been that one
       // A weld without a hold may follow from what was refused before: the errors are those.
       finding.severity = std::min(finding.severity, Severity::warning);
       findings.add(std::move(finding));

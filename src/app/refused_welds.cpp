@@ -46,17 +46,20 @@ struct WeldSummary {
   std::size_t other_beams = 0, other_bricks = 0;       ///< without a material, but no welds by the way they lie
 };
 
-std::string reason_of(const weld::Projection& p, bool any_tie) {
-  if (p.projection_case == 0) return any_tie ? "no contact tracks them" : "the deck has no tie contact";
+/// `without_ties`: of a deck that has no tie contact.
+std::string reason_of(const weld::Projection& p, const std::string& without_ties) {
+  if (p.projection_case == 0) return without_ties.empty() ? "no contact tracks them" : without_ties;
   if (p.only_sheet_taken) return "the only sheet in reach holds the other end";
   return p.projection_case == 5 ? "no sheet is in reach of their contact"
                                 : "projection would turn the weld over or crush it";
 }
 
-WeldSummary summarize(const model::Model& model, const weld::Ties& ties) {
+WeldSummary summarize(const model::Model& model, const weld::Ties& ties, const std::string& refused) {
   WeldSummary summary;
-  const bool any_tie =
-      std::any_of(model.contacts.begin(), model.contacts.end(), [](const model::Contact& c) { return c.tie(); });
+  const bool any_tie = std::ranges::any_of(model.contacts, [](const model::Contact& c) { return c.tie(); });
+  const std::string without_ties = any_tie           ? ""
+                                   : refused.empty() ? "the deck has no tie contact"
+                                                     : refused + " is refused";
   std::set<model::Index> parts;
   for (const weld::Weld& w : ties.welds) {
     if (weld::is_inferred(model, w)) {
@@ -73,7 +76,7 @@ WeldSummary summarize(const model::Model& model, const weld::Ties& ties) {
     std::vector<std::string> reported;
     for (const weld::Projection& p : w.ends) {
       if (p.tied) continue;
-      const std::string reason = reason_of(p, any_tie);
+      const std::string reason = reason_of(p, without_ties);
       if (std::find(reported.begin(), reported.end(), reason) != reported.end()) continue;
       reported.push_back(reason);
       ++summary.reasons[reason];
@@ -164,6 +167,14 @@ weld::Ties without_doubtful_welds(const model::Model& model, const weld::Ties& t
 
 }  // namespace
 
+std::string refused_contact(const Findings& findings) {
+  const auto refuses = [](const Finding& f) {
+    return f.severity == Severity::error && f.keyword.starts_with("*CONTACT_") && f.field.empty();
+  };
+  const auto found = std::ranges::find_if(findings.all(), refuses);
+  return found == findings.all().end() ? std::string() : found->keyword;
+}
+
 std::vector<std::string> leave_out_broken_ties(model::Model& model) {
   std::vector<std::string> names;
   std::erase_if(model.contacts, [&](const model::Contact& contact) {
@@ -180,7 +191,7 @@ std::string summarize_refused_welds(const model::Model& model, const weld::Ties&
   const weld::Ties ties = without_doubtful_welds(model, of_model, !files.empty() || !left_out.empty());
   if (ties.welds.empty()) return {};
   const std::size_t count = ties.welds.size();
-  const WeldSummary summary = summarize(model, ties);
+  const WeldSummary summary = summarize(model, ties, refused_contact(findings));
   std::string cause = why(model, summary, files);
   if (!left_out.empty())
     cause += fmt::format("{}{} {} left out, as a side of {} is not here", cause.empty() ? "" : ", and ",

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "app/linear_checks.hpp"
 #include "app/linear_job.hpp"
 #include "model/units.hpp"
 #include "nvh/statics/static_files.hpp"
@@ -80,22 +81,25 @@ ExitCode statics_of(const fs::path& directory, const RunArguments& arguments, Pr
                     Findings& findings) {
   nvh::check_statics(prepared.model, findings);
   LinearJob job(directory, arguments, std::move(prepared), findings);
-  if (job.assembled()) nvh::check_resistance(job.matrices(), findings);
+  check_linear(job, {.analysis = Analysis::statics}, findings);
   return job.attempt([&] {
     std::optional<nvh::Statics> statics;
-    if (job.assembled() && findings.errors() == 0) statics.emplace(nvh::solve_statics(job.matrices(), findings));
+    if (job.assembled() && findings.errors() == 0) {
+      Findings again;  // what check_linear has found
+      statics.emplace(nvh::solve_statics(job.matrices(), again));
+    }
     const double solve = job.seconds();
     if (!job.accepted()) return ExitCode::refused;
 
     nvh::write_statics(directory, job.header(), job.matrices(), *statics);
     fill_weld_forces(*statics, job.deck().welds);
-    output::Summary summary = job.summary();
+    output::Summary& summary = job.summary();
     summary.time = job.deck().model.control.end_time;
     summary.energy.internal = statics->energy;
     summary.energy.external = statics->external;
     summary.seconds.solve = solve;
     summary.seconds.output = job.seconds();
-    job.write(summary);
+    job.write_summary();
     const std::string table = result_table(job.matrices(), *statics);
     job.add_to_log(table);
     fmt::print("{}", table);

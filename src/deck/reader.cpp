@@ -104,6 +104,10 @@ void Reader::read_master_text(std::string text) {
 void Reader::run(Visit master) {
   const int errors = findings_.errors();
   choose_case();
+  if (findings_.errors() > errors) {  // the rest depends on the case
+    deck_.bytes = deck_.impl->texts.front().view().size();
+    return;
+  }
   read_file(std::move(master));
   for (const auto& [subcase, place] : begun_subcases_)
     findings_.error(place, fmt::format("*CASE_BEGIN_{}", subcase), "its end is missing",
@@ -274,7 +278,9 @@ std::string list_of_cases(const std::vector<Case>& cases) {
 
 void Reader::choose_case() {
   std::vector<Case>& cases = deck_.cases;
+  const int errors = findings_.errors();
   cases = cases_of(deck_.impl->texts.front().view(), deck_.files.front(), findings_);
+  if (load_case_ == 0 && findings_.errors() > errors) return;
   const Place nowhere{deck_.files.front(), 0, 0};
   if (cases.empty()) {
     if (load_case_ != 0) findings_.error(nowhere, "--case", "the deck has no *CASE", "leave the option out");

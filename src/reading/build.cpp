@@ -10,6 +10,7 @@
 #include "reading/builder/builder.hpp"
 #include "reading/builder/mirrored_files.hpp"
 #include "reading/builder/passes.hpp"
+#include "reading/builder/repeated_cards.hpp"
 #include "reading/cards/fabric_leakage.hpp"
 #include "reading/describe.hpp"
 #include "reading/mesh/brick_clusters.hpp"
@@ -94,7 +95,7 @@ void report_refusal(Findings& findings, const deck::Block& block, const KeywordL
                                  : meant);
 }
 
-void read_block(Builder& b, const deck::Block& block, KeywordSummary& summary) {
+void read_block(Builder& b, const deck::Block& block, KeywordSummary& summary, RepeatedCards& repeated) {
   const KeywordLookup lookup = classify(block.keyword);
   const bool is_first = summary.add(block.keyword, lookup.status, lookup.why, block.place);
   if (lookup.status == KeywordStatus::refused) {
@@ -108,7 +109,10 @@ void read_block(Builder& b, const deck::Block& block, KeywordSummary& summary) {
                      "write it in a file that is not mirrored");
     return b.mark_ignored(block);
   }
+  const std::size_t said = b.findings.all().size();
+  repeated.look_at(block, *lookup.row, b.findings);
   lookup.row->read(b, block, lookup.options);
+  if (b.findings.all().size() == said) warn_of_nothing(block, *lookup.row, b.findings);
   if (mirrored || !b.mirrored_materials.empty()) b.mirrored_materials.resize(b.model.materials.size(), mirrored);
 }
 
@@ -141,7 +145,8 @@ model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsuppo
   b.defer(Phase::checks, check_units);
   b.defer(Phase::checks, report_unused_leakage);
   b.defer(Phase::checks, check_initial_velocities);
-  for (const deck::Block& block : deck.blocks) read_block(b, block, summary);
+  RepeatedCards repeated;
+  for (const deck::Block& block : deck.blocks) read_block(b, block, summary, repeated);
 
   for (const Phase phase : {Phase::curves, Phase::mesh, Phase::parts, Phase::systems, Phase::sets, Phase::bodies,
                             Phase::conditions, Phase::checks})

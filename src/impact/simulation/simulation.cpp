@@ -64,6 +64,11 @@ system::State take_start(system::System& system, model::Model* model) {
   return start;
 }
 
+std::string energy_is_no_number(const system::State& state) {
+  return fmt::format("the solution diverged: its energy is no number that results can hold at time {:.6g}, cycle {}",
+                     state.time, state.cycle);
+}
+
 }  // namespace
 
 void Simulation::interrupt(const char* by) {
@@ -220,6 +225,7 @@ Outcome Simulation::run(const Options& options, Recorder& recorder, const Progre
   interrupted_by = nullptr;  // not at the start: a signal that came while files were opened counts
   if (progress) report_progress(progress, end_time);
   // Of the last balance nobody has asked yet.
+  if (outcome.termination == Termination::normal && diverged_) return {Termination::error, energy_is_no_number(state_)};
   if (outcome.termination == Termination::normal && energy_is_made())
     return {Termination::error, describe_instability()};
   return outcome;
@@ -468,6 +474,12 @@ void Simulation::update_scaled_mass() {
   components_.loads.update_masses(changed);
 }
 
+bool Simulation::without_end(double time_to_go, double step) const {
+  const model::Model& model = system_.model;
+  const bool may_end_before = model.control.end_cycle > 0 || !model.run_ends.empty();
+  return !may_end_before && step > 0.0 && std::isfinite(time_to_go) && time_to_go > 1e15 * step;
+}
+
 Outcome Simulation::reason_to_stop(const Options& options, double end_time) const {
   const model::Control& control = system_.model.control;
   const auto error = [](std::string why) { return Outcome{Termination::error, std::move(why)}; };
@@ -485,10 +497,10 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
   if (state_.time < end_time && state_.time + state_.dt == state_.time)
     return error(fmt::format("the time step {:.4g} of {} is too small to go on from time {:.6g}, cycle {}", state_.dt,
                              controlling_.describe(system_), state_.time, state_.cycle));
-  if (diverged_)
-    return error(
-        fmt::format("the solution diverged: its energy is no number that results can hold at time {:.6g}, cycle {}",
-                    state_.time, state_.cycle));
+  if (state_.cycle == 0 && options.max_cycles == 0 && without_end(end_time - state_.time, state_.dt))
+    return error(fmt::format("the time step {:.4g} of {} would take {:.1g} cycles to the end time {:.6g}", state_.dt,
+                             controlling_.describe(system_), (end_time - state_.time) / state_.dt, end_time));
+  if (diverged_) return error(energy_is_no_number(state_));
   if (unstable_) return error(describe_instability());
   if (!components_.erosion.reason_to_stop().empty()) return error(components_.erosion.reason_to_stop());
   if (std::isnan(state_.dt))
@@ -664,7 +676,8 @@ void Simulation::update_energy_balance() {
     unstable_ = energy_is_made();
   }
   // Beyond what the result files' words hold a number is none either.
-  if (std::abs(energy_.total()) < std::numeric_limits<float>::max()) return;
+  const auto fits = [](double energy) { return std::abs(energy) < std::numeric_limits<float>::max(); };
+  if (fits(energy_.total()) && fits(energy_.initial) && fits(energy_.external)) return;
   diverged_ = true;
   energy_ = before;
 }

@@ -52,7 +52,10 @@ void Factorization::solve(Columns& x) const {
 
 Factorization::SolverError Factorization::SolverError::of_solution(int code) {
   return {code == -13 ? "not enough memory to solve with the factors"
-                      : fmt::format("MUMPS could not solve: INFOG(1) = {}", code)};
+          : code == -45
+              ? "nothing is left to solve for: beside each other, masses or stiffnesses are too small or too large for "
+                "numbers of double precision; see density, Young's modulus and dimensions, and their units"
+              : fmt::format("MUMPS could not solve: INFOG(1) = {}", code)};
 }
 
 }  // namespace nugget::nvh

@@ -34,6 +34,13 @@ struct SolutionMethod {
   std::vector<double> residual;     ///< frequencies of the residual vectors [cycles/time]
 };
 
+/// Which modes take part: first, ..., last - 1, counted from 0; none where all lie above FNMAX. Throws
+/// Factorization::SolverError where MDMIN or FNMIN leave none: the static answer alone is not what they ask for.
+struct ModeRange {
+  std::size_t first = 0, last = 0;
+};
+ModeRange modes_that_take_part(const Modes& modes, const model::FrequencyResponse::Selection& selection);
+
 using Row = std::vector<Equations::Term>;  ///< a form over the unknowns
 
 /// Modes, and one residual vector for each load: the static answer to what the modes leave out, which moves as one more

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -112,16 +114,29 @@ double loss_factor(const model::Model& model, double frequency, int mode) {
   return d.curve == model::none ? d.factor : model.curves[d.curve].clamped(d.by_mode ? mode : frequency);
 }
 
+ModeRange modes_that_take_part(const Modes& modes, const model::FrequencyResponse::Selection& chosen) {
+  std::size_t last = modes.eigenvalue.size();
+  while (last > 0 && chosen.highest > 0.0 && modes.frequency(last - 1) > chosen.highest) --last;
+  if (chosen.last > 0) last = std::min(last, at(chosen.last));
+  std::size_t first = std::min(at(chosen.first) - 1, last);
+  while (first < last && modes.frequency(first) < chosen.lowest) ++first;
+  const bool from_below = chosen.first > 1 || chosen.lowest > 0.0;
+  if (first == last && from_below && !modes.eigenvalue.empty())
+    throw Factorization::SolverError{fmt::format(
+        "no mode is left for the response: of the {} that were found, the last at {:.6g}, {} are at or below "
+        "the upper end (FNMAX, MDMAX), and none of these is at or above the lower one (MDMIN {}{}); lower "
+        "it, or raise NEIG of *CONTROL_IMPLICIT_EIGENVALUE",
+        modes.eigenvalue.size(), modes.frequency(modes.eigenvalue.size() - 1), last, chosen.first,
+        chosen.lowest > 0.0 ? fmt::format(", FNMIN {:g}", chosen.lowest) : "")};
+  return {first, last};
+}
+
 Superposition::Superposition(const Matrices& m, const Modes& modes, const model::FrequencyResponse::Selection& chosen,
                              std::span<const HarmonicLoad> loads)
     : m_(m), loads_(loads.size()) {
-  std::size_t &first = method_.first, &last = method_.last;
-  last = modes.eigenvalue.size();
-  while (last > 0 && chosen.highest > 0.0 && modes.frequency(last - 1) > chosen.highest) --last;
-  if (chosen.last > 0) last = std::min(last, at(chosen.last));
-  first = std::min(at(chosen.first) - 1, last);
-  while (first < last && modes.frequency(first) < chosen.lowest) ++first;
-
+  const auto [first, last] = modes_that_take_part(modes, chosen);
+  method_.first = first;
+  method_.last = last;
   const auto add = [&](std::span<const double> shape, double eigenvalue, std::size_t number) {
     Oscillator o{shape, std::max(0.0, eigenvalue), static_cast<int>(number), {}};
     for (const HarmonicLoad& load : loads) o.load.push_back(dot(shape, load.force));

@@ -245,6 +245,10 @@ void check_statics(const model::Model& model, Findings& findings) {
   findings.note(deck, keyword, "linear statics: materials are elastic, welds do not fail, geometry is that of time 0");
 }
 
+void check_motions(const Matrices& m, Findings& findings) {
+  prescribed(m, m.system.model.control.end_time, findings);
+}
+
 Statics solve_statics(const Matrices& m, Findings& findings) {
   const double time = m.system.model.control.end_time;
   const Nodal load = static_loads(m, time);

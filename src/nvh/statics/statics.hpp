@@ -37,6 +37,9 @@ struct Statics {
 /// Refuses by name what linear statics cannot obey; warnings for what takes no part.
 void check_statics(const model::Model& model, Findings& findings);
 
+/// Errors for motions that supports or other motions of the same nodes contradict.
+void check_motions(const Matrices& matrices, Findings& findings);
+
 /// u = T q + u_p with K q = T^t (f - K_e u_p); u_p are the prescribed displacements and what follows them. Loads that
 /// follow the structure stand as they do at rest. Throws Factorization::SolverError, also where the structure is not
 /// held.

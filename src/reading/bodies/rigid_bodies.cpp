@@ -545,8 +545,10 @@ class Maker {
   // -- the end --
 
   void report_empty() {
+    // Elements of a part that none is left of have been refused.
+    const auto had_elements = [&](Index part) { return model_.parts[part].kind != ElementKind::nothing; };
     for (const RigidBody& each : model_.rigid_bodies)
-      if (each.nodes.empty())
+      if (each.nodes.empty() && std::ranges::none_of(each.parts, had_elements))
         b_.findings.error(each.place, "*CONSTRAINED", name_of(each) + " has no nodes",
                           "give it elements, nodes or extra nodes");
   }

@@ -35,6 +35,7 @@ bool Ids::add(int id, Index index, const Place& place, std::string_view keyword,
               Findings& findings) {
   const auto [at, is_new] = entries_.try_emplace(id, Entry{index, place});
   if (is_new) return true;
+  if (id == 0) return false;  // ids that could not be read, which was said there
   findings.error(place, std::string(keyword),
                  fmt::format("{} {} is defined twice; first at {}", what, id, text_of(at->second.place)),
                  "give one of them another id");

@@ -30,8 +30,9 @@ void resolve_sets(Builder& builder);
 // Phase::checks.
 void check_bonds(
     Builder& builder);  ///< shapes of cohesive bricks, and what their parts are asked to do that they cannot
-void check_mesh(Builder& builder);          ///< shapes of elements, free nodes
-void check_thick_shells(Builder& builder);  ///< sections, laws and hourglass control that thick shells do not have
+void check_mesh(Builder& builder);               ///< shapes of elements, free nodes
+void report_doubled_elements(Builder& builder);  ///< part of it: elements with the part and the nodes of others
+void check_thick_shells(Builder& builder);       ///< sections, laws and hourglass control that thick shells do not have
 void check_parts(Builder& builder);  ///< parts without elements; sections, laws and hourglass that do not go together
 /// What CMO of *MAT_RIGID or a nodal rigid body's SPC holds and a prescribed motion drives: the motion counts.
 void release_driven_bodies(Builder& builder);

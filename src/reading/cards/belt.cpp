@@ -139,9 +139,9 @@ void add_belt(Builder& b, const RowOf<BeltCard>& row) {
   if (row->sbrid != 0) belt.retractor = b.retractors.find(row->sbrid);
   const auto index = static_cast<Index>(b.model.belts.elements.size());
   if (!b.belts.add(belt.id, index, belt.place, row.keyword(), "seat belt", b.findings)) return;
+  b.model.belts.elements.push_back(belt);  // also one that is refused: its index is known by now
   if (belt.retractor == none && !(norm(b.model.nodes.x[belt.node[1]] - b.model.nodes.x[belt.node[0]]) > 0.0))
-    return refuse(b, row[&BeltCard::n2], "both nodes are at one place", "give the belt a length");
-  b.model.belts.elements.push_back(belt);
+    refuse(b, row[&BeltCard::n2], "both nodes are at one place", "give the belt a length");
 }
 
 void read_belt(Builder& builder, const Block& block, const Options&) {

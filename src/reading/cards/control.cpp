@@ -311,8 +311,9 @@ struct EnergyCard {
   int hgen = 0, rwen = 0, slnten = 0, rylen = 0;
 };
 const CardOf<EnergyCard> energy_card{
-    {&EnergyCard::hgen, integer("hgen", 1, between(1, 2), "hourglass energy is written and counted, as with 2")},
-    {&EnergyCard::rwen, integer("rwen", 2, between(1, 2), "the same of rigid walls")},
+    {&EnergyCard::hgen,
+     integer("hgen", 1, between(1, 2), "2: glstat has the hourglass energy; its total has it with 1 too")},
+    {&EnergyCard::rwen, integer("rwen", 2, between(1, 2), "energy of rigid walls is written and counted, as with 2")},
     {&EnergyCard::slnten, integer("slnten", 1, between(1, 2), "the same of contacts")},
     {&EnergyCard::rylen, integer("rylen", 1, between(1, 2), "the same of damping")},
     integer("irgen", 2, any_value, "reference geometry, no effect"),
@@ -447,8 +448,12 @@ void read_time_step(Builder& b, const Block& block, const Options&) {
   c.weight_of_added_mass = second->emscl;
   expect(b, Severity::warning,
          {{third[&StepCard3::rmavg], 0, "not obeyed: tied nodes of solids get no rotary inertia by it, as with 0"}});
-  b.defer(Phase::conditions,
-          [row](Builder& later) { later.model.control.step_curve = later.curve(row[&StepCard::lctm]); });
+  b.defer(Phase::conditions, [row](Builder& later) {
+    const Index curve = later.curve(row[&StepCard::lctm]);
+    later.model.control.step_curve = curve;
+    if (curve != none && std::ranges::any_of(later.model.curves[curve].y, [](double y) { return !(y > 0.0); }))
+      refuse(later, row[&StepCard::lctm], "a largest time step of this curve is not above 0", "give ordinates above 0");
+  });
 }
 
 void check_wall_penalty(Builder& b, const RowOf<ContactCard1>& row) {
@@ -502,7 +507,6 @@ void read_control_contact(Builder& b, const Block& block, const Options&) {
   c.weld_of_deleted_shell = four->spotdel;
   c.weld_thinning = four->spothin;
   c.weld_thinning_radius = five->swradf;
-  c.wall_thickness_share = six->shltrw;
 }
 
 /// Gives the shells of DRCPSID stiffness against drilling. LS-DYNA's own amount is not published; ours is tried in
@@ -556,7 +560,6 @@ void read_control_shell(Builder& b, const Block& block, const Options&) {
         b.findings, Severity::warning,
         "the warping coupling and the drill projection are computed, the transverse shear stays the one-point form",
         "compare with BWC = 2 where warped shells matter");
-  c.rotary_mass_scale = two->rotascl;
   c.lobatto = two->intgrd == 1;
   if (const int lamsht = two->lamsht; lamsht == 2)
     refuse(b, two[&ShellCard2::lamsht], "not a documented value", "write 1 for laminated shell theory, 0 without it");
@@ -589,12 +592,11 @@ void read_bulk(Builder& b, const Block& block, const Options&) {
 
 void read_energy(Builder& b, const Block& block, const Options&) {
   EnergyCard card;
-  read_one(b, block, energy_card, card);
-  Control& c = b.model.control;
-  c.hourglass_energy = card.hgen == 2;
-  c.wall_energy = card.rwen == 2;
-  c.contact_energy = card.slnten == 2;
-  c.damping_energy = card.rylen == 2;
+  const auto row = read_one(b, block, energy_card, card);
+  b.model.control.hourglass_energy = card.hgen == 2;
+  for (const auto member : {&EnergyCard::rwen, &EnergyCard::slnten, &EnergyCard::rylen})
+    if (!row[member].blank && card.*member == 1)
+      return row[member].report(b.findings, Severity::note, "not obeyed: it is computed and counted, as with 2");
 }
 
 void read_accuracy(Builder& b, const Block& block, const Options&) {

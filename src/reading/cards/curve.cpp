@@ -141,7 +141,11 @@ void rescale(Curve& curve, const Rescaling& by) {
 
 void add_curve(Builder& b, const Row& row, Curve curve) {
   const std::string keyword = row.keyword();
-  if (curve.empty()) b.findings.error(row.place(), keyword, fmt::format("curve {} has no points", curve.id));
+  if (curve.x.size() == 1)
+    b.findings.warning(row.place(), keyword, fmt::format("curve {} has one point: it is constant", curve.id),
+                       "give a second point, if it is to be so");
+  if (curve.empty() && curve.id != 0)
+    b.findings.error(row.place(), keyword, fmt::format("curve {} has no points", curve.id));
   const auto index = static_cast<Index>(b.model.curves.size());
   if (b.tables.find(curve.id) != none)
     b.findings.error(row.place(), keyword, fmt::format("{} is already the id of a table", curve.id),

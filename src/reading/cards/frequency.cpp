@@ -226,7 +226,7 @@ void make_frf(Builder& builder, const std::vector<CaseRows>& cases, const Shared
     b.model.frequency_response = std::move(r);
   });
   builder.defer(Phase::checks, [=](Builder& b) {
-    check_analysis(b, shared.mdmin_entry, true);
+    if (b.model.frequency_response) check_analysis(b, shared.mdmin_entry, true, b.model.frequency_response->modes);
     if (b.model.frequency_response) check_damped(b, damping[&DampingCard::dampf], b.model.frequency_response->damping);
     if (!b.model.frequency_response || b.model.frequency_response->cases.size() != cases.size()) return;
     for (std::size_t i = 0; i < cases.size(); ++i)
@@ -439,8 +439,12 @@ void check_damped(Builder& b, const deck::Entry& dampf, const FrequencyResponse:
                "give DAMPF, LCDAM, DMPMAS, DMPSTF or *DAMPING_STRUCTURAL");
 }
 
-void check_analysis(Builder& b, const deck::Entry& field, bool modal) {
+void check_analysis(Builder& b, const deck::Entry& field, bool modal, const FrequencyResponse::Selection& selection) {
   const Implicit& implicit = b.model.implicit;
+  const int modes = std::abs(implicit.modes);
+  if (modal && modes > 0 && selection.first > modes)
+    refuse(b, field, fmt::format("no mode is left: NEIG of *CONTROL_IMPLICIT_EIGENVALUE asks for {}", modes),
+           "raise NEIG, or lower MDMIN");
   if (modal && (implicit.low || implicit.centre > 0.0))
     refuse(b, field, "modes of an interval (LFLAG, CENTER) leave lower ones out of the response",
            "drop LFLAG and CENTER in *CONTROL_IMPLICIT_EIGENVALUE; MDMIN chooses the first mode");

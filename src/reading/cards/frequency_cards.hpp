@@ -67,9 +67,10 @@ FrequencyResponse::Damping damping_of(Builder& builder, const deck::RowOf<Dampin
 /// A warning where nothing damps. `dampf`: its field.
 void check_damped(Builder& builder, const deck::Entry& dampf, const FrequencyResponse::Damping& damping);
 
-/// What only the whole model shows: whether the analysis runs, whether there is a base to move. `field`: where findings
-/// stand. `modal`: by modes, which must be the lowest ones.
-void check_analysis(Builder& builder, const deck::Entry& field, bool modal);
+/// What only the whole model shows: whether the analysis runs, whether there is a base to move. `mdmin`, `field`: where
+/// findings stand. `modal`: by modes, which must be the lowest ones, and as many as the selection begins with.
+void check_analysis(Builder& builder, const deck::Entry& mdmin, bool modal,
+                    const FrequencyResponse::Selection& selection);
 void check_excitation(Builder& builder, const deck::Entry& field, const FrequencyResponse::Excitation& excitation);
 
 }  // namespace nugget::reading

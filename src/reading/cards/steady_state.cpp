@@ -294,8 +294,8 @@ void make_ssd(Builder& b, const SteadyStateCards& cards) {
 }
 
 void check_ssd(Builder& b, const SteadyStateCards& cards) {
-  check_analysis(b, cards.modes[&SelectionCard::mdmin], !cards.direct);
   const SteadyState& s = steady_state(b);
+  check_analysis(b, cards.modes[&SelectionCard::mdmin], !cards.direct, s.modes);
   check_damped(b, cards.damping[&DampingCard::dampf], s.damping);
   if (s.cases.size() != cards.cases.size()) return;  // of another keyword
   for (std::size_t c = 0; c < s.cases.size(); ++c) {

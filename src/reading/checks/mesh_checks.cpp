@@ -51,7 +51,8 @@ void check_shells(Builder& b) {
   const Model& m = b.model;
   const double largest_warp = m.control.warp_warning;
   Tally flat(b.findings, Severity::error, "*ELEMENT_SHELL"), crossed(b.findings, Severity::error, "*ELEMENT_SHELL"),
-      thin(b.findings, Severity::error, "*ELEMENT_SHELL"), warped(b.findings, Severity::warning, "*ELEMENT_SHELL");
+      coincident(b.findings, Severity::warning, "*ELEMENT_SHELL"), thin(b.findings, Severity::error, "*ELEMENT_SHELL"),
+      warped(b.findings, Severity::warning, "*ELEMENT_SHELL");
   for (std::size_t e = 0; e < m.shells.size(); ++e) {
     const auto& n = m.shells.node[e];
     const std::array<Vec3d, 4> x{position(m, n[0]), position(m, n[1]), position(m, n[2]), position(m, n[3])};
@@ -71,6 +72,15 @@ void check_shells(Builder& b) {
       continue;
     }
     if (m.shells.triangle(e)) continue;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (const std::size_t j = (i + 1) % 4; n[i] != n[j] && dot(x[j] - x[i], x[j] - x[i]) <= 1e-12 * longest)
+        coincident.add(
+            m.shells.place[e],
+            [&] {
+              return fmt::format("shell {}: its nodes {} and {} are at one place, and move apart", id, m.nodes.id[n[i]],
+                                 m.nodes.id[n[j]]);
+            },
+            "merge them: it is a triangle");
     // Edges cross where the corner normals point to both sides of the element's.
     int inward = 0;
     for (std::size_t i = 0; i < 4; ++i)
@@ -311,6 +321,7 @@ void check_mesh(Builder& b) {
   check_solids(b);
   check_bonds(b);
   check_beams(b);
+  report_doubled_elements(b);
   count_free_nodes(b);
 }
 

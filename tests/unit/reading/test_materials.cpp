@@ -245,8 +245,6 @@ TEST(Controls, WhatIsObeyed) {
   EXPECT_DOUBLE_EQ(c.hourglass.bending, 0.03);
   EXPECT_DOUBLE_EQ(c.hourglass.bulk_quadratic, 1.4);
   EXPECT_TRUE(c.hourglass_energy);
-  EXPECT_FALSE(c.wall_energy);
-  EXPECT_TRUE(c.contact_energy);
   EXPECT_DOUBLE_EQ(c.penalty_scale, 0.2);
   EXPECT_TRUE(c.keep_tied_gap);
   EXPECT_EQ(c.ignore_penetration, 2);
@@ -265,7 +263,6 @@ TEST(Controls, DefaultsOfLsDyna) {
   EXPECT_EQ(c.thickness_update, 0);
   EXPECT_DOUBLE_EQ(c.penalty_scale, 0.1);
   EXPECT_FALSE(c.hourglass_energy);
-  EXPECT_TRUE(c.wall_energy);
   EXPECT_DOUBLE_EQ(c.added_mass_limit, 1e8);
 }
 
