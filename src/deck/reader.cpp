@@ -104,10 +104,6 @@ void Reader::read_master_text(std::string text) {
 void Reader::run(Visit master) {
   const int errors = findings_.errors();
   choose_case();
-  if (findings_.errors() > errors) {  // the rest depends on the case
-    deck_.bytes = deck_.impl->texts.front().view().size();
-    return;
-  }
   read_file(std::move(master));
   for (const auto& [subcase, place] : begun_subcases_)
     findings_.error(place, fmt::format("*CASE_BEGIN_{}", subcase), "its end is missing",
