@@ -117,6 +117,14 @@ class NoResults final : public impact::Recorder {
   void write(const impact::Snapshot&, bool) override {}
 };
 
+/// Where the material stands of what the step goes by.
+Place place_of_material(const model::Model& model, const impact::Simulation& simulation) {
+  const system::System::Controlling& by = simulation.controlling();
+  if (by.group < 0) return {model.deck, 0, 0};
+  const model::Index material = model.parts[simulation.system().groups[by.group]->part].material;
+  return material == model::none ? Place{model.deck, 0, 0} : model.materials[material].place;
+}
+
 /// Many faults of a model show in the first forces: an element inside out, a contact that throws, a step of nothing.
 /// What ends a run there is an error of the check. A dynamic relaxation is not tried: it is a whole run.
 void try_first_cycles(const model::Model& model, impact::Simulation& simulation, Findings& findings) {
@@ -128,7 +136,7 @@ void try_first_cycles(const model::Model& model, impact::Simulation& simulation,
                    "look at this place of the model, and at what was reported above");
   else if (simulation.without_end(model.control.end_time, simulation.first_step()))
     findings.error(
-        {model.deck, 0, 0}, {},
+        place_of_material(model, simulation), {},
         fmt::format("a run would have no end: the time step {:.4g} of {} is so small a share of the end time",
                     simulation.first_step(), simulation.smallest_by()),
         "see density, stiffness and dimensions there, and ENDTIM of *CONTROL_TERMINATION");

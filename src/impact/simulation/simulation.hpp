@@ -40,6 +40,7 @@ class Simulation {
   /// also where none is; welds have their own account), a line each, for run.log.
   std::vector<std::string> events() const;
   double first_step() const { return first_step_; }
+  const system::System::Controlling& controlling() const { return controlling_; }  ///< what the step goes by
   /// Steps of so small a share of the time to go reach no end, however fast a cycle is; a number of cycles (ENDCYC) or
   /// what *TERMINATION_... looks at may end the run.
   bool without_end(double time_to_go, double step) const;
