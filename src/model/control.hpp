@@ -102,7 +102,6 @@ struct Control {
   bool warping_stiffness = false;         ///< BWC = 1
   bool lobatto = false;                   ///< INTGRD = 1
   bool laminated_shear = false;           ///< LAMSHT: layers given by cards have transverse shear strains of their own
-  double rotary_mass_scale = 1.0;         ///< ROTASCL
   int distorted_shells = 0;               ///< NFAIL1, of shells with one in-plane point; see impact::Erosion
   int distorted_full_shells = 0;          ///< NFAIL4, of fully integrated shells
   std::vector<Index> parts_of_distorted;  ///< PSNFAIL: parts that these are about; empty: all
@@ -111,8 +110,8 @@ struct Control {
   Hourglass hourglass;
   int bulk_viscosity_type = 1;  ///< TYPE: 1 solids, -1/-2 shells too
 
-  // *CONTROL_ENERGY: 2 computed and in the balance, 1 not printed
-  bool hourglass_energy = false, wall_energy = true, contact_energy = false, damping_energy = false;
+  // *CONTROL_ENERGY
+  bool hourglass_energy = false;  ///< HGEN = 2: a line of glstat
 
   // *CONTROL_CONTACT
   double penalty_scale = 0.1;         ///< SLSFAC
@@ -129,16 +128,14 @@ struct Control {
   double weld_thinning_radius = 0.0;  ///< SWRADF, radii of the weld; 0: the shells that it is tied to
   bool keep_tied_gap = false;         ///< TIEDPRJ = 1
   WeldTie weld_tie = WeldTie::segment;
-  double wall_thickness_share = 0.0;  ///< SHLTRW
 
   WeldBeamControl weld_beams;
   Relaxation relaxation;
 
   bool invariant_shell_axes = false;  ///< INN of *CONTROL_ACCURACY, for output: else x of a shell goes from N1 to N2
 
-  // *CONTROL_OUTPUT, *CONTROL_SOLID
-  bool average_accelerations = false;  ///< IACCOP = 1
-  std::vector<Index> eroding_parts;    ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
+  // *CONTROL_SOLID
+  std::vector<Index> eroding_parts;  ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
 
   Subcycling subcycling;
   bool single_precision = false;  ///< --precision single: elements that are built for it (docs/manual/precision.md)
