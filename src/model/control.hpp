@@ -134,8 +134,9 @@ struct Control {
 
   bool invariant_shell_axes = false;  ///< INN of *CONTROL_ACCURACY, for output: else x of a shell goes from N1 to N2
 
-  // *CONTROL_SOLID
-  std::vector<Index> eroding_parts;  ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
+  // *CONTROL_OUTPUT, *CONTROL_SOLID
+  bool average_accelerations = false;  ///< IACCOP = 1
+  std::vector<Index> eroding_parts;    ///< PSFAIL: only their bricks are deleted at negative volume; empty: all
 
   Subcycling subcycling;
   bool single_precision = false;  ///< --precision single: elements that are built for it (docs/manual/precision.md)
