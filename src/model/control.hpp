@@ -132,6 +132,7 @@ struct Control {
   WeldBeamControl weld_beams;
   Relaxation relaxation;
 
+  bool second_order_stress = false;   ///< OSU = 1 of *CONTROL_ACCURACY; else rates of ELFORM 2 are those of the end
   bool invariant_shell_axes = false;  ///< INN of *CONTROL_ACCURACY, for output: else x of a shell goes from N1 to N2
 
   // *CONTROL_OUTPUT, *CONTROL_SOLID

@@ -85,6 +85,7 @@ kernel::ShellProperties shell_properties(const model::Part& part, const model::S
   shell.bending_hourglass = hourglass.bending;
   shell.warping_hourglass = hourglass.warping;
   shell.thickness_update = thickness_update(control.thickness_update);
+  shell.rates_at_end = !control.second_order_stress;
   shell.warping_stiffness =
       fully_integrated(section) ? hourglass.type == 8 : control.warping_stiffness || section.warping_stiffness;
   shell.drilling = kernel::usual_drilling * part.drilling;

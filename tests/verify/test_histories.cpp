@@ -233,7 +233,7 @@ std::string stretched_shells(double stretch, const std::string& more) {
 // Sabotage: strains as displacement over length; the middle layer left out; stress of a rigid rotation.
 TEST(ElementHistories, StretchedShellHasLogarithmicStrainsAndHookesStress) {
   constexpr double stretch = 1.05, nu = 0.3;
-  Experiment experiment(stretched_shells(stretch, ""));
+  Experiment experiment(stretched_shells(stretch, "*CONTROL_ACCURACY\n" + fields({1})));
   output::EloutState last;
   run_to_end(experiment, [&](const impact::Snapshot& now) { last = impact::elout_state(now); });
   ASSERT_EQ(last.shells.size(), 1u);
@@ -267,6 +267,7 @@ TEST(ElementHistories, StrainsTurnWithTheElement) {
       .card("SECTION_SOLID", {2, 1})
       .card("DATABASE_EXTENT_BINARY", {0, 0, 3, 1})
       .card("CONTROL_TIMESTEP", {0, 0.5})
+      .card("CONTROL_ACCURACY", {1})
       .part(1, 1, 1)
       .part(2, 2, 1);
   const Grid shells = specimen.shells(1, {}, {20.0, 10.0, 0.0}, 2, 1);

@@ -138,7 +138,7 @@ TEST(Rotation, StressedShell) {
     moved.z = 0.0;
     points.push_back({i + 1, x, moved, {2e-4 * (x.y - 5.0), -3e-4 * (x.x - 5.0), 0.0}});
   }
-  const std::string model = sheet_part(1, 1.0) + mesh.text();
+  const std::string model = sheet_part(1, 1.0) + mesh.text() + "*CONTROL_ACCURACY\n" + fields({1});
   std::array<double, 8> first{}, last{};  // Mx My Mxy Qx Qy Nx Ny Nxy
   const Turn t = turn(model, points, steps, true, [&](const impact::Snapshot& now) {
     last = now.system.groups[0]->resultants(0);

@@ -187,7 +187,7 @@ NodalForces<R, 4> shell_cycle(const ShellProperties& shell, const LawKernel<Law>
   const ElasticConstants& e = law.elastic();
   auto alive = load_field<R>(state, L::alive) > 0.5;
 
-  const R half = R(0.5 * dt);
+  const R half = R(shell.rates_at_end ? 0.0 : 0.5 * dt);
   Vec3<R> middle[4];
   for (int i = 0; i < 4; ++i) middle[i] = nodes.x[i] - half * nodes.v[i];
   const Quadrilateral<R> mid(middle), end(nodes.x);

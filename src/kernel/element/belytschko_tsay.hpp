@@ -9,9 +9,10 @@ namespace nugget::kernel {
 /// One cycle of the four-node Belytschko-Lin-Tsay shell (ELFORM 2): one point in the plane, layers through the
 /// thickness.
 ///
-/// Strain rates and hourglass rates are formed on the mid-step geometry x(t + dt/2) = x - dt/2 v, stresses live in the
-/// element's frame, and nodal forces use the geometry at the end of the step: a rigid rotation x(t) -> x(t + dt)
-/// strains nothing, whatever its angle, if the spins are those of the chord, (2/dt) tan(angle/2); with the true angular
+/// Strain rates and hourglass rates are formed on the mid-step geometry x(t + dt/2) = x - dt/2 v, or with
+/// `rates_at_end` on that of the end (docs/decisions/0183), stresses live in the element's frame, and nodal forces use
+/// the geometry at the end of the step: with the former a rigid rotation x(t) -> x(t + dt) strains nothing, whatever
+/// its angle, if the spins are those of the chord, (2/dt) tan(angle/2); with the true angular
 /// velocity up to angle^3/12 in transverse shear. The frame bisects the diagonals, so that results do not depend on
 /// which node comes first. Hourglass forces: stiffness form or viscous form of docs/theory/hourglass.md#shells, kept in
 /// the frame; their work is added up in the state by the trapezoidal rule. Warping stiffness (BWC 1): coupling of

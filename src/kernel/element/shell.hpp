@@ -42,6 +42,7 @@ struct ShellProperties {
   double membrane_hourglass = 0.1, bending_hourglass = 0.1, warping_hourglass = 0.1;  ///< QM, QB, QW [1]
   ThicknessUpdate thickness_update = ThicknessUpdate::none;
   bool warping_stiffness = false;  ///< BWC 1; of the fully integrated shell IHQ 8
+  bool rates_at_end = false;       ///< of ELFORM 2: on the geometry at the end of the step, else in its middle (OSU)
   /// Stiffness against drilling rotations, a share of G t min(t^2, A) / corners a node; not in ELFORM 2.
   double drilling = 0.0;
   ShellLength length = ShellLength::area_over_side;

@@ -326,7 +326,8 @@ struct AccuracyCard {
   int osu = 0, inn = 0;
 };
 const CardOf<AccuracyCard> accuracy_card{
-    {&AccuracyCard::osu, integer("osu", 0, between(0, 1), "1: second-order stress update")},
+    {&AccuracyCard::osu,
+     integer("osu", 0, between(0, 1), "1: second-order stress update; of ELFORM 2, others always have it")},
     {&AccuracyCard::inn,
      integer(
          "inn", 1, any_value,
@@ -601,12 +602,10 @@ void read_energy(Builder& b, const Block& block, const Options&) {
 
 void read_accuracy(Builder& b, const Block& block, const Options&) {
   AccuracyCard card;
-  const auto row = read_one(b, block, accuracy_card, card);
+  read_one(b, block, accuracy_card, card);
   const int inn = std::abs(card.inn);
   b.model.control.invariant_shell_axes = inn == 2 || inn == 4;
-  expect(
-      b, Severity::warning,
-      {{row[&AccuracyCard::osu], 0, "not obeyed: stresses are turned by the midpoint rule of first order, as with 0"}});
+  b.model.control.second_order_stress = card.osu == 1;
 }
 
 void read_control_solid(Builder& b, const Block& block, const Options&) {

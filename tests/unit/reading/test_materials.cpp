@@ -272,14 +272,20 @@ TEST(Controls, WhatCannotBeObeyed) {
   const auto b = built(
       "*CONTROL_TIMESTEP\n\n,,1\n0.5\n*CONTROL_SHELL\n,3,,5\n0.5\n*CONTROL_CONTACT\n0.1,,,,2\n\n\n,,,,,1,0.5\n\n,,,,,,"
       "0.5\n*"
-      "CONTROL_OUTPUT\n1,,,1\n*CONTROL_ACCURACY\n1,2\n*CONTROL_SHELL\n\n\n\n,,,1\n");
+      "CONTROL_OUTPUT\n1,,,1\n*CONTROL_SHELL\n\n\n\n,,,1\n");
   EXPECT_TRUE(b.error("only 0 is supported (selective mass scaling)", "imscl")) << b.all_findings();
   EXPECT_TRUE(b.error("expected 0 to 2", "esort"));
   EXPECT_TRUE(b.error("expected 0 to 4", "istupd"));
   EXPECT_TRUE(b.error("only 1 is supported", "rotascl"));
   for (const auto* field : {"rmavg", "penopt", "shltrw", "keepcs"})
     EXPECT_TRUE(b.warning("not obeyed", field)) << field << '\n' << b.all_findings();
-  EXPECT_TRUE(b.warning("not obeyed", "osu"));
+}
+
+TEST(Controls, SecondOrderStress) {
+  EXPECT_FALSE(built("*CONTROL_ACCURACY\n0,1\n").model.control.second_order_stress);
+  const auto b = built("*CONTROL_ACCURACY\n1,2\n");
+  EXPECT_TRUE(b.model.control.second_order_stress);
+  EXPECT_TRUE(b.model.control.invariant_shell_axes);
 }
 
 TEST(Controls, UnitsRemarkIsIgnored) {
