@@ -331,7 +331,7 @@ TEST(FreeAssembly, SpinningSheets) {
   Experiment run("*KEYWORD\n" + termination(end) +
                  two_sheets(4, {.length = 1.0, .strength = {8000, 6000, 6000, 9000, 7000, 7000}}, 20.0, 20.0) +
                  "*INITIAL_VELOCITY_GENERATION\n" + fields({0, 0, omega, 1000, -2000, 500}) +
-                 fields({20, 20, 0.5, 1, 2, 3}) + "*END\n");
+                 fields({20, 20, 0.5, 1, 2, 3}) + "*CONTROL_ACCURACY\n" + fields({1}) + "*END\n");
   const system::System& system = run.system();
   // Inertias of the lumped masses about the common centre.
   Momenta start;
