@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/index.hpp"
+#include "impact/contact/contact_setup.hpp"
 #include "impact/simulation/simulation.hpp"
 
 namespace nugget::impact {
