@@ -92,6 +92,8 @@ void RepeatedCards::warn_of_same(const deck::Block& block, const Keyword& row, F
 
 void warn_of_nothing(const deck::Block& block, const Keyword& row, Findings& findings) {
   if (row.layout.empty() || !block.bulk.empty()) return;
+  // Programs write the heads of empty lists; what refers to nodes and elements says if some lack.
+  if (block.keyword == "NODE" || block.keyword.starts_with("ELEMENT_")) return;
   const auto is_blank = [](const deck::Line& line) { return deck::trimmed(line.text).empty(); };
   // A blank line is a card of defaults where there is one card; in a list it is nothing.
   const bool defaults = block.keyword.starts_with("CONTROL_") || block.keyword.starts_with("DATABASE_");
