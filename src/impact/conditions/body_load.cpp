@@ -37,8 +37,14 @@ void ActingLoad<model::BodyLoad>::Weightless::add(std::size_t k, double mass) {
   mass_[k] += mass;
   if (known_[k] != 0) return;
   known_[k] = 1;
-  const int node = static_cast<int>(k);
-  nodes_.insert(std::lower_bound(nodes_.begin(), nodes_.end(), node), node);
+  is_sorted_ = false;
+  nodes_.push_back(static_cast<int>(k));
+}
+
+const std::vector<int>& ActingLoad<model::BodyLoad>::Weightless::ascending() {
+  if (!is_sorted_) std::sort(nodes_.begin(), nodes_.end());
+  is_sorted_ = true;
+  return nodes_;
 }
 
 void ActingLoad<model::BodyLoad>::Weightless::clear() {
@@ -64,7 +70,7 @@ void ActingLoad<model::BodyLoad>::find_weightless() {
 void ActingLoad<model::BodyLoad>::find_weightless_of_all() {
   find_weightless();
   handed_over_.clear();
-  for (const int node : of_elements_.nodes()) {
+  for (const int node : of_elements_.ascending()) {
     const double own = of_elements_.at(at(node));
     if (own == 0.0) continue;
     if (!system_.map.dependent(node))

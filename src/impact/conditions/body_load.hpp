@@ -33,12 +33,13 @@ class ActingLoad<model::BodyLoad> {
     void add(std::size_t k, double mass);
     void clear();
     double at(std::size_t k) const { return k < mass_.size() ? mass_[k] : 0.0; }
-    const std::vector<int>& nodes() const { return nodes_; }  ///< those that have ever had any; ascending
+    const std::vector<int>& ascending();  ///< nodes that have ever had any
 
    private:
     std::vector<double> mass_;
     std::vector<char> known_;
     std::vector<int> nodes_;
+    bool is_sorted_ = true;
   };
   /// As the elements have it.
   void find_weightless();

@@ -36,6 +36,11 @@ void find_rigid_contact_mass(const system::System& system, std::span<const unsig
   std::sort(rigid.begin(), rigid.end());
 }
 
+/// 0 of what has none.
+double inverse(double mass) {
+  return mass > 0.0 ? 1.0 / mass : 0.0;
+}
+
 }  // namespace
 
 void Simulation::update_mass_bounds() {
@@ -52,8 +57,8 @@ void Simulation::update_inverse_mass() {
   inverse_inertia_.resize(system_.nodes);
   system_.for_each_node(4096, [this](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < std::min(end, system_.nodes); ++k) {
-      inverse_mass_[k] = system_.mass[k] > 0.0 ? 1.0 / system_.mass[k] : 0.0;
-      inverse_inertia_[k] = system_.inertia[k] > 0.0 ? 1.0 / system_.inertia[k] : 0.0;
+      inverse_mass_[k] = inverse(system_.mass[k]);
+      inverse_inertia_[k] = inverse(system_.inertia[k]);
     }
   });
   find_rigid_contact_mass(system_, dependent_, contact_mass_, rigid_contact_nodes_);
@@ -69,8 +74,8 @@ void Simulation::update_scaled_mass() {
   for (const int node : changed) {
     const std::size_t k = at(node);
     if (system_.follows(k)) {
-      inverse_mass_[k] = system_.mass[k] > 0.0 ? 1.0 / system_.mass[k] : 0.0;
-      inverse_inertia_[k] = system_.inertia[k] > 0.0 ? 1.0 / system_.inertia[k] : 0.0;
+      inverse_mass_[k] = inverse(system_.mass[k]);
+      inverse_inertia_[k] = inverse(system_.inertia[k]);
     }
     if (contact_mass_.empty()) continue;
     contact_mass_[k] = dependent_[k] ? system_.own_mass[k] : system_.mass[k];
