@@ -20,14 +20,16 @@ PenaltyContact::PenaltyContact(SurfaceContactSetup surface, std::optional<EdgeCo
 }
 
 void PenaltyContact::apply(const Step& step, std::span<Row> force) {
-  if (glue_) glue_->apply(step, force);
-  surface_.apply(step, force);
-  if (glue_) glue_->bond_touching(surface_, step);
+  Step of_faces = step;
+  if (step.faces_are_whole) of_faces.element_alive = {};
+  if (glue_) glue_->apply(of_faces, force);
+  surface_.apply(of_faces, force);
+  if (glue_) glue_->bond_touching(surface_, of_faces);
   if (edges_) edges_->apply(step, force);
 }
 
-void PenaltyContact::surface_changed() {
-  if (can_expose_faces_) surface_.surface_changed();
+void PenaltyContact::elements_deleted(bool faces) {
+  if (faces && can_expose_faces_) surface_.surface_changed();
   if (edges_) edges_->surface_changed();
 }
 

@@ -54,8 +54,8 @@ class PenaltyContact {
   /// Lets all of several ranks follow all its nodes, as glue and edges do, which are computed by each of them.
   void look_everywhere() { surface_.look_everywhere(); }
   bool looks_everywhere() const { return surface_.looks_everywhere(); }
-  /// Elements of the surface were deleted.
-  void surface_changed();
+  /// Elements were deleted. `faces`: shells or bricks among them.
+  void elements_deleted(bool faces);
 
   double energy() const;  ///< see SurfaceContact::energy
   std::array<double, 2> energy_of_sides() const;

@@ -87,6 +87,7 @@ void SurfaceContact::leave(Block& block) {
   free_room(block.near);
   free_room(block.seen);
   free_room(block.next_check_travel);
+  free_room(block.widest);
   free_room(block.deep);
   free_room(block.pairs);
   free_room(block.touches);
@@ -216,6 +217,7 @@ void SurfaceContact::forget_lists() {
     free_room(block.seen);
     std::ranges::fill(block.first, 0);
     std::ranges::fill(block.next_check_travel, 0.0);
+    std::ranges::fill(block.widest, 0.0);
     block.asleep_until = 0.0;
   }
   free_room(active_nodes_);

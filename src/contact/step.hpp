@@ -53,6 +53,7 @@ struct Step {
   std::span<const Row> v;  ///< velocities in its middle
   NodalMasses mass;
   std::span<const unsigned char> element_alive;
+  bool faces_are_whole = false;         ///< no shell and no brick is deleted
   const SharedNodes* shared = nullptr;  ///< null: one process
   bool off = false;                     ///< *SENSOR_CONTROL has turned the contact off
 };

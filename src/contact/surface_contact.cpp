@@ -45,7 +45,6 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
       places_(setup.places),
       around_(setup.segments),
       outline_(setup.whole ? std::make_unique<SurfaceOutline>(*setup.whole) : nullptr),
-      thickest_segment_(setup.thickest),
       forces_(surface_nodes(setup), setup.law.friction.any()),
       sources_(forces_.parts()) {
   assign_sides(forces_, around_, setup);
@@ -66,7 +65,6 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
     const Segment& s = setup.segments[i];
     faces_.push_back(face_of(s, setup.stiffness_scale, x));
     covers_ = covers_ || s.covered_by >= 0;
-    thickest_segment_ = std::max(thickest_segment_, s.thickness);
     // So that both take no room at a time.
     if (given != nullptr && i % given_together == 0) forget(given->segments, i - std::min(i, given_together), i);
   }
@@ -85,6 +83,7 @@ SurfaceContact::SurfaceContact(const SurfaceContactSetup& setup, std::span<const
   for (Block& block : blocks_) {
     block.first.assign(block.end - block.begin + 1, 0);
     block.next_check_travel.assign(block.end - block.begin, 0.0);
+    block.widest.assign(block.end - block.begin, 0.0);
   }
 }
 
@@ -293,7 +292,7 @@ void SurfaceContact::check_node(Block& block, Candidates candidates, int tracked
 SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work& work, const Awake::Node& node,
                                                              std::size_t first, const Step& step) const {
   const int tracked = node.tracked;
-  const double widest = this->widest(tracked), deep = block.depth_of(tracked);
+  const double widest = block.widest_of(tracked), deep = block.depth_of(tracked);
   const double thickness = nodes_[tracked].thickness;
   const bool all_exposed = step.element_alive.empty() && !covers_;
   // Closer than that a pair of shells is close, whatever else there is to know of it.
@@ -305,6 +304,7 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
   }
   std::size_t count = 0, touching = 0;
   bool inside = deep > 0.0, matters = inside;  // inside: or near a brick, in which it could be
+  bool uncovered = false;
   const Awake::One* const ones = work.awake.pairs.data();
   const Work::Found* const all_found = work.found.data();
   Pair* const pairs = block.pairs.data();
@@ -322,6 +322,8 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
     if (!all_exposed && !is_exposed(face, step.element_alive)) {
       if (block.pressed(pair)) block.energies.deleted += block.touch_of(pair)->held();
       block.release(pair);
+      pair.next_check_travel = Box::infinity;  // for good; what it may have hidden is looked at
+      uncovered = true;
       continue;
     }
     const std::size_t batch = at(one.turn) / Work::width, l = at(one.turn) % Work::width;
@@ -363,6 +365,7 @@ SurfaceContact::Candidates SurfaceContact::gather_candidates(Block& block, Work&
     matters = matters || block.pressed(pair);
   }
   block.next_check_travel[tracked - block.begin] = first_check_travel;
+  if (uncovered) wake_all(block, tracked);
   work.touching_count = touching;
   std::size_t filled = 0;
   if (matters) {
@@ -586,8 +589,8 @@ Vec3d SurfaceContact::friction(const kernel::Friction& law, const Candidate& can
 }
 
 void SurfaceContact::Block::archive(Archive& a) {
-  a(travelled, near, seen, asleep_until, first, next_check_travel, deep, pairs, touches, free, hits, resultant, deepest,
-    energies);
+  a(travelled, near, seen, asleep_until, first, next_check_travel, widest, deep, pairs, touches, free, hits, resultant,
+    deepest, energies);
   a.built(begin, end, places, parts);
 }
 
@@ -610,10 +613,9 @@ void SurfaceContact::archive(Archive& a) {
   });
   if (a.reading() && share_ != nullptr) hold_what_was_read();
   a.built(law_, deepest_allowed_, birth_, death_, edges_meet_, places_, covers_, faces_, nodes_, around_, outline_,
-          excluded_, stays_active_, thickest_segment_, pressing_, margin_, moved_, active_blocks_, sources_,
-          results_need_hits_, share_, rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_,
-          followed_, by_share_, held_, at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, rank_of_part_, out_, in_,
-          hits_for_);
+          excluded_, stays_active_, pressing_, margin_, moved_, active_blocks_, sources_, results_need_hits_, share_,
+          rank_, rank_of_block_, looks_everywhere_, others_add_, at_border_, arrived_, followed_, by_share_, held_,
+          at_own_, boxed_, tracked_ghosts_, ghosts_, answered_, rank_of_part_, out_, in_, hits_for_);
 }
 
 }  // namespace nugget::contact

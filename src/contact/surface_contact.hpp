@@ -55,8 +55,7 @@ struct SurfaceContactSetup {
   CommonPlaces places;           ///< a node is not pressed by segments that stand at one of these with it
   double birth = 0.0, death = 1e20;
   // Of the surface that this is a part of (part_of); of a whole one they follow from the segments.
-  double margin = 0.0;    ///< of its search, see search_margin() [length]
-  double thickest = 0.0;  ///< contact thickness of its thickest segment [length]
+  double margin = 0.0;  ///< of its search, see search_margin() [length]
   /// Where it holds some segments and tracked nodes, as a SurfaceChoice asks for: the whole surface, and which of its
   /// segments these are, rising.
   std::optional<SurfaceOutline> whole;
@@ -325,6 +324,9 @@ class SurfaceContact {
     double asleep_until = 0.0;  // the first of `next_check_travel`
     std::vector<int> first;     // of the pairs of each node; empty before its first search
     std::vector<double> next_check_travel;  // of each node: the first of its pairs'; empty likewise
+    // Of each node: the largest distance at which one of its pairs touches; empty likewise. One that does not touch,
+    // but is closer, may hide one that would.
+    std::vector<double> widest;
     std::vector<double> deep;    // of each node: how deep it was inside in the cycle before, if it was; empty: none was
     std::vector<Pair> pairs;     // by node, then by segment
     std::vector<Touch> touches;  // of pairs, where Pair::touch says
@@ -337,6 +339,7 @@ class SurfaceContact {
     double deepest = 0.0;
     ContactEnergies energies;  // so far; of springs: what they hold now; that of friction stands with the nodes
 
+    double widest_of(int tracked) const { return widest[tracked - begin]; }
     double depth_of(int tracked) const { return deep.empty() ? 0.0 : deep[tracked - begin]; }
     const Touch* touch_of(const Pair& pair) const { return pair.touch == none ? nullptr : &touches[pair.touch]; }
     bool pressed(const Pair& pair) const { return pair.touch != none && touches[pair.touch].pressed(); }
@@ -410,7 +413,6 @@ class SurfaceContact {
   bool lists_are_good_for(std::span<const Row> x);
   template <class Displacement>
   double approach(const Displacement& displacement);
-  double widest(int tracked) const { return 0.5 * (nodes_[tracked].thickness + thickest_segment_); }
   void search(const Step& step);
   static void follow(Block& block, std::span<const Row> x);
   void list_near(Block& block, std::span<const Row> x) const;
@@ -495,8 +497,7 @@ class SurfaceContact {
   std::unique_ptr<const SurfaceOutline> outline_;  // of a surface that has no segments as yet; else null
   const std::vector<unsigned char>* excluded_ = nullptr;
   std::vector<char> stays_active_;  // by node: TrackedNode::stays_active
-  double thickest_segment_ = 0.0;
-  unsigned pressing_ = 0;  // sides whose segments press any node
+  unsigned pressing_ = 0;           // sides whose segments press any node
   double margin_ = 0.0;
 
   NodalForces forces_;             // on all nodes of segments and all tracked nodes

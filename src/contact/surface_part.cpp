@@ -67,8 +67,6 @@ SurfaceContactSetup part_of(const SurfaceContactSetup& whole, std::span<const Ro
   own.birth = whole.birth;
   own.death = whole.death;
   own.margin = search_margin(whole, x);
-  own.thickest = whole.thickest;
-  for (const Segment& s : whole.segments) own.thickest = std::max(own.thickest, s.thickness);
 
   Box region;
   double thickest_node = 0.0;

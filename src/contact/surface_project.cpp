@@ -62,12 +62,13 @@ void SurfaceContact::wake(const Block& block, Awake& awake) const {
     const int end = block.first[t - block.begin + 1];
     int touching = 0;  // where others may wait for these
     for (int i = block.first[t - block.begin]; i < end; ++i) {
+      // Without branches, which nothing foresees.
       const Pair& pair = pairs[i];
       touching += pair.touch != none ? 1 : 0;
-      if (pair.next_check_travel > travelled)
-        asleep_until = std::min(asleep_until, pair.next_check_travel);
-      else
-        ones[count++] = {i, node, none};
+      const bool sleeps = pair.next_check_travel > travelled;
+      asleep_until = std::min(asleep_until, sleeps ? pair.next_check_travel : Box::infinity);
+      ones[count] = {i, node, none};
+      count += sleeps ? 0 : 1;
     }
     if (block.depth_of(t) > 0.0) touching = 0;
     for (int k = first; k < count; ++k) {
@@ -96,7 +97,7 @@ void SurfaceContact::project(const Block& block, Work& work, const Step& step) c
   // No pair that is closer than this sleeps; the others need a bound on the distance.
   work.close_by = Box::infinity;
   for (const Awake::Node& n : work.awake.nodes)
-    work.close_by = std::min(work.close_by, Work::surely_close * widest(n.tracked));
+    work.close_by = std::min(work.close_by, Work::surely_close * block.widest_of(n.tracked));
   project(block, work, work.awake.order, step);
 }
 
@@ -244,10 +245,12 @@ void SurfaceContact::let_hidden_sleep(Block& block, Work& work, const Step& step
   project(block, work, left, step);
 }
 
-/// All pairs of a node are looked at in the next cycle: it came behind a sheet, where other rules hold.
+/// All pairs of a node are looked at in the next cycle: it came behind a sheet, where other rules hold, or what hid
+/// them is deleted.
 void SurfaceContact::wake_all(Block& block, int tracked) const {
   for (int i = block.first[tracked - block.begin]; i < block.first[tracked - block.begin + 1]; ++i)
-    block.pairs[i].next_check_travel = std::min(block.pairs[i].next_check_travel, block.travelled);
+    if (block.pairs[i].next_check_travel < Box::infinity)
+      block.pairs[i].next_check_travel = std::min(block.pairs[i].next_check_travel, block.travelled);
   double& first_check_travel = block.next_check_travel[tracked - block.begin];
   first_check_travel = std::min(first_check_travel, block.travelled);
 }

@@ -82,7 +82,6 @@ SurfaceContact::Work::Alone SurfaceContact::Work::look_alone(const SurfaceContac
                                                              const Step& step) {
   if (node.touching == 0 || node.touching > most_at_rest || contact.deepest_allowed_ > 0.0) return Alone::no;
   const bool all_exposed = step.element_alive.empty() && !contact.covers_;
-  const double surely_near = surely_close * contact.widest(node.tracked);
   std::size_t count = 0;
   for (std::size_t i = first; i < node.end; ++i) {
     const Awake::One& one = awake.pairs[i];
@@ -95,7 +94,7 @@ SurfaceContact::Work::Alone SurfaceContact::Work::look_alone(const SurfaceContac
     rest.contact_distance = 0.5 * (contact.nodes_[node.tracked].thickness + face.thickness);
     const std::size_t batch = at(one.turn) / width, l = at(one.turn) % width;
     const double distance = found[batch].distance[l];
-    if (!(distance < surely_near && distance < rest.contact_distance)) return Alone::no;
+    if (!(distance < rest.contact_distance)) return Alone::no;
     if (!all_exposed && !is_exposed(face, step.element_alive)) return Alone::no;
     if (pair.near_own != 0 && kernel::stored_lane(feet[batch].boundary, static_cast<int>(l)) != 0.0) return Alone::no;
     rest.pair = &pair;

@@ -178,6 +178,7 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
   if (block.first.empty()) {
     block.first.assign(at(block.end - block.begin + 1), 0);
     block.next_check_travel.assign(at(block.end - block.begin), 0.0);
+    block.widest.assign(at(block.end - block.begin), 0.0);
   }
   int next_old = 0, end_of_group = block.begin;
   for (int t = block.begin; t < block.end; ++t) {
@@ -210,16 +211,26 @@ void SurfaceContact::list_neighbours(Block& block, const BoxTree& tree, Work& wo
       pair.segment = static_cast<unsigned>(segment) & 0x7fffffffu;
       pair.xi = foot.xi;
       pair.eta = foot.eta;
-      pair.next_check_travel = block.travelled + (foot.distance - (widest(t) + reach(block, t, segment)));
+      pair.next_check_travel = block.travelled + (foot.distance - reach(block, t, segment));  // less the widest
       listed.push_back(pair);
     }
     std::sort(listed.begin() + start, listed.end(), by_segment);
+    double widest = 0.0;
+    const auto widen = [&](const Pair& pair) {
+      widest = std::max(widest, contact_distance(t, static_cast<int>(pair.segment)));
+    };
+    std::for_each(listed.begin() + start, listed.end(), widen);
+    for (const Pair& was : old)
+      if (was.touch != none) widen(was);
+    const double grown = std::max(0.0, widest - std::exchange(block.widest[at(t - block.begin)], widest));
     for (auto pair = listed.begin() + start; pair != listed.end(); ++pair) {
       const auto was = std::lower_bound(old.begin(), old.end(), *pair, by_segment);
-      if (was != old.end() && was->segment == pair->segment)
+      const bool is_kept = was != old.end() && was->segment == pair->segment;
+      if (is_kept)
         *pair = *was;
       else
         pair->near_own = is_near_own(tracked.node, faces_[pair->segment]) ? 1 : 0;
+      pair->next_check_travel -= is_kept ? grown : widest;
     }
     const auto end = static_cast<std::ptrdiff_t>(listed.size());
     bool wakes = !element_alive.empty();  // what hid others may be gone

@@ -384,7 +384,7 @@ int SurfaceContact::side_over_edge(int number, const Vec3d& normal, unsigned bou
     if (!(boundary >> c & 1u)) continue;
     for (const int s : around_.at(segment.node[c])) {
       const Face& other = faces_[s];
-      const int same = same_side(segment, other);
+      const int same = s == number ? 0 : same_side(segment, other);
       if (same == 0 || !has_boundary(other, segment, boundary) || !alive(s, step.element_alive)) continue;
       const kernel::Corners k = corners_of(other, step.x);
       const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);

@@ -173,7 +173,7 @@ class Surfaces {
     if (choice_ == nullptr) return;
     // As contact::search_margin has it.
     if (outline_.segments > 0) setup.margin = 0.25 * (sum_of_edges_ / static_cast<double>(outline_.segments));
-    setup.thickest = thickest_;
+    outline_.thickest_node = thickest_;
     setup.number = std::move(number_);
     setup.whole = std::move(outline_);
   }
@@ -562,7 +562,6 @@ static kernel::PenaltyLaw law_of(const model::Contact& card, const FrictionKinds
 static void choose_nodes(const contact::SurfaceChoice& choice, const std::vector<contact::TrackedNode>& apart,
                          bool single, bool both_ways, contact::SurfaceContactSetup& setup) {
   contact::SurfaceOutline& whole = *setup.whole;
-  whole.thickest_node = setup.thickest;
   std::vector<int> of_segments;
   for (std::size_t n = 0; n < whole.sides.size(); ++n) {
     const bool of_a = (whole.sides[n] & tracked) != 0, of_b = both_ways && (whole.sides[n] & reference) != 0;

@@ -90,8 +90,8 @@ void Contacts::apply(const contact::Step& step, const system::State& state, std:
   }
 }
 
-void Contacts::surface_changed() {
-  for (contact::PenaltyContact& c : contacts_) c.surface_changed();
+void Contacts::elements_deleted(bool faces) {
+  for (contact::PenaltyContact& c : contacts_) c.elements_deleted(faces);
 }
 
 std::vector<std::string> Contacts::glue_summary(const system::System& system) const {

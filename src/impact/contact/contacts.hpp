@@ -23,8 +23,8 @@ class Contacts {
 
   /// Adds the forces of this step, of those contacts that `state` says are turned on.
   void apply(const contact::Step& step, const system::State& state, std::span<Row> force);
-  /// Elements were deleted.
-  void surface_changed();
+  /// Elements were deleted. `faces`: shells or bricks among them.
+  void elements_deleted(bool faces);
 
   const std::vector<contact::PenaltyContact>& all() const { return contacts_; }
   /// Whether some contact presses or holds a node, by its position.

@@ -14,14 +14,17 @@ int ElementAlive::place(const model::Model& model, model::ElementKind kind, mode
 }
 
 ElementAlive::Deletions ElementAlive::update(const system::System& system) {
-  int deletions = 0, of_shells = 0;
+  int deletions = 0, of_shells = 0, of_faces = 0;
   for (const auto& group : system.groups) {
     deletions += group->deletions;
     if (group->kind == model::ElementKind::shell) of_shells += group->deletions;
+    if (group->kind == model::ElementKind::shell || group->kind == model::ElementKind::solid)
+      of_faces += group->deletions;
   }
-  const Deletions news{deletions != deletions_, of_shells != shell_deletions_};
+  const Deletions news{deletions != deletions_, of_shells != shell_deletions_, of_faces != face_deletions_};
   deletions_ = deletions;
   shell_deletions_ = of_shells;
+  face_deletions_ = of_faces;
   if (!news.any) return news;
   for (const auto& group : system.groups) {
     if (group->kind == model::ElementKind::discrete) continue;  // springs are on no surface
@@ -32,7 +35,7 @@ ElementAlive::Deletions ElementAlive::update(const system::System& system) {
 }
 
 void ElementAlive::archive(Archive& a) {
-  a(alive_, deletions_, shell_deletions_);
+  a(alive_, deletions_, shell_deletions_, face_deletions_);
 }
 
 }  // namespace nugget::impact

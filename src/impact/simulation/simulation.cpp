@@ -526,6 +526,7 @@ void Simulation::contact_forces() {
                      state_.v,
                      mass,
                      components_.element_alive.all(),
+                     components_.element_alive.faces_are_whole(),
                      nullptr};
   if (ranks_ != nullptr) {
     const contact::SharedNodes shared{*system_.share(), state_.x, state_.v};
@@ -563,7 +564,7 @@ void Simulation::applied_forces() {
 
 void Simulation::remove_deleted_elements() {
   const ElementAlive::Deletions deletions = components_.element_alive.update(system_);
-  if (deletions.any) components_.contacts.surface_changed();
+  if (deletions.any) components_.contacts.elements_deleted(deletions.faces);
   if (deletions.shells) components_.crash_fronts.update(system_);
   const bool released =
       components_.tie_releases.update(state_, components_.element_alive.all(), deletions.shells, deletions.any);

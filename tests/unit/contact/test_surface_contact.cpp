@@ -264,24 +264,46 @@ TEST(SurfaceContact, DampingTakesEnergyAndNeverPulls) {
   EXPECT_NEAR(s.kinetic() + contact.energy(), start, 1e-10 * start);
 }
 
-TEST(SurfaceContact, NodePressedBeyondTheMidSurfaceIsPressedBack) {
-  // Twice the speed that brings the node to the mid-surface.
+/// Shot at the plate over `place`, at up to twice the speed that brings the node to the mid-surface; all turned by
+/// `angle` about (1, 2, 3).
+void expect_pressed_back(const Vec3d& place, double angle = 0.0) {
+  const Vec3d axis = (1.0 / std::sqrt(14.0)) * Vec3d{1.0, 2.0, 3.0};
+  const auto turn = [&](Row& r) {
+    const Vec3d a = vec(r);
+    const Vec3d b =
+        std::cos(angle) * a + std::sin(angle) * cross(axis, a) + (1.0 - std::cos(angle)) * dot(axis, a) * axis;
+    r = {b.x, b.y, b.z, 0.0};
+  };
   const double k = 0.1 * bulk * 25.0 / (5.0 * std::sqrt(2.0)), m = 1e-4;
   const double just_through = std::sqrt(k / m) * 1.0;
   for (const double factor : {0.9, 1.3, 2.0}) {
-    PlateAndNode s({3.0, 2.0, 1.01}, {0.0, 0.0, -factor * just_through}, m);
+    PlateAndNode s(place, {0.0, 0.0, -factor * just_through}, m);
+    std::ranges::for_each(s.x, turn);
+    std::ranges::for_each(s.v, turn);
+    Row up{0.0, 0.0, 1.0, 0.0};
+    turn(up);
     SurfaceContact contact = s.contact();
     s.evaluate(contact, 0.0);
     double lowest = 10.0;
     for (int i = 0; i < 4000; ++i) {
       s.step(contact);
-      lowest = std::min(lowest, s.x[s.node].z);
+      lowest = std::min(lowest, dot(vec(s.x[s.node]), vec(up)));
     }
     EXPECT_EQ(lowest<0.0, factor> 1.0);
     // Held as long as the node has not left the skin on the other side.
     if (factor < 2.0) {
-      EXPECT_GT(s.v[s.node].z, 0.0) << factor;
+      EXPECT_GT(dot(vec(s.v[s.node]), vec(up)), 0.0)
+          << factor << " at " << place.x << ", " << place.y << " by " << angle;
     }
+  }
+}
+
+// Sabotage caught over the edge and the corner that segments have in common: no side known there.
+TEST(SurfaceContact, NodePressedBeyondTheMidSurfaceIsPressedBack) {
+  expect_pressed_back({3.0, 2.0, 1.01});
+  for (int i = 0; i < 40; ++i) {
+    expect_pressed_back({5.0, 2.0, 1.01}, 0.1 * i);
+    expect_pressed_back({5.0, 5.0, 1.01}, 0.1 * i);
   }
 }
 
@@ -513,8 +535,9 @@ TEST(SurfaceContact, NodeBetweenTwoSheetsFeelsBoth) {
   EXPECT_NEAR(s.force[node].z, 0.0, 1e-6);
 }
 
-// Sabotage caught: pairs that stay asleep once the segment that hid them is deleted.
-TEST(SurfaceContact, WhatWasHiddenPressesWhereTheOtherIsDeleted) {
+/// Whether a node hidden from a segment is pressed by it once the one that hid it is deleted; `searches`: whether the
+/// lists are made anew then.
+void expect_pressed_where_the_other_is_deleted(bool searches) {
   PlateAndNode s({4.8, 2.0, 1.0 + 1e-9});  // 0.2 beside the border between two segments
   SurfaceContact contact = s.contact();
   s.evaluate(contact, 0.0);
@@ -531,12 +554,19 @@ TEST(SurfaceContact, WhatWasHiddenPressesWhereTheOtherIsDeleted) {
   for (const double height : {0.97, 0.96, 0.95}) go_to(height);
   ASSERT_EQ(pressing(), std::vector<int>{0});
   s.alive[0] = 0;
-  contact.surface_changed();
+  if (searches) contact.surface_changed();
   for (const double height : {0.94, 0.93}) go_to(height);
   ASSERT_EQ(pressing().size(), 1u);
   EXPECT_NE(pressing()[0], 0);
   // It is pressed away from the edge, which is the border no more.
   EXPECT_NEAR(s.force[s.node].x / s.force[s.node].z, -0.2 / 0.93, 1e-9);
+}
+
+// Sabotage caught: pairs that stay asleep once the segment that hid them is deleted, in a search and without one, as
+// where all segments are shells.
+TEST(SurfaceContact, WhatWasHiddenPressesWhereTheOtherIsDeleted) {
+  expect_pressed_where_the_other_is_deleted(true);
+  expect_pressed_where_the_other_is_deleted(false);
 }
 
 // ---- friction and sides
