@@ -384,8 +384,9 @@ int SurfaceContact::side_over_edge(int number, const Vec3d& normal, unsigned bou
     if (!(boundary >> c & 1u)) continue;
     for (const int s : around_.at(segment.node[c])) {
       const Face& other = faces_[s];
-      const int same = s == number ? 0 : same_side(segment, other);
-      if (same == 0 || !has_boundary(other, segment, boundary) || !alive(s, step.element_alive)) continue;
+      if (s == number || !has_boundary(other, segment, boundary) || !alive(s, step.element_alive)) continue;
+      const int same = same_side(segment, other);
+      if (same == 0) continue;
       const kernel::Corners k = corners_of(other, step.x);
       const Vec3d n = cross(k[2] - k[0], k[3] - k[1]);
       if (same * side * dot(was_at, n) < side_change_cosine * distance * norm(n)) return 0;

@@ -188,12 +188,14 @@ void ActingLoad<model::BodyLoad>::apply(system::State& state, double dt, double&
   if (load_.centrifugal) return apply_centrifugal(state, dt, motion(state));
   // Base acceleration: the structure feels -m a.
   const double a = -motion(state);
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto k = at(nodes_[i]);
-    if (!system_.follows(k)) continue;
-    work_of_node_[k] += 0.5 * dt * (last_ + a) * mass_[i] * dot(load_.direction, vec(state.v[k]));
-    add(state.f[k], (a * mass_[i]) * load_.direction);
-  }
+  parallel_for(nodes_.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto k = at(nodes_[i]);
+      if (!system_.follows(k)) continue;
+      work_of_node_[k] += 0.5 * dt * (last_ + a) * mass_[i] * dot(load_.direction, vec(state.v[k]));
+      add(state.f[k], (a * mass_[i]) * load_.direction);
+    }
+  });
   last_ = a;
 }
 

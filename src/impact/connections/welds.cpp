@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "base/index.hpp"
+#include "base/parallel.hpp"
 #include "system/share.hpp"
 #include "weld/tie/welds.hpp"
 
@@ -139,11 +140,7 @@ bool Welds::looks_at(std::size_t i) const {
 void Welds::update(const system::State& state) {
   for (const BrickJoints::Work& joint : joints_.book()) works_[joint.weld].add(joint.at_end);
   if (share_ != system_.share()) list_own();
-  std::vector<News> news;
-  for (const std::size_t i : looked_at_) {
-    if (!histories_[i]->failed()) look_at(i, state, news);
-  }
-  for (const News& n : of_all_ranks(std::move(news))) {
+  for (const News& n : of_all_ranks(look_at_own(state))) {
     const weld::Weld& w = system_.ties.welds[n.weld];
     if (n.mode == weld::FailureMode::intact) {
       events_.push_back(fmt::format("spotweld {} begins to be damaged  id={:8d} time={:12.5E} cycle={}",
@@ -154,6 +151,24 @@ void Welds::update(const system::State& state) {
     remove(n.weld);
     report(n.weld, state);
   }
+}
+
+std::vector<Welds::News> Welds::look_at_own(const system::State& state) {
+  constexpr std::size_t together = 64;
+  std::vector<std::vector<News>> of_stretch((looked_at_.size() + together - 1) / together);
+  const auto look_at_stretches = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s)
+      for (std::size_t k = s * together; k < std::min(looked_at_.size(), (s + 1) * together); ++k)
+        if (const std::size_t i = looked_at_[k]; !histories_[i]->failed()) look_at(i, state, of_stretch[s]);
+  };
+  // A user's library need not stand being called by several threads.
+  if (system_.model.weld_library)
+    look_at_stretches(0, of_stretch.size());
+  else
+    parallel_for(of_stretch.size(), 1, look_at_stretches);
+  std::vector<News> news;
+  for (const std::vector<News>& some : of_stretch) news.insert(news.end(), some.begin(), some.end());
+  return news;
 }
 
 void Welds::look_at(std::size_t i, const system::State& state, std::vector<News>& news) {

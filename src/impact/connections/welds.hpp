@@ -104,6 +104,8 @@ class Welds {
   /// Whether this process looks at weld i, which has a history.
   bool looks_at(std::size_t i) const;
   void list_own();
+  /// What the welds that this process looks at come to in this cycle, in their order.
+  std::vector<News> look_at_own(const system::State& state);
   /// What weld i, which holds, comes to in this cycle; its history goes on.
   void look_at(std::size_t i, const system::State& state, std::vector<News>& news);
   /// From all ranks, in the order of welds.
