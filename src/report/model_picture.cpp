@@ -137,6 +137,11 @@ Scene read_scene(const fs::path& directory, const PictureOptions& options) {
       facets(g, end_of(scene.state.shell_alive, g.shells.size()), end_of(scene.state.solid_alive, g.solids.size()), 1);
   std::erase_if(scene.facets, [&](const Facet& f) { return f.until == 0 || !scene.shows(f.part); });
   scene.welds = shown_welds(scene.run, g);
+  const auto is_asked = [&](int part) { return std::ranges::find(options.parts, part) != options.parts.end(); };
+  if (!options.parts.empty())
+    std::erase_if(scene.welds, [&](const ShownWeld& weld) {
+      return weld.id != options.weld && std::ranges::none_of(weld.parts, is_asked);
+    });
   if (scene.facets.empty()) throw std::runtime_error("there is no shell and no brick to draw");
   return scene;
 }
@@ -418,19 +423,35 @@ Colour colour_of(const ShownWeld& weld, const Scene& s, const std::optional<Face
   return damage && of->high > of->low ? ramp((*damage - of->low) / (of->high - of->low)) : colour_of_failure(0.0);
 }
 
+/// So many welds cover what they stand in: those that are far from failing step back.
+bool are_crowded(const Scene& s) {
+  constexpr std::size_t few = 200;
+  return s.welds.size() > few && s.options.weld == 0;
+}
+
+/// The higher its failure value, the farther in front a weld is drawn.
 std::string drawn_welds(const Scene& s, const Camera& camera, const DrawnFacets& sheets,
                         const std::optional<FacetValues>& values, const FailureValues& failure) {
-  constexpr double least_radius = 3.5;
+  constexpr double least_radius = 3.5, least_of_many = 1.5, far_from_failing = 0.5;
+  const bool crowded = are_crowded(s);
+  std::vector<std::pair<double, const ShownWeld*>> order;
+  for (const ShownWeld& weld : s.welds) order.emplace_back(s.modes ? 0.0 : failure.of(weld), &weld);
+  std::ranges::stable_sort(order, {}, [](const auto& of) { return of.first; });
   std::string text;
-  for (const ShownWeld& weld : s.welds) {
-    const PicturePoint p = camera(s.place_of(weld));
-    const bool hidden = sheets.hide(p, weld.diameter);
-    const std::string colour = css(colour_of(weld, s, values, failure));
+  for (const auto& [value, weld] : order) {
+    const PicturePoint p = camera(s.place_of(*weld));
+    const bool hidden = sheets.hide(p, weld->diameter), steps_back = crowded && value < far_from_failing;
+    if (hidden && steps_back) continue;
+    const std::string colour = css(colour_of(*weld, s, values, failure));
     text += fmt::format(
         "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\">"
         "<title>weld {}</title></circle>\n",
-        p.u, p.v, std::max(least_radius, 0.5 * weld.diameter * camera.scale()), hidden ? "none" : colour,
-        hidden ? colour : "#fff", hidden ? 1.4 : 1.0, weld.id);
+        p.u, p.v, std::max(steps_back ? least_of_many : least_radius, 0.5 * weld->diameter * camera.scale()),
+        hidden ? "none" : colour, hidden || steps_back ? colour : "#fff",
+        hidden       ? 1.4
+        : steps_back ? 0.0
+                     : 1.0,
+        weld->id);
   }
   return text;
 }
@@ -520,14 +541,16 @@ std::string weld_legend(const Scene& s) {
   if (s.welds.empty() || s.modes) return {};
   const auto broken =
       std::count_if(s.welds.begin(), s.welds.end(), [&](const ShownWeld& w) { return w.has_failed_by(s.state.time); });
-  constexpr double words = 250.0, colour_bar_ends = margin + 340.0;
+  const double words = are_crowded(s) ? 400.0 : 250.0;
+  constexpr double colour_bar_ends = margin + 340.0;
   const bool beside = s.options.width - words - 110.0 > colour_bar_ends;  // of the colour bar, or else above it
   const double x = beside ? s.options.width - words - 110.0 : margin + 4.0,
                y = s.options.height - (beside ? 16.0 : 60.0);
   std::string text =
       fmt::format("<circle cx=\"{:.0f}\" cy=\"{:.0f}\" r=\"4\" fill=\"{}\"/>", x, y - 4.0, css(colour_of_failure(1.0)));
-  return text +
-         text_at(x + 9.0, y, fmt::format("{} of {} welds failed (hollow: behind a sheet)", broken, s.welds.size()));
+  return text + text_at(x + 9.0, y,
+                        fmt::format("{} of {} welds failed (hollow: behind a sheet{})", broken, s.welds.size(),
+                                    are_crowded(s) ? "; small: far from it" : ""));
 }
 
 /// The global axes as they lie in the picture.

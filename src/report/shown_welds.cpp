@@ -35,6 +35,12 @@ std::vector<ShownWeld> shown_welds(const RunData& run, const output::D3plotGeome
     weld.peak_failure = number("peak_failure");
     weld.peak_failure_time = number("peak_failure_time");
     if (!cell(row, "damage").empty()) weld.damage = number("damage");
+    const auto belongs_to = [&](const std::string& part) {
+      if (!part.empty()) weld.parts.push_back(std::atoi(part.c_str()));
+      return !part.empty();
+    };
+    belongs_to(cell(row, "part"));
+    for (int sheet = 1; belongs_to(cell(row, fmt::format("sheet{}", sheet)));) ++sheet;
     for (int end = 1;; ++end) {
       const std::string node = cell(row, fmt::format("node{}", end));
       if (node.empty()) break;

@@ -15,6 +15,7 @@ struct ShownWeld {
   double diameter = 0.0, failure_time = 0.0;
   bool tied = false, failed = false;
   double peak_failure = 0.0, peak_failure_time = 0.0;
+  std::vector<int> parts;            ///< ids: its own, and those of its sheets
   std::optional<double> damage;      ///< at the end of the run, 0 to 1, where its law has one
   std::vector<std::size_t> nodes;    ///< its own, as positions in D3plotGeometry::node_ids
   std::vector<std::size_t> segment;  ///< those of the segment that its first end is tied to

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A whole vehicle, set up as public models are: welds placed into its body, wheels that roll, walls that take its momentum."""
+import csv
 import re
 import subprocess
 import sys
@@ -30,6 +31,23 @@ class Vehicle(CommandTest):
         self.assertEqual((summary["welds"], summary["weld"][0]["failed"]), (1541, False))
         self.assertAlmostEqual(summary["energy"]["ratio"], 1.0, delta=2e-4)
         self.assertFalse([f["text"] for f in self.json("run/findings.json") if f["severity"] == "error"])
+
+        # Of many welds those that are far from failing are drawn small, and not behind sheets. Sabotage: one size for all.
+        self.nugget("picture", "run", "-o", "car.svg", "--view=-0.7,0.7,-0.35", "--up", "z")
+        welds = re.findall(r'r="([\d.]+)" fill="([^"]+)" stroke="[^"]+" stroke-width="[\d.]+"><title>weld (\d+)', (self.folder / "car.svg").read_text())
+        with open(self.folder / "run" / "welds.csv") as file:
+            rows = list(csv.DictReader(file))
+        value = {int(w["id"]): float(w["peak_failure"]) for w in rows}
+        early = {int(w["id"]) for w in rows if float(w["peak_failure_time"]) < 1.5e-3}  # before the state that is drawn
+        for radius, fill, weld in welds:
+            if int(weld) in early:
+                self.assertEqual(float(radius) < 3.0, value[int(weld)] < 0.5 and fill != "none", weld)
+        self.assertTrue(200 < len(welds) < 1541)
+        self.assertTrue({int(w) for _, _, w in welds} >= {w for w in early if value[w] >= 0.5})
+        # Those of parts that are left out are not drawn. Sabotage: all of them.
+        self.nugget("picture", "run", "-o", "rails.svg", "--part", "101,104")
+        welds = {int(w) for w in re.findall(r"<title>weld (\d+)", self.read("rails.svg"))}
+        self.assertTrue(welds and welds <= {int(w["id"]) for w in rows if "101" in (w["sheet1"], w["sheet2"])})
 
         start = self.d3plot("run")["states"][0]
         ground, speeds = 0, []
