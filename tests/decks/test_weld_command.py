@@ -73,6 +73,7 @@ class Weld(CommandTest):
         self.write(LIST, "points.csv")
         self.write(mesh, "mesh.k")
         self.nugget("weld", "points.csv", "mesh.k", "-o", "welded.k")
+        self.assertNotIn("*DATABASE_SWFORC", self.read("welded.k"))  # sabotage: a second one beside that of the run
         self.assertIn("no end time is given", self.nugget("check", "welded.k", "-o", "audit", expect=1).stderr)
         self.write(self.read("welded.k").replace("*INCLUDE", "*CONTROL_TERMINATION\n   2.0e-05\n*INCLUDE"), "ended.k")
         self.nugget("check", "ended.k", "-o", "audit")

@@ -395,10 +395,10 @@ class PlacementWriter {
     return s;
   }
 
+  /// Of a deck that does not say when it ends, as one that others include, those say what is written.
   std::string request() const {
-    if (model_.requests["swforc"].asked()) return {};
-    return fmt::format("*DATABASE_SWFORC\n$#      dt\n{}\n",
-                       real_field(model_.control.end_time > 0.0 ? 1e-3 * model_.control.end_time : 1.0));
+    if (model_.requests["swforc"].asked() || !(model_.control.end_time > 0.0)) return {};
+    return fmt::format("*DATABASE_SWFORC\n$#      dt\n{}\n", real_field(1e-3 * model_.control.end_time));
   }
 
   std::string mesh() const {
