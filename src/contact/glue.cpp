@@ -15,6 +15,7 @@ namespace {
 constexpr double tolerance = 0.05;
 constexpr double in_the_middle = 1e-6;  // of the thickness: what round-off makes of no gap
 constexpr double facing = 1e-6;         // weight of what a segment looks past a node, against its distance
+constexpr double steep = 0.5;           // cosine between two segments below which one does not go on as the other
 constexpr double on_edge = 0.1;         // share of the surface around a node below which it stands on edge
 constexpr unsigned reference = 2;       // bit of Segment::side
 
@@ -33,6 +34,25 @@ Axes axes_of(const Segment& s, std::span<const Row> x) {
   axes.e1 = kernel::detail::unit_or_zero(along - dot(along, axes.normal) * axes.normal);
   axes.e2 = cross(axes.normal, axes.e1);
   return axes;
+}
+
+/// Distance of a segment's foot for a choice: above the edge of a fold all its segments are as close, and the one that
+/// faces the node is meant.
+double facing_distance(const kernel::Foot& foot, const Vec3d& p) {
+  return foot.distance + facing * (foot.distance - std::abs(dot(p - foot.point, foot.normal)));
+}
+
+/// Whether the surface ends at the edge between `from` and a neighbour of it for what lies on the side `outward` of
+/// its normal (0: in the middle of a sheet): a side face of a brick, or what a sheet is folded back to, goes off it.
+bool falls_off(const Segment& from, const Segment& to, double outward, std::span<const Row> x) {
+  const Vec3d normal = axes_of(from, x).normal;
+  const double cosine = dot(normal, axes_of(to, x).normal);
+  if ((to.volume > 0.0 ? cosine : std::abs(cosine)) >= steep) return false;
+  const auto middle = [x](const Segment& s) {
+    const kernel::Corners c = corners_of(s, x);
+    return 0.25 * (c[0] + c[1] + c[2] + c[3]);
+  };
+  return outward * dot(middle(to) - middle(from), normal) <= 0.0;
 }
 
 double shortest_diagonal(const Segment& s, std::span<const Row> x) {
@@ -92,8 +112,7 @@ void Glue::glue_together(std::span<const Row> x, std::span<const unsigned char> 
       if (!(s.side & node.against) || s.has(node.node) || !is_exposed(s, element_alive)) return Box::infinity;
       const kernel::Foot foot = kernel::closest_point(corners_of(s, x), s.triangle(), p);
       if (foot.distance > limit(node, s, x)) return Box::infinity;
-      // Above the edge of a fold all its segments are as close: the one that faces the node is meant.
-      return foot.distance + facing * (foot.distance - std::abs(dot(p - foot.point, foot.normal)));
+      return facing_distance(foot, p);
     };
     const BoxTree::Nearest nearest = tree.nearest(p, Box::infinity, distance);
     if (nearest.item < 0 || !std::isfinite(nearest.distance)) continue;
@@ -187,16 +206,19 @@ Vec3d Glue::sliding_pull(Bond& bond, const kernel::CohesiveStiffness& k, const S
   const Vec3d was = interpolate(from, bond.weight, step.x);
   int to = -1;
   kernel::Foot foot;
+  double closest = Box::infinity;
   for (int c = 0; c < from.corners(); ++c)
     for (int item : around_.at(from.node[c])) {
       const Segment& s = setup_.segments[item];
       if (!(s.side & reference) || s.has(node.node) || !is_exposed(s, step.element_alive)) continue;
+      if (item != bond.segment && falls_off(from, s, bond.outward, step.x)) continue;
       const kernel::Foot other = kernel::closest_point(corners_of(s, step.x), s.triangle(), p);
+      const double distance = facing_distance(other, p);
       // Of two that are as close, over an edge that they share, the one where it is stays.
-      if (to >= 0 && (other.distance > foot.distance || (other.distance == foot.distance && item != bond.segment)))
-        continue;
+      if (to >= 0 && (distance > closest || (distance == closest && item != bond.segment))) continue;
       to = item;
       foot = other;
+      closest = distance;
     }
   if (to < 0) {
     bond.state.damage = 1.0;

@@ -117,6 +117,41 @@ TEST(Glue, AboveAFoldThePlateBelowHolds) {
   EXPECT_EQ(glue.failed(), 4);
 }
 
+// Glue that slides goes off the plate where a wall goes down from its edge: until it lets go it holds the height above
+// the plate, whichever of the two segments round-off makes the closer one. Sabotage: the wall goes on as the plate.
+TEST(Glue, SlidesOffAnEdgeWithoutForce) {
+  TwoPlates s;
+  for (double y : {-20.0, 20.0}) {
+    s.x.push_back({20.0, y, -20.0, 0.0});
+    s.mass.push_back(1e10);
+  }
+  s.v.resize(10);
+  Segment wall = s.setup.segments[0];
+  wall.node = {1, 8, 9, 2};
+  s.setup.segments.push_back(wall);
+  const auto turned = [](const Vec3d& p) {  // by 36.9 degrees about each of two axes
+    const Vec3d q{0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y, p.z};
+    return Vec3d{q.x, 0.8 * q.y - 0.6 * q.z, 0.6 * q.y + 0.8 * q.z};
+  };
+  for (Row& p : s.x) set(p, turned(vec(p)));
+  model::Glue card = brittle(10.0, 0.0);
+  card.slides = true;
+  Glue glue(s.setup, card, s.x);
+  EXPECT_EQ(glue.at_start(), 4);
+  s.pull(glue, turned({15.0, 0.0, 0.0}));
+  for (int k = 0; k < 100; ++k) {
+    s.force.assign(10, {});
+    for (std::size_t n = 4; n < 8; ++n) nugget::add(s.x[n], turned({0.009, 0.0313, 0.0}));
+    glue.apply({0.0, 0.0, 0.0, 0.0, s.x, s.v, s.mass, s.alive}, s.force);
+    for (const Row& f : s.force) EXPECT_NEAR(norm(vec(f)), 0.0, 1e-9 * area * stiffness) << k;
+  }
+  EXPECT_EQ(glue.failed(), 0);
+  s.force.assign(10, {});
+  for (std::size_t n = 4; n < 8; ++n) nugget::add(s.x[n], turned({0.3, 0.0, 0.0}));
+  glue.apply({0.0, 0.0, 0.0, 0.0, s.x, s.v, s.mass, s.alive}, s.force);
+  EXPECT_EQ(glue.failed(), 2);
+}
+
 TEST(Glue, HoldsOnlyWhatTouches) {
   TwoPlates s;
   for (std::size_t n = 4; n < 6; ++n) s.x[n].z += 0.06;
