@@ -76,6 +76,28 @@ class Composites(RepeatedRuns):
         for first, strength in ((0, 0.6 * 2200.0), (layers, 2200.0)):
             self.assertAlmostEqual(max(max(row[first:first + layers]) for row in stress), strength, delta=0.005 * strength)
 
+    def test_axes_of_a_coordinate_system(self):
+        """Layers of a material whose axes a coordinate system gives, written before and behind it: as with the vectors of AOPT 2, whether the layers are
+        those of *PART_COMPOSITE or the angles of a section. Sabotage: layers take the law before it has its axes, and lie along the sides of the shells."""
+        system = "*DEFINE_COORDINATE_VECTOR\n7,0.6,0.8,0,-0.8,0.6,0"
+        layers = {"composite": "*PART_COMPOSITE\nplate\n1,2\n1,0.3,0,0,1,0.3,45\n1,0.3,-45,0,1,0.3,90",
+                  "angles": "*PART\nplate\n1,1,1\n*SECTION_SHELL\n1,2,,4,,,1\n1.2,1.2,1.2,1.2\n0,45,-45,90"}
+        for name, part in layers.items():
+            found = []
+            for aopt, axes, behind in (("2", ",,,0.6,0.8,0", False), ("-7", "", False), ("-7", "", True)):
+                law = f"*MAT_022\n1,1.52e-9,127e3,8.41e3,8.41e3,0.0205,0.0205,0.3\n4.21e3,4.21e3,4.21e3,,{aopt}\n{axes}\n\n154.0,2200.0,48.9,199.0,1e-9"
+                cards = ["*KEYWORD", "*CONTROL_TERMINATION", "5e-5", "*DATABASE_GLSTAT\n5e-6,2", part, law]
+                cards.insert(4 if behind else 6, system)
+                cards += ["*NODE", *(f"{1 + a + 4 * b},{10 * a + b},{10 * b},{0.1 * a * b:.2g}" for b in range(4) for a in range(4))]
+                cards += ["*ELEMENT_SHELL", *(f"{1 + a + 3 * b},1,{1 + a + 4 * b},{2 + a + 4 * b},{6 + a + 4 * b},{5 + a + 4 * b}" for b in range(3) for a in range(3))]
+                cards += ["*INITIAL_VELOCITY_NODE", *(f"{1 + a + 4 * b},{9000 * a},{4000 * b - 3000 * a},{2000 * a * b}" for b in range(4) for a in range(4))]
+                self.write("\n".join([*cards, "*END", ""]))
+                self.nugget("run", "model.k", "-o", "run", "-j1", "--quiet")
+                found.append([state["internal_energy"][0] for state in lsda.states(lsda.read(self.folder / "run" / "binout0000"), "glstat")])
+            for other in found[1:]:
+                for a, b in zip(found[0], other):
+                    self.assertAlmostEqual(a, b, delta=1e-9 * max(found[0]), msg=name)
+
     def test_modes_are_those_of_the_elastic_plate(self):
         found = []
         for law in (LAWS[0], LAWS[1], "*MAT_002\n" + ELASTIC.format(1, 0) + "\n\n"):

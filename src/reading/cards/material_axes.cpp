@@ -32,7 +32,7 @@ kernel::MaterialAxes material_axes(Builder& b, const Block& block, const AxesCar
 void take_axes_of_system(Builder& b, const deck::Entry& option, Index material) {
   if (!(option.value < 0.0)) return;
   const int id = -option.integer();
-  b.defer(Phase::sets, [=](Builder& later) {
+  const auto take = [=](Builder& later) {
     const Index found = later.systems.find(id);
     if (found == none)
       return refuse(later, option, fmt::format("coordinate system {} is not defined", id),
@@ -54,7 +54,9 @@ void take_axes_of_system(Builder& b, const deck::Entry& option, Index material) 
         mirrored[material] = later.mirrored_systems.contains(id);
     }
     *compound = kernel::composed_law(std::move(made));
-  });
+  };
+  // Behind the systems of that phase, and before layers take the laws of their materials.
+  b.defer(Phase::systems, [take](Builder& later) { later.defer(Phase::systems, take); });
 }
 
 }  // namespace nugget::reading
