@@ -67,6 +67,13 @@ Fault fault_of(const Field& field, std::string_view text, const Value& value) {
   return {with_meaning(field, fmt::format("is not {}", kind)), std::move(remedy)};
 }
 
+/// Whether a field's default has a unit that the file of the block has changed; numbers that stand for infinity have
+/// none.
+bool default_changes_unit(const Field& field, const Block& block) {
+  if (block.transform == nullptr || field.kind != Kind::real) return false;
+  return field.fallback != 0.0 && std::abs(field.fallback) < 1e15 && block.transform->factor(field.dimension) != 1.0;
+}
+
 }  // namespace
 
 // ---- Row
@@ -251,8 +258,17 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
     row.entry_at(i).report(findings_, Severity::error, fault.text, fault.remedy);
     cell.refused = true;
   };
+  const auto default_counts = [&] {
+    if (needed || !default_changes_unit(field, block_)) return;
+    row.entry_at(i).report(findings_, Severity::warning,
+                           fmt::format("the default, {:g}, is in the units of the whole deck, not in those of this "
+                                       "file ({})",
+                                       field.fallback, field.meaning),
+                           "write the value in the units of the file");
+  };
   if (cell.blank) {
     if (needed) report({with_meaning(field, "must be given"), "write its value there"});
+    default_counts();
     return;
   }
   const Value value = evaluate(text, deck_.impl->parameters, block_.scope);
@@ -267,6 +283,7 @@ void Cursor::fill(Row& row, std::size_t i, std::string_view text) {
     report({with_meaning(field, "expected at most 2147483647"), {}});
   } else if (value.number == 0.0 && field.zero_is_default) {
     if (needed) report({with_meaning(field, "must be given, and 0 is not a value here"), "write its value there"});
+    default_counts();
   } else if (!field.range.holds(value.number)) {
     report({with_meaning(field, expected(field)), {}});
   } else if (value.number < 0.0 && field.id != IdSpace::none && field.negative == IdSpace::none &&

@@ -188,10 +188,12 @@ TEST(IncludeTransform, IdsAndUnits) {
   EXPECT_EQ(row.entry("psid").integer(), 0);
   EXPECT_EQ(row.entry("n").integer(), 3);
   const Row defaults = c.read(sheet);
-  EXPECT_EQ(defaults.entry("t").value, 2.0);  // a default is in the units of the whole deck
+  EXPECT_EQ(defaults.entry("t").value, 2.0);  // a default is in the units of the whole deck, and a warning says so
+  EXPECT_THAT(listed(r.findings), testing::HasSubstr("the default, 2, is in the units of the whole deck"));
   EXPECT_EQ(defaults.entry("psid").integer(), 504);
   EXPECT_EQ(Cursor(r.deck, r.deck.blocks[1], r.findings).read(sheet).entry("secid").integer(), 1);
-  EXPECT_CLEAN(r.findings);
+  EXPECT_EQ(r.findings.errors(), 0);
+  EXPECT_EQ(r.findings.warnings(), 1);
 }
 
 TEST(IncludeTransform, NestedOnesAdd) {
