@@ -280,6 +280,28 @@ def triangles(elform, law, first):
     return cards.text(5e-4 if law is RUBBER else 5e-5, "GLSTAT")
 
 
+def damped(elements, first):
+    """A sheet of quadrilaterals or triangles, or a block of bricks, that is sheared under damping of its deformation. `first`: by how many corners the
+    e-th card is turned on."""
+    cards = Cards(Case())
+    cards.add("SECTION_SHELL", (1, 2, 0.8333, 3), [1.25] * 4)
+    cards.add("SECTION_SOLID", (2, 2))
+    cards.add("CONTROL_SHELL", (20, 1))
+    cards.add("MAT_ELASTIC", (1, 7.85e-9, 210000, 0.3))
+    cards.add("DAMPING_FREQUENCY_RANGE_DEFORM", (0.02, 1000, 50000))
+    cards.append(f"*PART\npart\n1,{2 if elements == 'bricks' else 1},1")
+    layers = [[[cards.node((5.0 * i + 1.25 * j, 5.0 * j - 0.5 * i, 0.25 * i * j + 4.0 * k)) for i in range(5)] for j in range(4)]
+              for k in range(2 if elements == "bricks" else 1)]
+    rings = [[[layer[j + b][i + a] for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))] for layer in layers] for j in range(3) for i in range(4)]
+    if elements == "triangles":
+        rings = [[half] for (n,) in rings for half in (n[:3], (n[0], n[2], n[3]))]
+    rows = [[ring[(k + first(e)) % len(ring)] for ring in both for k in range(len(ring))] for e, both in enumerate(rings)]
+    cards.add("ELEMENT_SOLID" if elements == "bricks" else "ELEMENT_SHELL", *((e + 1, 1, *n, *([n[2]] if len(n) == 3 else [])) for e, n in enumerate(rows)))
+    cards.add("INITIAL_VELOCITY_NODE", *((n, 300.0 * (5.0 * i - 8.0), 400.0 * (5.0 * j - 6.0) - 900.0 * i, 1000.0 * i)
+                                         for layer in layers for j, row in enumerate(layer) for i, n in enumerate(row)))
+    return cards.text(1e-4, "GLSTAT")
+
+
 AXIS, COSINE, SINE = (1 / 3, 2 / 3, 2 / 3), 0.6, 0.8  # the angle is math.atan2(SINE, COSINE)
 
 
@@ -455,6 +477,16 @@ class Invariance(CommandTest):
                         states = lsda.states(self.run_deck("sheet", triangles(elform, law, first)), "glstat")
                         found.append({q: [s[q][0] for s in states] for q in ("kinetic_energy", "internal_energy")})
                     self.compare(*found)
+
+    def test_first_corner_under_damping_of_deformation(self):
+        """Sabotage: axes along the first sides, which turn otherwise than the second ones where the element is sheared."""
+        for elements in ("quadrilaterals", "triangles", "bricks"):
+            with self.subTest(elements):
+                found = []
+                for first in (lambda e: 0, lambda e: e % 4):
+                    states = lsda.states(self.run_deck("damped", damped(elements, first)), "glstat")
+                    found.append({q: [s[q][0] for s in states] for q in ("kinetic_energy", "internal_energy", "system_damping_energy")})
+                self.compare(*found)
 
     def test_rubber(self):
         found = []

@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "base/parallel.hpp"
+#include "kernel/element/c0_triangle.hpp"
 #include "system/share.hpp"
 
 namespace nugget::impact {
@@ -23,13 +24,39 @@ Frame3d frame(const Vec3d& first, const Vec3d& second) {
   return {e1, cross(e3, e1), e3};
 }
 
-/// Axes that turn with a shell or a solid: means of opposite sides, so that no corner counts for more than another.
+/// The axes next to three directions, which all turn them alike (the rotation of a polar decomposition): neither the
+/// first corner nor the hand of a numbering counts. Where the directions lie in a plane, those by the first two.
+Frame3d nearest_axes(const Vec3d& first, const Vec3d& second, const Vec3d& third) {
+  constexpr double flat = 0.01, converged = 1e-14;
+  constexpr int most = 20;
+  std::array<Vec3d, 3> e{unit(first), unit(second), unit(third)};
+  if (!(std::abs(dot(e[0], cross(e[1], e[2]))) > flat)) return frame(first, second);
+  for (int i = 0; i < most; ++i) {
+    const double scale = 1.0 / dot(e[0], cross(e[1], e[2]));
+    const std::array<Vec3d, 3> dual{scale * cross(e[1], e[2]), scale * cross(e[2], e[0]), scale * cross(e[0], e[1])};
+    double change = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3d step = 0.5 * (dual[k] - e[k]);
+      e[k] += step;
+      change = std::max(change, norm(step));
+    }
+    if (change < converged) break;
+  }
+  return {e[0], e[1], e[2]};
+}
+
+/// Axes that turn with a shell or a solid: by the directions between opposite sides.
 Frame3d axes_of(const system::ElementNodes& node, std::size_t corners, const system::State& state) {
   const auto x = [&](std::size_t a) { return vec(state.x[node[a]]); };
   if (corners == 8)
-    return frame(x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7),
-                 x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5));
-  if (corners == 4 && node[2] != node[3]) return frame(x(1) + x(2) - x(0) - x(3), x(2) + x(3) - x(0) - x(1));
+    return nearest_axes(x(1) + x(2) + x(5) + x(6) - x(0) - x(3) - x(4) - x(7),
+                        x(2) + x(3) + x(6) + x(7) - x(0) - x(1) - x(4) - x(5),
+                        x(4) + x(5) + x(6) + x(7) - x(0) - x(1) - x(2) - x(3));
+  if (corners == 4 && node[2] != node[3]) {
+    const Vec3d along = x(1) + x(2) - x(0) - x(3), across = x(2) + x(3) - x(0) - x(1);
+    return nearest_axes(along, across, cross(along, across));
+  }
+  if (corners <= 4) return kernel::triangle_frame({x(0), x(1), x(2)});
   return frame(x(1) - x(0), x(2) - x(0));
 }
 
