@@ -28,7 +28,7 @@ spec.loader.exec_module(body_in_white)
 SPEED = 15646.4                 # 35 mph
 RAISED = 260.0                  # of the body above the ground
 FRONT = body_in_white.INSET * 2  # x of the body's front wall
-RAIL_Y, RAIL_Z, RAIL_LENGTH, RAIL_START = 300.0, 330.0, 980.0, -900.0  # in line with the members of the floor
+RAIL_Y, RAIL_Z, RAIL_LENGTH, RAIL_START = 300.0, 330.0, 928.0, -900.0  # in line with the members of the floor
 DIAMETER = 6.0                  # of a weld
 RADIUS, RIM, HALF_WIDTH = 280.0, 180.0, 90.0  # of a tyre
 AXLES = ((-450.0, 620.0), (1600.0, 840.0))  # x, y of the wheels' centres
@@ -102,7 +102,7 @@ def rail(c, side):
     for part, out in ((RAIL_OUT, side), (RAIL_IN, -side)):
         web = [(0.8, -70.0), (0.8, -40.0), (40.0, -40.0), (40.0, 40.0), (0.8, 40.0), (0.8, 70.0)]
         for (a, low), (b, high), count in zip(web, web[1:], (3, 4, 8, 4, 3)):
-            c.sheet(part, f"rail {side}", (RAIL_START, y + out * a, RAIL_Z + low), (length, 0, 0), (0, out * (b - a), high - low), 98, count)
+            c.sheet(part, f"rail {side}", (RAIL_START, y + out * a, RAIL_Z + low), (length, 0, 0), (0, out * (b - a), high - low), 93, count)
     for k in range(1, 24):
         for z in (RAIL_Z - 55.0, RAIL_Z + 55.0):
             ends = [c.free(RAIL_START + 40.0 * k + 3.0, y + sign * side * 0.8, z) for sign in (1, -1)]
