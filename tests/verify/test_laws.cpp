@@ -264,6 +264,28 @@ TEST(Laws, Viscoplastic) {
       [&](double ep) { return hardened(ep) + 30.0 * std::pow(100.0, 0.2); }, 0.005);
 }
 
+/// Pulled across the rolling direction: of shells F + H = (1 + 1/R90) R00/(1 + R00), of bricks that of the card; stress
+/// times, and plastic strain over, its root is what hardens, by isotropic and kinematic terms alike. Sabotage: R00 and
+/// R90 exchanged; the back stress in the direction of the flow.
+TEST(Laws, ViscoplasticAcrossTheRollingDirection) {
+  const auto hardened = [](double ep) {
+    return 300.0 + 100.0 * (1.0 - std::exp(-25.0 * ep)) + 150.0 * (1.0 - std::exp(-4.0 * ep)) +
+           80.0 * (1.0 - std::exp(-30.0 * ep));
+  };
+  const std::string cards =
+      "*MAT_103\n" + fields({1, 7.85e-9, E, 0.3, 300.0}) + fields({100.0, 25.0, 150.0, 4.0, 80.0, 30.0});
+  const auto across = [&](const std::vector<double>& shape, double square, Of of, const char* what) {
+    std::string line = "0.0,0.0";
+    for (const double one : shape) line += fmt::format(",{}", one);
+    const double root = std::sqrt(square);
+    expect_law(
+        "laws", what, cards + line + "\n2\n,,,0.0,1.0,0.0\n,,,-1.0,0.0,0.0\n", 0.1, 100.0,
+        [&](double ep) { return hardened(ep / root) / root; }, 0.002, of);
+  };
+  across({0.8, 1.4, 1.9}, 0.8 / 1.8 * (1.0 + 1.0 / 1.9), Of::shells, "MAT_103, R00 0.8, R45 1.4, R90 1.9, along b");
+  across({0.35, 0.6, 0.5, 1.2, 1.9, 1.6}, 0.85, Of::bricks, "MAT_103, F 0.35, H 0.5, along b");
+}
+
 // Sabotage: the temperature rise over TM instead of TM - TR.
 TEST(Laws, JohnsonCook) {
   // Without hardening the heat is the work: T* = 1 - exp(-A ep / (rho c (TM - TR))).

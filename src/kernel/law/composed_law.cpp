@@ -19,6 +19,17 @@ struct PreparedFlows<std::variant<Laws...>> {
   using Type = std::variant<LawKernel<Laws>...>;
 };
 
+/// Material axes of a flow; null: none.
+template <class Law>
+const MaterialAxes* axes_in(const LawKernel<Law>& flow) {
+  if constexpr (requires(const MaterialAxes* axes) { axes = flow.axes(); })
+    return flow.axes();
+  else if constexpr (requires { flow.axes(); })
+    return &flow.axes();
+  else
+    return nullptr;
+}
+
 template <class R>
 SolidTensor<R> as_solid(const LayerTensor<R>& a, const R& zz) {
   return {a.xx, a.yy, zz, a.xy, a.yz, a.xz};
@@ -295,14 +306,7 @@ void LawKernel<ComposedLaw>::add_viscous_work(const R& work, double* history) co
 }
 
 const MaterialAxes* LawKernel<ComposedLaw>::axes() const {
-  return std::visit(
-      [](const auto& flow) -> const MaterialAxes* {
-        if constexpr (requires { flow.axes(); })
-          return &flow.axes();
-        else
-          return nullptr;
-      },
-      parts_->flow);
+  return std::visit([](const auto& flow) { return axes_in(flow); }, parts_->flow);
 }
 
 int LawKernel<ComposedLaw>::size_field() const {

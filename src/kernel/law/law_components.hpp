@@ -74,6 +74,8 @@ inline MaterialAxes* axes_of(Flow& flow) {
       [](auto& law) -> MaterialAxes* {
         if constexpr (requires { law.axes; })
           return &law.axes;
+        else if constexpr (requires { law.anisotropy->axes; })
+          return law.anisotropy ? &law.anisotropy->axes : nullptr;
         else
           return nullptr;
       },

@@ -23,7 +23,7 @@ using kernel::TabulatedRubber;
 struct TestCards : MaterialCard {
   int lcunld = 0, lcid = 0;
   double km = 0, mu = 0, g = 0, sigf = 0, sgl = 0, sw = 0, st = 0, hu = 1, shape = 1;
-  double tension = -1, rtype = 0, avgopt = 0, pr = 0;
+  double tension = -1, rtype = 0, avgopt = 0, pr = 0, visco = 0;
 };
 /// The same field, of which a written 0 is a value of its own.
 constexpr RealField with_zero(RealField f) {
@@ -71,9 +71,63 @@ const CardOf<TestCards> unloading_card{
     {&TestCards::shape, real("shape", dimension::number, 1, above_zero(),
                              "power of the share of the energy by which unloading goes there")},
     real("stol", dimension::number, 0, any_value, "tolerance of a check of the curve: no effect"),
-    real("visco", dimension::number, 0, only(0), "viscous terms: not built"),
+    {&TestCards::visco, real("visco", dimension::number, 0, between(0, 1),
+                             "1: of solids, stresses that relax, a line each behind this card; of rubber only")},
     real("hisout", dimension::number, 0, any_value, "of extra history variables: no effect"),
 };
+
+/// A line for each stress that relaxes.
+using RelaxingTerm = kernel::Overstress::MaxwellBranch;
+const CardOf<RelaxingTerm> relaxing_term_card{
+    {&RelaxingTerm::shear, real("gi", dimension::stress, 0, at_least(0), "shear modulus of a stress that relaxes")},
+    {&RelaxingTerm::decay, real("betai", dimension::rate, 0, at_least(0), "its decay")},
+    integer("vflag", 0, only(0), "form of the viscous stress: 0, added to that of the tests"),
+};
+
+/// The lines behind the third card, which count with VISCO 1.
+std::vector<RelaxingTerm> read_relaxing_terms(Builder& b, Cursor& cursor, const TestCards& cards,
+                                              const deck::Entry& visco) {
+  constexpr std::size_t most_terms = 12;
+  std::vector<RelaxingTerm> terms;
+  while (cursor.more()) {
+    const auto term = cursor.read(relaxing_term_card);
+    if (!(term->shear > 0.0)) continue;
+    if (terms.size() == most_terms) {
+      refuse(b, term[&RelaxingTerm::shear], "more than twelve viscous terms are not supported");
+      break;
+    }
+    terms.push_back(*term);
+  }
+  if (cards.visco == 1.0 && terms.empty())
+    visco.report(b.findings, Severity::warning, "there is no term that relaxes", "give GI and BETAI behind this card");
+  if (cards.visco == 0.0 && !terms.empty()) {
+    visco.report(b.findings, Severity::warning, "the terms behind this card are not obeyed", "write VISCO 1");
+    terms.clear();
+  }
+  if (cards.visco != 0.0 && cards.visco != 1.0) refuse(b, visco, "expected 0 or 1");
+  if (!terms.empty() && cards.pr > 0.0)
+    refuse(b, visco, "stresses that relax are built for rubber, PR/BETA 0",
+           "leave out VISCO, or use *MAT_FU_CHANG_FOAM");
+  return terms;
+}
+
+/// VISCO has no effect in shells: a material that only shells have loses its terms.
+void check_relaxing_part(Builder& b, const Part& part, const deck::Entry& visco) {
+  auto* composed = std::get_if<kernel::ComposedLaw>(&b.model.materials[part.material].law);
+  if (part.kind != ElementKind::shell || composed == nullptr) return;
+  const auto* flow = std::get_if<TabulatedRubber>(&composed->components->flow);
+  if (flow == nullptr || flow->overstress.maxwell_branches.empty()) return;
+  for (const Part& other : b.model.parts)
+    if (other.material == part.material && other.kind != ElementKind::shell)
+      return refuse(
+          b, visco,
+          fmt::format("parts {} and {} share the material, and VISCO has no effect in shells", part.id, other.id),
+          "give the shells a material of their own, without VISCO");
+  visco.report(b.findings, Severity::warning, "not obeyed: VISCO has no effect in shells", "write VISCO 0");
+  kernel::LawComponents made = *composed->components;
+  std::get<TabulatedRubber>(made.flow).overstress.maxwell_branches.clear();
+  *composed = kernel::composed_law(std::move(made));
+}
 
 /// A test as nominal stress over nominal strain.
 Curve nominal(const TestCards& cards, Curve test) {
@@ -170,7 +224,8 @@ void set_friction(const TestCards& cards, TabulatedRubber& flow) {
 }
 
 void set_simplified_rubber(Builder& b, Index material, const TestCards& cards, const deck::Entry& km,
-                           const deck::Entry& lcid, const deck::Entry& lcunld) {
+                           const deck::Entry& lcid, const deck::Entry& lcunld,
+                           const std::vector<RelaxingTerm>& relaxing) {
   TabulatedRubber flow;
   if (cards.pr > 0.0) flow.contraction = cards.pr;
   if (!set_tests(b, cards, lcid, flow)) return;
@@ -195,6 +250,7 @@ void set_simplified_rubber(Builder& b, Index material, const TestCards& cards, c
   flow.engineering_rate = cards.rtype == 1.0;
   flow.window = std::max(-cards.avgopt, 0.0);
   set_friction(cards, flow);
+  flow.overstress.maxwell_branches = relaxing;
   if (cards.lcunld != 0) {
     flow.unloading = unloading_curve(b, cards, lcunld, flow.tests.front());
     if (flow.unloading.empty()) return;
@@ -208,8 +264,14 @@ void read_simplified_rubber(Builder& b, const Block& block, const Options& optio
   TestCards cards;
   const auto row = cursor.read(rubber_card, cards);
   const auto test = cursor.read(test_card, cards);
-  deck::Entry lcunld;
-  if (!at_end(cursor)) lcunld = cursor.read(unloading_card, cards)[&TestCards::lcunld];
+  deck::Entry lcunld, visco;
+  std::vector<RelaxingTerm> relaxing;
+  if (!at_end(cursor)) {
+    const auto third = cursor.read(unloading_card, cards);
+    lcunld = third[&TestCards::lcunld];
+    visco = third[&TestCards::visco];
+    relaxing = read_relaxing_terms(b, cursor, cards, visco);
+  }
   expect_end(b, cursor);
   if (cards.lcid < 0) return refuse(b, test[&TestCards::lcid], "a table of damage is not built", "give one curve");
   if ((cards.g > 0.0) != (cards.sigf > 0.0))
@@ -219,8 +281,12 @@ void read_simplified_rubber(Builder& b, const Block& block, const Options& optio
   const Index material =
       add_material(b, row, std::move(title), "MAT_SIMPLIFIED_RUBBER/FOAM", kernel::Elastic{1.0, 0.49});
   b.defer(Phase::parts, [=, km = row[&TestCards::km], lcid = test[&TestCards::lcid]](Builder& later) {
-    set_simplified_rubber(later, material, cards, km, lcid, lcunld);
+    set_simplified_rubber(later, material, cards, km, lcid, lcunld, relaxing);
   });
+  if (!relaxing.empty())
+    b.part_checks[material] = [visco](Builder& later, const Part& part, const auto&) {
+      check_relaxing_part(later, part, visco);
+    };
 }
 
 }  // namespace
@@ -230,7 +296,10 @@ std::vector<Keyword> simplified_rubber_keywords() {
       {.name = "MAT_SIMPLIFIED_RUBBER/FOAM",
        .aliases = {"MAT_181", "MAT_SIMPLIFIED_RUBBER"},
        .options = {"TITLE"},
-       .layout = {{"", &rubber_card}, {"", &test_card}, {"may be left out", &unloading_card}},
+       .layout = {{"", &rubber_card},
+                  {"", &test_card},
+                  {"may be left out", &unloading_card},
+                  {"with VISCO 1, up to twelve", &relaxing_term_card}},
        .read = read_simplified_rubber},
   };
 }

@@ -97,6 +97,14 @@ void check_layer(Builder& b, const LayerCard& layer, const kernel::ComposedLaw& 
            fmt::format("laminated shell theory (LAMSHT of *CONTROL_SHELL) is not built for layers of *{}",
                        material.keyword),
            "write LAMSHT 0 and choose SHRF, or give the layer *MAT_ELASTIC");
+  if (const auto* flow = std::get_if<kernel::Viscoplastic>(&law.components->flow);
+      flow != nullptr && flow->anisotropy && !kernel::HillAnisotropy::is_convex(flow->anisotropy->of_layers()))
+    refuse(b, layer.id, fmt::format("the ratios R00, R45, R90 of material {} are no ratios of Lankford", material.id),
+           "give three above 0");
+  if (const auto* flow = std::get_if<kernel::TabulatedRubber>(&law.components->flow);
+      flow != nullptr && !flow->overstress.maxwell_branches.empty())
+    refuse(b, layer.id, fmt::format("VISCO of material {} has no effect in shells", material.id),
+           "write VISCO 0 there");
   if (const double points = law.components->points_to_delete; points == 1.0)
     layer.id.report(b.findings, Severity::note,
                     fmt::format("material {}: the first point of the layer that fails deletes the shell with all "

@@ -459,6 +459,22 @@ TEST(SinglePoints, ATestCurveOfOgdensRubberGivesOgdensRubber) {
   }
 }
 
+// Sheared at a constant rate: what is more than without the terms is sum GI g' (1 - exp(-beta t)) / beta.
+TEST(SinglePoints, RubberByATestRelaxes) {
+  const TabulatedRubber without = tabulated(test_of([](double l) { return l * l - 1.0 / l; }, -0.7, 1.5));
+  TabulatedRubber with = without;
+  with.overstress.maxwell_branches = {{3.0, 100.0}, {5.0, 700.0}};
+  Point a(composed_law({without})), b(composed_law({with}));
+  a.dt = b.dt = 1e-4;
+  const double rate = 2.0, t = 0.01;
+  for (int i = 0; i < 100; ++i)
+    for (auto* point : {&a, &b}) point->strain({0, 0, 0, rate * point->dt, 0, 0});
+  const double more =
+      3.0 * rate * (1.0 - std::exp(-100.0 * t)) / 100.0 + 5.0 * rate * (1.0 - std::exp(-700.0 * t)) / 700.0;
+  EXPECT_NEAR(b.s.xy - a.s.xy, more, 1e-10);
+  EXPECT_NEAR(b.s.xx - a.s.xx, 0.0, 1e-10);
+}
+
 // A test of straight pieces, which no power gives: pulled so, layers and solids give the curve itself.
 TEST(SinglePoints, ATestCurveComesBackInItsOwnTest) {
   Curve test;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -177,20 +178,77 @@ TEST(PlasticMaterials, Viscoplastic) {
   EXPECT_DOUBLE_EQ(composition(b).points_to_delete, 2.0);
 }
 
+const std::string viscoplastic_shell =
+    "*SECTION_SHELL\n1,2\n1.\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n"
+    "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
+
 TEST(PlasticMaterials, ViscoplasticThatIsNotBuilt) {
   const std::string main = "*MAT_103\n4,2.7e-9,70000.0,0.33,200.0\n", hardening = "120.,40.,80.,3.\n";
-  EXPECT_TRUE(built("*MAT_103\n4,2.7e-9,70000.0,0.33,200.0,1,5\n\n\n\n\n\n").error("only 0 is supported", "flag"));
-  EXPECT_TRUE(built(main + "120.,40.,,,50.,3.\n\n\n\n\n").error("only 0 is supported", "qx1"));
+  EXPECT_TRUE(built("*MAT_103\n4,2.7e-9,70000.0,0.33,200.0,3,5\n\n\n\n\n\n").error("no FLAG 3", "flag"));
+  EXPECT_TRUE(built("*MAT_103\n4,2.7e-9,70000.0,0.33,200.0,1\n\n\n\n\n\n").error("FLAG 1 needs a curve", "lcss"));
+  EXPECT_TRUE(built("*MAT_103\n4,2.7e-9,70000.0,0.33\n\n\n\n\n\n").error("must be above 0", "sigy"));
   EXPECT_TRUE(built(main + hardening + "15.\n\n\n\n").error("VM must be above 0", "vm"));
   EXPECT_TRUE(built(main + "-150.,40.,-80.,3.\n\n\n\n\n").error("take all of it away", "sigy"));
-  // What is isotropic in a shell is not in a brick.
+  // Ratios of a shell are no constants of a brick.
   EXPECT_EQ(built(main + hardening + ",,.5,.5,.5,1.5,1.5,1.5\n\n\n\n" + brick).findings.errors(), 0);
-  EXPECT_TRUE(built(main + hardening + ",,1.,1.,1.\n\n\n\n" + brick).error("0.5 is isotropic in bricks", "r00_f"));
-  const std::string shell =
-      "*SECTION_SHELL\n1,2\n1.\n*PART\np\n1,1,4\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n"
-      "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
-  EXPECT_EQ(built(main + hardening + ",,1.,1.,1.\n\n\n\n" + shell).findings.errors(), 0);
-  EXPECT_TRUE(built(main + hardening + ",,1.,.8,1.\n\n\n\n" + shell).error("1 is isotropic in shells", "r45_g"));
+  EXPECT_TRUE(built(main + hardening + ",,1.,1.,1.\n\n\n\n" + brick).error("ratios of shells", "r00_f"));
+  EXPECT_EQ(built(main + hardening + ",,1.,1.,1.\n\n\n\n" + viscoplastic_shell).findings.errors(), 0);
+  EXPECT_TRUE(built(main + hardening + ",,-.2,.3,-.3,1.,1.,1.\n\n\n\n" + brick).error("no effective stress", "r00_f"));
+  EXPECT_TRUE(built(main + hardening + ",,-.2,.3,1.\n\n\n\n" + viscoplastic_shell).error("are above 0", "r00_f"));
+  EXPECT_TRUE(built(main + hardening + ",,.8,.9,1.1\n0.,,,3\n\n\n" + viscoplastic_shell).error("exchange", "macf"));
+  const std::string table =
+      "*DEFINE_TABLE\n5\n1.\n100.\n*DEFINE_CURVE\n6\n0.,200.\n.1,300.\n1.,350.\n*DEFINE_CURVE\n7\n0.,250.\n.1,340.\n1.,"
+      "400.\n";
+  const auto flagged = [&](const std::string& flag, const std::string& elements) {
+    return built("*MAT_103\n4,2.7e-9,70000.0,0.33,," + flag + "\n\n\n\n\n\n" + table + elements);
+  };
+  EXPECT_TRUE(flagged("4,5", viscoplastic_shell).error("made for bricks", "flag"));
+  EXPECT_TRUE(flagged("2,5", brick).error("with a table is not built", "lcss"));
+  const auto by_table = flagged("4,5", brick);
+  EXPECT_EQ(by_table.findings.errors(), 0) << by_table.all_findings();
+  EXPECT_EQ(flow<kernel::PiecewiseLinear>(by_table).rates, (std::vector<double>{1.0, 100.0}));
+}
+
+TEST(PlasticMaterials, ViscoplasticThatIsAnisotropic) {
+  const std::string main = "*MAT_103\n4,2.7e-9,70000.0,0.33,200.0\n", hardening = "120.,40.,80.,3.,50.,30.,20.,5.\n";
+  const auto b = built(main + hardening + "15.,.2,.8,.9,1.1\n2.,.3\n,,,0.,1.,0.\n\n" + viscoplastic_shell);
+  EXPECT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& hill = flow<kernel::Viscoplastic>(b).anisotropy.value();
+  EXPECT_EQ(hill.ratios, (std::array<double, 3>{.8, .9, 1.1}));
+  EXPECT_EQ(hill.back_stress, (std::array<double, 2>{50.0, 20.0}));
+  EXPECT_EQ(hill.back_exponent, (std::array<double, 2>{30.0, 5.0}));
+  EXPECT_EQ(hill.axes.by, kernel::MaterialAxes::By::vectors);
+  EXPECT_DOUBLE_EQ(hill.axes.a.y, 1.0);
+  // A blank constant is that of the isotropic brick.
+  const auto solid = built(main + hardening + ",,.3,,.7\n\n\n\n" + brick);
+  EXPECT_EQ(solid.findings.errors(), 0) << solid.all_findings();
+  EXPECT_EQ(flow<kernel::Viscoplastic>(solid).anisotropy.value().constants,
+            (std::array<double, 6>{.3, .5, .7, 1.5, 1.5, 1.5}));
+  EXPECT_FALSE(flow<kernel::Viscoplastic>(built(main + "120.,40.\n\n\n\n\n" + brick)).anisotropy.has_value());
+  // Of a curve its own values, with VK; fitted, a share of both terms.
+  std::string curve = "*DEFINE_CURVE\n6\n";
+  for (int i = 0; i <= 20; ++i)
+    curve += fmt::format("{},{}\n", 0.04 * i, 310.0 - 80.0 * std::exp(-25.0 * 0.04 * i) - 30.0 * std::exp(-0.08 * i));
+  const auto flagged = [&](const std::string& flag, const std::string& shape) {
+    return built("*MAT_103\n4,2.7e-9,70000.0,0.33,," + flag + "\n\n15.,.2" + shape + "\n\n\n\n" + curve + brick);
+  };
+  const auto direct = flagged("2,6", ",.3,.5,.7");
+  EXPECT_EQ(direct.findings.errors(), 0) << direct.all_findings();
+  const auto& curves = flow<kernel::Viscoplastic>(direct).anisotropy.value().curves.value();
+  EXPECT_DOUBLE_EQ(curves.rate_yield, 15.0);
+  EXPECT_DOUBLE_EQ(curves.rate_p, 5.0);
+  EXPECT_EQ(curves.yield.at(0).id, 6);
+  EXPECT_DOUBLE_EQ(flow<kernel::PiecewiseLinear>(flagged("2,6", "")).rate_yield, 15.0);
+  const auto fitted = flagged("1,6,.25", "");
+  EXPECT_EQ(fitted.findings.errors(), 0) << fitted.all_findings();
+  const auto& law = flow<kernel::Viscoplastic>(fitted);
+  EXPECT_NEAR(law.yield, 200.0, 1e-9);
+  EXPECT_NEAR(law.hardening_1, 0.25 * 30.0, 1e-3);
+  EXPECT_NEAR(law.exponent_1, 2.0, 1e-3);
+  EXPECT_NEAR(law.hardening_2, 0.25 * 80.0, 1e-3);
+  EXPECT_NEAR(law.exponent_2, 25.0, 1e-3);
+  EXPECT_NEAR(law.anisotropy.value().back_stress[1], 0.75 * 80.0, 1e-3);
+  EXPECT_NEAR(law.anisotropy.value().back_exponent[0], 2.0, 1e-3);
 }
 
 TEST(PlasticMaterials, RateDependent) {
@@ -366,7 +424,19 @@ TEST(SoftMaterials, RubberByATest) {
   EXPECT_DOUBLE_EQ(flow<kernel::TabulatedRubber>(of("20,5,2,5\n0,0.5,2\n", test)).shape, 2.0);
   EXPECT_DOUBLE_EQ(flow<kernel::TabulatedRubber>(of("20,5,2,5\n0,0.5\n", test)).shape, 1.0);
   EXPECT_EQ(of("20,5,2,5\n0,1.5\n", test).findings.errors(), 1);
-  EXPECT_TRUE(of("20,5,2,5\n0,1.0,0,0,1\n", test).error("only 0 is supported", "visco"));
+  const auto viscous = of("20,5,2,5\n0,1.0,0,0,1\n3.0,100.0\n5.0,700.0\n", test + brick);
+  EXPECT_EQ(viscous.findings.errors(), 0) << viscous.all_findings();
+  const auto& terms = flow<kernel::TabulatedRubber>(viscous).overstress.maxwell_branches;
+  ASSERT_EQ(terms.size(), 2u);
+  EXPECT_DOUBLE_EQ(terms[1].shear, 5.0);
+  EXPECT_DOUBLE_EQ(terms[1].decay, 700.0);
+  const auto in_shells = of("20,5,2,5\n0,1.0,0,0,1\n3.0,100.0\n", test + viscoplastic_shell);
+  EXPECT_TRUE(in_shells.warning("no effect in shells", "visco"));
+  EXPECT_TRUE(flow<kernel::TabulatedRubber>(in_shells).overstress.maxwell_branches.empty());
+  EXPECT_TRUE(of("20,5,2,5\n0,1.0\n3.0,100.0\n", test).warning("not obeyed", "visco"));
+  EXPECT_TRUE(of("20,5,2,5\n0,1.0,0,0,1\n", test).warning("no term that relaxes", "visco"));
+  EXPECT_TRUE(of("20,5,2,5\n0,1.0,0,0,1\n3.,1.,1\n", test).error("only 0 is supported", "vflag"));
+  EXPECT_TRUE(of("20,5,2,5,,,,0.3\n0,1.0,0,0,1\n3.,1.\n", test).error("built for rubber", "visco"));
   EXPECT_TRUE(of("20,5,2,-5\n", test).error("a table of damage is not built", "lc/tbid"));
   EXPECT_TRUE(of(card, "*DEFINE_CURVE\n5\n0,0\n1,2\n").warning("has no compression", "lc/tbid"));
   EXPECT_TRUE(of(card, "*DEFINE_CURVE\n5\n-0.5,-1\n0,0\n1,2\n2,1\n").error("the true stress falls after", "lc/tbid"));
