@@ -56,6 +56,51 @@ RigidWall::RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const
   found_.resize(groups_.size());
 }
 
+std::size_t RigidWall::sum_apart(std::vector<int> nodes) {
+  apart_.push_back({std::move(nodes), model::none, {}, {}});
+  return apart_.size() - 1;
+}
+
+std::size_t RigidWall::sum_apart(const std::array<Vec3d, 4>& area) {
+  apart_.push_back({{}, static_cast<int>(areas_.size()), {}, {}});
+  areas_.push_back(area);
+  for (Vec3d& corner : areas_.back()) corner -= origin_;
+  return apart_.size() - 1;
+}
+
+/// The first area that has a place (off the reference point) within its corners, seen along its normal; or none.
+int RigidWall::area_at(const Vec3d& place) const {
+  for (std::size_t k = 0; k < areas_.size(); ++k) {
+    const std::array<Vec3d, 4>& x = areas_[k];
+    const Vec3d across = cross(x[2] - x[0], x[3] - x[1]);
+    const double edge = -1e-9 * dot(across, across);
+    bool within = true;
+    for (std::size_t i = 0; i < 4 && within; ++i)
+      within = dot(cross(x[(i + 1) % 4] - x[i], place - x[i]), across) >= edge;
+    if (within) return static_cast<int>(k);
+  }
+  return model::none;
+}
+
+/// What the wall has just done to nodes and areas that are looked at apart.
+void RigidWall::sum_up_apart(double between_middles, bool active) {
+  for (Apart& apart : apart_) apart.force = {};
+  const auto add_to_sums = [this](int node, int area, const Vec3d& force) {
+    for (Apart& apart : apart_)
+      if (apart.area == model::none ? std::ranges::binary_search(apart.nodes, node) : apart.area == area)
+        apart.force += force;
+  };
+  for (std::size_t g = 0; active && g < groups_.size(); ++g) {
+    if (groups_[g].slept) continue;
+    for (const Stopped& s : found_[g].stopped)
+      add_to_sums(nodes_[s.tracked], s.area, (1.0 / between_middles) * s.sum.impulse);
+  }
+  if (bodies_)
+    bodies_->for_each_force([&](int node, const Vec3d& place, const Vec3d& force) {
+      add_to_sums(node, areas_.empty() ? model::none : area_at(place), force);
+    });
+}
+
 /// In the step `dt` from `time` on. The curve's time counts from the birth of the wall (keyword manual, BIRTH).
 Vec3d RigidWall::prescribed_velocity(double time, double dt) const {
   if (!motion_ || motion_->empty()) return {};
@@ -114,6 +159,7 @@ void RigidWall::constrain(double time, double dt, double dt_previous, std::span<
     normal_impulse_ += between_middles * bodies_->normal_force();
     touching_ += bodies_->touching();
   }
+  if (!apart_.empty()) sum_up_apart(between_middles, active);
   if (!active) std::fill(groups_.begin(), groups_.end(), Group{});
   started_ = active;
   wall_velocity_ = step.wall_velocity;
@@ -310,6 +356,7 @@ void RigidWall::stop(const Shape& shape, int index, Group& group, bool begins, c
   last = after;
   set(step.v[node], after);
   stopped.push_back({index,
+                     areas_.empty() ? model::none : area_at(from),
                      {impulse, dot(impulse, p.normal), -0.5 * dot(impulse, before), -0.5 * dot(impulse, after),
                       dot(vec(step.f[node]), after - free), 1}});
 }
@@ -372,14 +419,15 @@ std::size_t RigidWall::awake() const {
 void RigidWall::average(double time, bool begins) {
   force_ = mean_force_.add(force_, time, begins);
   normal_force_ = mean_normal_.add({normal_force_, 0.0, 0.0}, time, begins).x;
+  for (Apart& apart : apart_) apart.force = apart.mean.add(apart.force, time, begins);
 }
 
 void RigidWall::archive(Archive& a) {
   a.section("wall");
   a(origin_, velocity_, attachment_, groups_, travelled_, started_, force_, impulse_, normal_force_, normal_impulse_,
-    energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_, on_);
+    energy_, pending_energy_, mean_force_, mean_normal_, power_on_change_, touching_, wall_velocity_, on_, apart_);
   if (bodies_) a(*bodies_);
-  a.built(nodes_, shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_,
+  a.built(areas_, nodes_, shape_, normal_, friction_, weld_velocity_, mass_, motion_, motion_is_displacement_,
           motion_direction_, birth_, death_, found_, followed_, first_followed_, stopped_of_ranks_);
 }
 

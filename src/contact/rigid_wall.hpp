@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
@@ -56,6 +57,14 @@ class RigidWall {
   /// `wall.motion_curve` names, or null. `bodies`: stops the nodes of rigid bodies.
   RigidWall(const model::RigidWall& wall, std::vector<int> nodes, const Curve* motion = nullptr,
             std::optional<WallPenalty> bodies = {});
+
+  /// From now on forces are summed up apart, too: of these nodes (of the system, ascending), or of those that are
+  /// stopped on a part of the face, a polygon of three or four corners (of three the last stands twice), which moves
+  /// with the wall. A node on the edge of two areas counts with the first one. Gives its number.
+  std::size_t sum_apart(std::vector<int> nodes);
+  std::size_t sum_apart(const std::array<Vec3d, 4>& area);
+  /// Force of the wall on these at `time` [force].
+  const Vec3d& force_apart(std::size_t which) const { return apart_[which].force; }
 
   /// From the next call on it stops nodes, or none (*SENSOR_CONTROL); nodes that stayed on it are free then. It moves
   /// all the same.
@@ -129,6 +138,7 @@ class RigidWall {
   /// What the wall does to one node in a step.
   struct Stopped {
     int tracked = 0;
+    int area = model::none;  ///< in areas_
     Sum sum;
   };
   struct Step {
@@ -161,7 +171,21 @@ class RigidWall {
     std::vector<Stopped> stopped;
   };
 
+  /// A sum of its own.
+  struct Apart {
+    std::vector<int> nodes;  ///< of the system; empty: of an area
+    int area = model::none;  ///< in areas_
+    Vec3d force;
+    PeriodMean mean;
+    void archive(Archive& a) {
+      a(force, mean);
+      a.built(nodes, area);
+    }
+  };
+
   Vec3d prescribed_velocity(double time, double dt) const;
+  int area_at(const Vec3d& place) const;
+  void sum_up_apart(double between_middles, bool active);
   template <class Shape>
   void collide(const Shape& shape, Step& step);
   template <class Shape>
@@ -200,6 +224,9 @@ class RigidWall {
   double travelled_ = 0.0;  // by how much a node can have come closer to the wall since the start, at most
   bool started_ = false;    // Group::last holds
   std::optional<WallPenalty> bodies_;
+
+  std::vector<Apart> apart_;
+  std::vector<std::array<Vec3d, 4>> areas_;  ///< corners off the reference point
 
   PeriodMean mean_force_, mean_normal_;
   Vec3d force_, impulse_;

@@ -50,6 +50,12 @@ class WallPenalty {
   /// Energy that the nodes gave to springs, friction and the wall's motion so far [energy].
   double energy() const { return energy_; }
   int touching() const { return touching_; }
+  /// f(node, its place on the face from the wall's reference point, the force on it), of all that are pressed.
+  template <class F>
+  void for_each_force(const F& f) const {
+    for (const Touch& t : touches_)
+      if (dot(t.force, t.force) > 0.0) f(t.node, t.place, t.force);
+  }
 
   void archive(Archive& a);
 

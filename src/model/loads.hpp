@@ -183,7 +183,18 @@ struct RigidWall {
   Vec3d motion_direction;
   int soft = 0;  ///< SOFT of _FORCES: cycles to bring the relative velocity to zero
   double birth = 0.0, death = forever;
-  Index control = none;  ///< *SENSOR_CONTROL that turns it on and off
+  Index control = none;        ///< *SENSOR_CONTROL that turns it on and off
+  std::vector<Segment> areas;  ///< SSID of _FORCES: parts of the face whose forces are listed apart
+  Place place;
+};
+
+/// *RIGIDWALL_FORCE_TRANSDUCER: the force of a wall on some of its nodes.
+struct WallTransducer {
+  int id = 0;
+  std::string title;
+  Index wall = none;
+  int set = 0;               ///< user id of the node set
+  std::vector<Index> nodes;  ///< ascending
   Place place;
 };
 

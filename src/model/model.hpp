@@ -263,6 +263,7 @@ struct Model : LoadLists {
   std::vector<LinearConstraint> linear_constraints;
   InitialState initial_state;
   std::vector<RigidWall> walls;
+  std::vector<WallTransducer> wall_transducers;
   std::vector<Contact> contacts;  ///< penalty contacts and ties, in deck order
   std::vector<InteriorContact> interiors;
   std::vector<JointStiffness> joint_stiffnesses;

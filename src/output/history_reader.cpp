@@ -57,7 +57,7 @@ const std::vector<ReadFile>& read_files() {
       {"nodout", {{"nodout", "node"}}, [] { return meanings(nodout()); }},
       {"rbdout", {{"rbdout", "rigid body"}}, [] { return meanings(rbdout()); }},
       {"rcforc", {{"rcforc", "contact"}}, [] { return meanings(rcforc()); }},
-      {"rwforc", {{"rwforc/forces", "wall"}}, [] { return meanings(rwforc()); }},
+      {"rwforc", {{"rwforc/forces", "wall"}, {"rwforc/transducer", "transducer"}}, [] { return meanings(rwforc()); }},
       {"secforc", {{"secforc", "section"}}, [] { return meanings(secforc()); }},
       {"sleout", {{"sleout", "contact"}}, [] { return meanings(sleout()); }},
       {"spcforc", {{"spcforc", "node"}}, [] { return meanings(spcforc()); }},

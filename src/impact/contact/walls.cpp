@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -125,6 +126,17 @@ Walls::Walls(const system::System& system, Findings& findings) {
                        "hold such bodies by a constraint if they are to stay there");
     walls_.emplace_back(wall, std::move(nodes), curve, std::move(bodies));
     if (wall.control != model::none) walls_.back().turn(model.sensor_controls[wall.control].starts_on);
+    for (const model::Segment& area : wall.areas) {
+      std::array<Vec3d, 4> corners;
+      for (std::size_t i = 0; i < 4; ++i) corners[i] = model.nodes.x[area[i]];
+      walls_.back().sum_apart(corners);
+    }
+  }
+  for (const model::WallTransducer& transducer : model.wall_transducers) {
+    std::vector<int> nodes;
+    for (const model::Index n : transducer.nodes) nodes.push_back(system.node_of[n]);
+    std::ranges::sort(nodes);
+    transducers_.push_back({transducer.wall, walls_[transducer.wall].sum_apart(std::move(nodes))});
   }
 }
 

@@ -25,12 +25,24 @@ class Walls {
   /// Over several ranks: see contact::RigidWall::carry.
   void carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel);
   const std::vector<contact::RigidWall>& all() const { return walls_; }
+  /// Force on the nodes of a transducer, by its place in the model. Those of areas are the first of their wall's.
+  const Vec3d& force_of_transducer(std::size_t which) const {
+    return walls_[transducers_[which].wall].force_apart(transducers_[which].place);
+  }
 
   void add_energy(Energy& energy) const;
-  void archive(Archive& a) { a(walls_); }
+  void archive(Archive& a) {
+    a(walls_);
+    a.built(transducers_);
+  }
 
  private:
+  struct Transducer {
+    model::Index wall;
+    std::size_t place;  ///< in the sums of the wall
+  };
   std::vector<contact::RigidWall> walls_;
+  std::vector<Transducer> transducers_;
 };
 
 }  // namespace nugget::impact

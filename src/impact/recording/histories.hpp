@@ -68,22 +68,30 @@ std::vector<HistoryFile> histories();
 template <class State>
 using Recording = std::function<State(const Snapshot&)>;
 
+/// An open history of `format`, which it keeps.
+template <class State>
+OpenHistory open_history(std::shared_ptr<const output::HistoryFormat<State>> format, Recording<State> state_at,
+                         model::HistoryName name, const HistoryTarget& to) {
+  std::shared_ptr<output::AsciiHistory<State>> ascii;
+  if (to.ascii)
+    ascii = std::make_shared<output::AsciiHistory<State>>(*format, to.directory / name.text(), to.header, to.legend);
+  const auto write = [ascii, binout = to.binout, format, state_at = std::move(state_at)](const Snapshot& now) {
+    const State state = state_at(now);
+    if (ascii) ascii->write(state);
+    if (binout) binout->write(*format, state);
+  };
+  const auto archive = [ascii](Archive& a) {
+    if (ascii) a(*ascii);
+  };
+  return OpenHistory{write, archive};
+}
+
 template <class State>
 HistoryFile make_history(const output::HistoryFormat<State>& format,
                          std::function<Recording<State>(const system::System&)> begin, HistoryRules rules = {}) {
   const auto open = [&format, begin](model::HistoryName name, const system::System& system, const HistoryTarget& to) {
-    std::shared_ptr<output::AsciiHistory<State>> ascii;
-    if (to.ascii)
-      ascii = std::make_shared<output::AsciiHistory<State>>(format, to.directory / name.text(), to.header, to.legend);
-    const auto write = [ascii, binout = to.binout, &format, state_at = begin(system)](const Snapshot& now) {
-      const State state = state_at(now);
-      if (ascii) ascii->write(state);
-      if (binout) binout->write(format, state);
-    };
-    const auto archive = [ascii](Archive& a) {
-      if (ascii) a(*ascii);
-    };
-    return OpenHistory{write, archive};
+    // A format that stands for all of the run.
+    return open_history<State>({std::shared_ptr<const void>(), &format}, begin(system), name, to);
   };
   return {output::meanings(format), rules, open};
 }

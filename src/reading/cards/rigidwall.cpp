@@ -303,8 +303,8 @@ void take_wall_curve(Builder& builder, const deck::Entry& lcid, RigidWall& wall)
 }
 
 void leave_wall(Builder& builder, const RowOf<WallCard>& row, double reach, RigidWall wall,
-                const std::optional<deck::Entry>& curve = {}) {
-  builder.defer(Phase::conditions, [row, reach, wall = std::move(wall), curve](Builder& b) mutable {
+                const std::optional<deck::Entry>& curve = {}, const std::optional<deck::Entry>& areas = {}) {
+  builder.defer(Phase::conditions, [row, reach, wall = std::move(wall), curve, areas](Builder& b) mutable {
     take_nodes(b, row, reach, wall);
     if (const double end = b.model.control.end_time; end > 0.0 && wall.birth >= end)
       row[&WallCard::birth].report(
@@ -312,6 +312,8 @@ void leave_wall(Builder& builder, const RowOf<WallCard>& row, double reach, Rigi
           fmt::format("the wall is activated after the end of the run ({:g}): it stops nothing", end),
           "give 0 if it is to act from the start");
     if (curve) take_wall_curve(b, *curve, wall);
+    if (areas)
+      if (const Set<Segment>* set = b.segment_set(*areas)) wall.areas = set->members;
     if (wall.id == 0) {
       wall.id = static_cast<int>(b.model.walls.size());
       const auto taken = [&](const RigidWall& other) { return other.id == wall.id; };
@@ -352,6 +354,7 @@ void read_planar(Builder& builder, const Block& block, const Options& options) {
     wall.birth = row1->birth;
     wall.death = death_time(row1->death);
     bool sound = take_normal(builder, block, row2, wall);
+    std::optional<deck::Entry> areas;
     take_wall_friction(builder, row2, wall);
     if (options.contains("FINITE")) {
       const auto edge = cursor.read(finite_card);
@@ -365,14 +368,68 @@ void read_planar(Builder& builder, const Block& block, const Options& options) {
     if (options.contains("FORCES")) {
       const auto forces = cursor.read(forces_card);
       wall.soft = forces->soft;
-      expect(
-          builder, Severity::warning,
-          {{forces[&ForcesCard::soft], 0,
-            "the wall stops a node in one cycle, not in so many: its first force is that much higher"},
-           {forces[&ForcesCard::ssid], 0, "forces by segment set are not written yet; rwforc holds the wall's sum"}});
+      if (forces->ssid != 0) areas = forces[&ForcesCard::ssid];
+      expect(builder, Severity::warning,
+             {{forces[&ForcesCard::soft], 0,
+               "the wall stops a node in one cycle, not in so many: its first force is that much higher"}});
     }
     skip_display(builder, cursor, options);
-    if (sound) leave_wall(builder, row1, row1->offset, std::move(wall));
+    if (sound) leave_wall(builder, row1, row1->offset, std::move(wall), {}, areas);
+  }
+}
+
+// ---- *RIGIDWALL_FORCE_TRANSDUCER
+
+struct TransducerCard {
+  int tid = 0, rwid = 0, nsid = 0;
+  std::string heading;
+};
+const CardOf<TransducerCard> transducer_card{
+    {&TransducerCard::tid, id("tid", IdSpace::other, required, "number of the transducer in rwforc")},
+    {&TransducerCard::rwid, id("rwid", IdSpace::other, required, "wall whose force is listed apart")},
+};
+const CardOf<TransducerCard> transducer_heading_card{{&TransducerCard::heading, text("heading", 80, "its name")}};
+const CardOf<TransducerCard> transducer_nodes_card{
+    {&TransducerCard::nsid, id("nsid", IdSpace::set, required, "nodes on which it is")},
+};
+
+void read_wall_transducer(Builder& builder, const Block& block, const Options&) {
+  Cursor cursor(builder.deck, block, builder.findings);
+  while (!at_end(cursor)) {
+    TransducerCard values;
+    const auto row = cursor.read(transducer_card, values);
+    cursor.read(transducer_heading_card, values);
+    const auto nodes = cursor.read(transducer_nodes_card, values);
+    // Behind the walls.
+    builder.defer(Phase::conditions, [row, nodes](Builder& now) {
+      now.defer(Phase::conditions, [row, nodes](Builder& b) {
+        WallTransducer transducer;
+        transducer.id = nodes->tid;
+        transducer.title = nodes->heading;
+        transducer.set = nodes->nsid;
+        transducer.place = row.place();
+        const auto wall = std::ranges::find(b.model.walls, nodes->rwid, &RigidWall::id);
+        if (wall == b.model.walls.end())
+          return refuse(b, row[&TransducerCard::rwid], "no wall has this number",
+                        "give the one of *RIGIDWALL_..._ID, or the wall's place in the deck");
+        transducer.wall = static_cast<Index>(wall - b.model.walls.begin());
+        const Set<Index>* set = b.node_set(nodes[&TransducerCard::nsid]);
+        if (set == nullptr) return;
+        transducer.nodes = set->members;
+        std::ranges::sort(transducer.nodes);
+        transducer.nodes.erase(std::unique(transducer.nodes.begin(), transducer.nodes.end()), transducer.nodes.end());
+        const bool any =
+            std::ranges::any_of(transducer.nodes, [&](Index n) { return std::ranges::binary_search(wall->nodes, n); });
+        if (!any)
+          nodes[&TransducerCard::nsid].report(b.findings, Severity::warning,
+                                              "none of these nodes is one that the wall stops: the force stays 0",
+                                              "name nodes of the wall");
+        const auto same = std::ranges::find(b.model.wall_transducers, transducer.id, &WallTransducer::id);
+        if (same != b.model.wall_transducers.end())
+          return refuse(b, row[&TransducerCard::tid], "another transducer has this number", "give each its own");
+        b.model.wall_transducers.push_back(std::move(transducer));
+      });
+    });
   }
 }
 
@@ -484,7 +541,9 @@ std::vector<Keyword> rigidwall_keywords() {
       geometric("RIGIDWALL_GEOMETRIC_SPHERE", sphere_card, read_geometric<Form::sphere>),
       refused("RIGIDWALL_PLANAR_ORTHO",
               "orthotropic friction is not built; use *RIGIDWALL_PLANAR with one coefficient"),
-      refused("RIGIDWALL_FORCE_TRANSDUCER", "forces of a part of the nodes are not built; rwforc holds the wall's sum"),
+      {.name = "RIGIDWALL_FORCE_TRANSDUCER",
+       .layout = {{{}, &transducer_card}, {{}, &transducer_heading_card}, {{}, &transducer_nodes_card}},
+       .read = read_wall_transducer},
   };
 }
 

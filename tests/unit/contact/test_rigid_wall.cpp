@@ -95,6 +95,48 @@ TEST(RigidWall, MassStopsRidesAndLeaves) {
   EXPECT_DOUBLE_EQ(m.v[0].z, 5.0);
 }
 
+/// Each mass that lands gives m v in one step. Sabotage: areas that stay behind as the wall moves; the edge counted
+/// twice.
+TEST(RigidWall, SumsUpForcesOfNodesAndAreasApart) {
+  Masses m;
+  m.add({0.5, 0.5, 0.0}, {0.0, 0.0, -1000.0}, 2.0);
+  m.add({1.0, 0.5, 0.0}, {0.0, 0.0, -2000.0}, 3.0);  // on the edge of both squares
+  m.add({1.5, 0.5, 0.0}, {0.0, 0.0, -1000.0}, 4.0);
+  m.add({5.0, 0.5, 0.0}, {0.0, 0.0, -1000.0}, 5.0);   // in none
+  m.add({2.75, 0.5, 0.0}, {0.0, 0.0, -1000.0}, 6.0);  // in the triangle
+  m.add({2.25, 0.9, 0.0}, {0.0, 0.0, -1000.0}, 7.0);  // beside it
+  const auto square = [](double x) {
+    return std::array<Vec3d, 4>{{{x, 0.0, 0.0}, {x + 1.0, 0.0, 0.0}, {x + 1.0, 1.0, 0.0}, {x, 1.0, 0.0}}};
+  };
+  RigidWall wall(floor_wall(), m.nodes());
+  const std::size_t nodes = wall.sum_apart(std::vector<int>{1, 3}), left = wall.sum_apart(square(0.0)),
+                    right = wall.sum_apart(square(1.0)),
+                    triangle = wall.sum_apart(
+                        std::array<Vec3d, 4>{{{2.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {3.0, 1.0, 0.0}, {3.0, 1.0, 0.0}}});
+  m.step(wall);
+  EXPECT_NEAR(m.dt * wall.force_apart(nodes).z, 3.0 * 2000.0 + 5.0 * 1000.0, 1e-8);
+  EXPECT_NEAR(m.dt * wall.force_apart(left).z, 2.0 * 1000.0 + 3.0 * 2000.0, 1e-8);
+  EXPECT_NEAR(m.dt * wall.force_apart(right).z, 4.0 * 1000.0, 1e-8);
+  EXPECT_NEAR(m.dt * wall.force_apart(triangle).z, 6.0 * 1000.0, 1e-8);
+  m.step(wall);
+  EXPECT_NEAR(wall.force_apart(nodes).z, 0.0, 1e-6);
+
+  // The wall moves by 1 along x, and what lands then meets the area that was beside it.
+  model::RigidWall card = floor_wall();
+  card.motion_direction = {1.0, 0.0, 0.0};
+  Masses later;
+  later.add({1.5, 0.5, 0.0105}, {0.0, 0.0, -1000.0}, 2.0);
+  const Curve motion{1, {0.0, 1.0}, {1e5, 1e5}};
+  RigidWall moving(card, later.nodes(), &motion);
+  const std::size_t area = moving.sum_apart(square(0.0));
+  double impulse = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    later.step(moving);
+    impulse += later.dt * moving.force_apart(area).z;
+  }
+  EXPECT_NEAR(impulse, 2000.0, 1e-6);
+}
+
 TEST(RigidWall, NodeBehindTheWallGoesNoDeeper) {
   Masses m;
   m.add({0.0, 0.0, -0.5}, {0.0, 0.0, -100.0});

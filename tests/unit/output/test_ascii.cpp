@@ -292,6 +292,29 @@ TEST(Rwforc, WritesEachWall) {
                 " 1.00000E-05       2   7.728370E+05   7.728370E+05   0.000000E+00   0.000000E+00\n");
 }
 
+// The formats of LSTC's l2a.
+TEST(Rwforc, WritesAreasAndTransducers) {
+  Scratch scratch;
+  AsciiHistory(rwforc(), scratch / "rwforc", header)
+      .write({0.0,
+              {{1, 5.0, {3.0, 4.0, 0.0}}},
+              12,
+              {{31, 7, 1, {1.0, 2.0, -3.0}}},
+              {{0, {{3.0, 0.0, 0.0}, {0.0, 4.0, 0.0}}}}});
+  EXPECT_EQ(content(scratch / "rwforc"),
+            head +
+                "\n\n\n\n    time       wall#   normal-force    x-force        y-force        z-force\n"
+                " 0.00000E+00       1   5.000000E+00   3.000000E+00   4.000000E+00   0.000000E+00\n"
+                "                seg#    \n"
+                "                   1                  3.000000E+00   0.000000E+00   0.000000E+00\n"
+                "                   2                  0.000000E+00   4.000000E+00   0.000000E+00\n"
+                "  total force                         3.000000E+00   4.000000E+00   0.000000E+00\n"
+                "\n\n\nr i g i d   w a l l   n o d e   s e t   f o r c e   s u m m a t i o n s\n"
+                "f o r   t i m e   s t e p        12   ( at time  0.00000E+00 )\n\n"
+                "    time       wall #   transducer node set #    x-force      y-force      z-force\n"
+                " 0.00000E+00          1         31          7  1.00000E+00  2.00000E+00 -3.00000E+00\n\n\n");
+}
+
 TEST(Spcforc, ForceStandsBeforeMomentOfTheSameNode) {
   Scratch scratch;
   SpcforcState s;
