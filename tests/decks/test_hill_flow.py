@@ -6,7 +6,7 @@ import unittest
 import lsda
 import test_explicit_ranks
 from repeated_runs import RepeatedRuns
-from test_invariance import Cards, Case, oblique
+from test_invariance import Cards, Case, included, oblique
 from under_mpirun import MPIRUN
 
 END = 2e-4
@@ -64,8 +64,8 @@ def patches(c):
 
 
 class HillFlow(RepeatedRuns):
-    def energies(self, name, case):
-        self.nugget("run", self.write(patches(case), f"{name}.k").name, "-o", name, "-j1", "--quiet")
+    def energies(self, name, case, text=None):
+        self.nugget("run", self.write(text or patches(case), f"{name}.k").name, "-o", name, "-j1", "--quiet")
         found = lsda.read(self.folder / name / "binout0000")
         states = lsda.states(found, "matsum")
         return [[value / case.energy for state in states for value in state[q]] for q in ("internal_energy", "kinetic_energy")]
@@ -81,6 +81,17 @@ class HillFlow(RepeatedRuns):
                 for ours, theirs in zip(self.energies("other", case), reference):
                     self.assertEqual(len(ours), len(theirs))
                     for one, two in zip(ours, theirs):
+                        self.assertAlmostEqual(one / size, two / size, delta=1e-7)
+
+    def test_included(self):
+        """Axes turn with *INCLUDE_TRANSFORM and are mirrored by it."""
+        self.write(patches(Case()), "inner.k")
+        reference = self.energies("reference", Case())
+        size, case = max(reference[0]), Case(turn=oblique(), shift=(64.0, -32.0, 16.0))
+        for mirrored in (False, True):
+            with self.subTest(mirrored=mirrored):
+                for ours, theirs in zip(self.energies("other", case, included(case, mirrored)), reference):
+                    for one, two in zip(ours, theirs, strict=True):
                         self.assertAlmostEqual(one / size, two / size, delta=1e-7)
 
     def test_same_bits_and_restart(self):
