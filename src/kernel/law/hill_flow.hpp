@@ -242,7 +242,7 @@ class HillFlow {
       next = range.first;
     }
     next = select(next > low && next < high, next, 0.5 * (low + high));
-    R x = Unknown::is_increment ? select(active, next, low) : next;
+    R x = Unknown::is_increment ? select(active, next, low) : next, last = high - low;
     HillReturn<R> r;
     for (int n = 0;; ++n) {
       const Trial<R> y = unknown(x);
@@ -277,7 +277,10 @@ class HillFlow {
       low = select(short_of, x, low);
       high = select(short_of, high, x);
       next = x + sum * (1.0 - sqrt(sum)) / half_slope;
-      next = select(next > low && next < high, next, 0.5 * (low + high));
+      // Where the rate is a high power of x, Newton's steps from far off hardly get smaller.
+      const auto gets_on = next > low && next < high && abs(next - x) < 0.5 * last;
+      next = select(gets_on, next, 0.5 * (low + high));
+      last = abs(next - x);
       x = select(active, next, x);
     }
   }

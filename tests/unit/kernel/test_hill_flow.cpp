@@ -333,21 +333,26 @@ TEST(HillFlow, TurnsWithTheMaterial) {
   EXPECT_GT(still.plastic_strain(), 0.02);
 }
 
+/// Also by a rate of which the stress is a power so small that the rate is one of some fifty of the stress. Sabotage:
+/// Newton's method without bisection where it does not get on.
 TEST(HillFlow, RaisesTheStressByTheRate) {
   Viscoplastic law = hill_law({.ratios = {1.8, 1.3, 2.2}, .back_stress = {60.0, 0.0}, .back_exponent = {20.0, 0.0}});
-  law.viscosity = 25.0;
-  law.rate_exponent = 0.25;
-  for (const double rate : {1e-3, 1.0, 1e3}) {
+  for (const auto& [rate, viscosity, exponent] :
+       {std::array{1e-3, 25.0, 0.25}, {1.0, 25.0, 0.25}, {1e3, 25.0, 0.25}, {2e4, 1.2, 0.02}, {2e4, 25.0, 0.02}}) {
+    law.viscosity = viscosity;
+    law.rate_exponent = exponent;
     auto point = hill_layer(law, 0.0);
-    point.dt = 1e-4 / rate;
+    const double step = exponent < 0.1 ? 0.04 : 1e-4;
+    point.dt = step / rate;
     double before = 0.0;
-    for (int k = 0; k < 400; ++k) {
+    for (int k = 0; k < static_cast<int>(std::lround(0.04 / step)); ++k) {
       before = point.plastic_strain();
-      hill_pull(point, 1e-4);
+      hill_pull(point, step);
     }
     const double e = point.plastic_strain();
     EXPECT_NEAR(point.s.xx,
-                hill_at_rest(e) + 60.0 * (1.0 - std::exp(-20.0 * e)) + 25.0 * std::pow((e - before) / point.dt, 0.25),
+                hill_at_rest(e) + 60.0 * (1.0 - std::exp(-20.0 * e)) +
+                    law.viscosity * std::pow((e - before) / point.dt, law.rate_exponent),
                 1e-6);
   }
 }
@@ -366,6 +371,30 @@ TEST(HillFlow, FollowsCurves) {
     for (int k = 0; k < static_cast<int>(0.08 / step); ++k) hill_pull(point, step);
     EXPECT_NEAR(point.s.xx, curves.yield[1].extrapolated(point.plastic_strain()), 1e-6);
   }
+}
+
+/// The same of the isotropic law, in steps of an explicit run. Sabotage: the range of any Cowper-Symonds effect.
+TEST(HillFlow, IsotropicStressByTheRate) {
+  Viscoplastic law = hill_law({});
+  law.anisotropy.reset();
+  for (const double exponent : {1.0, 0.2, 0.1, 0.02, 0.01, 0.003})
+    for (const double viscosity : {1.2, 25.0, 200.0})
+      for (const double step : {1e-5, 1e-4, 1e-3})
+        for (const double rate : {1.0, 2e4}) {
+          law.viscosity = viscosity;
+          law.rate_exponent = exponent;
+          SolidPoint<Viscoplastic> point(law);
+          point.dt = step / rate;
+          double before = 0.0;
+          for (int k = 0; k < static_cast<int>(std::lround(0.02 / step)); ++k) {
+            before = point.plastic_strain();
+            point.strain(step * SolidTensor<double>{1.0, -0.4, -0.5, 0.3, 0.0, 0.0});
+          }
+          const double e = point.plastic_strain();
+          EXPECT_NEAR(point.effective(), hill_at_rest(e) + viscosity * std::pow((e - before) / point.dt, exponent),
+                      1e-6)
+              << exponent << ' ' << viscosity << ' ' << step << ' ' << rate;
+        }
 }
 
 /// Two terms are found again from their curve, of one there is nothing beside it, and a power is met to a percent.
