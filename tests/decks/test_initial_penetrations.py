@@ -55,6 +55,24 @@ class InitialPenetrations(CommandTest):
             self.assertIn(told, run.stderr + self.read("run.log"))
             self.assertEqual({s["kinetic energy"] for s in self.glstat()}, {0.0})
 
+    def test_sheets_that_go_through_each_other_are_named(self):
+        """A sheet of 4 x 4 stands across another one, 0.05 beside a row of its nodes; three of its edges go through, and one of the other's. Sabotage:
+        crossings not looked for, or looked for in one sheet."""
+        flat = [(4.0 * i, 4.0 * j, 0.0) for j in range(5) for i in range(5)]
+        across = [(4.0 * i + 2.0, 8.05, 4.0 * j - 2.0) for j in range(3) for i in range(3)]
+        squares = [(5 * j + i, 5 * j + i + 1, 5 * j + i + 6, 5 * j + i + 5) for j in range(4) for i in range(1, 5)]
+        corners = [(a, a + 1, a + 4, a + 3) for a in (26, 27, 29, 30)]
+        sheets = [nodes(flat + across), shells(squares), shells(corners, first=101)]
+        crossing = (r"5 edges of shells go through other shells at the start, which nothing pulls out again; the first is from node 12 to 17, "
+                    r"near \(4, 10, 0\), through shell 10[13]")
+        self.write(deck(*sheets, contact(2)))
+        self.assertRegex(self.nugget("check", "model.k", "-o", "audit").stderr, crossing)
+        self.nugget("run", "model.k", "--quiet", "-j", 1)
+        self.assertRegex(self.read("run.log"), crossing)
+        beside = [(x, y + 30.0, z) for x, y, z in across]
+        self.write(deck(nodes(flat + beside), *sheets[1:], contact(2)))
+        self.assertNotIn("go through", self.nugget("check", "model.k", "-o", "audit").stderr)
+
     def test_where_nodes_are_moved_does_not_depend_on_their_numbers(self):
         """Three curved sheets of unlike meshes, 1 mm thick and 0.6 mm apart, the upper two thrown. Sabotage: of the shells that a node stands in
         the first in their order moves it."""

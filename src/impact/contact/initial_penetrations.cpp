@@ -10,8 +10,10 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <tuple>
 
 #include "base/index.hpp"
+#include "contact/crossings.hpp"
 #include "contact/surface_contact.hpp"
 #include "contact/surface_part.hpp"
 #include "impact/contact/contact_setup.hpp"
@@ -96,9 +98,10 @@ void report_out_of_reach(const model::Model& model, const model::Contact& card,
       "move the bodies apart, or leave one of them out of the contact");
 }
 
-/// `divided`: among the ranks; null: this process has it whole.
-void treat(const model::Model& model, const model::Contact& card, const contact::SurfaceContactSetup& setup,
-           std::span<Row> x, const contact::DividedSurface* divided, Findings& findings) {
+/// `divided`: among the ranks; null: this process has it whole. Returns what was found, the deepest first.
+std::vector<Overlap> treat(const model::Model& model, const model::Contact& card,
+                           const contact::SurfaceContactSetup& setup, std::span<Row> x,
+                           const contact::DividedSurface* divided, Findings& findings) {
   std::vector<Overlap> found =
       overlaps_of_all(setup,
                       card.ignore == 0 ? contact::remove_penetrations(setup, x, removal_passes, divided)
@@ -108,7 +111,7 @@ void treat(const model::Model& model, const model::Contact& card, const contact:
   std::erase_if(found, [](const Overlap& o) {
     return o.found.depth <= 1e-6 * (o.segment.volume > 0.0 ? std::cbrt(o.segment.volume) : o.segment.thickness);
   });
-  if (found.empty()) return;
+  if (found.empty()) return found;
   sort_deepest_first(found);
   const Overlap& worst = found.front();
   const std::string what = fmt::format(
@@ -117,16 +120,18 @@ void treat(const model::Model& model, const model::Contact& card, const contact:
       nodes_in(found), model.nodes.id[worst.found.node], worst.found.depth, element_name(model, worst.segment));
   const std::string keyword = '*' + card.keyword;
   if (card.ignore == 0)
-    return findings.warning(card.place, keyword, what + "; they were moved out (IGNORE = 0)",
-                            "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
+    findings.warning(card.place, keyword, what + "; they were moved out (IGNORE = 0)",
+                     "IGNORE = 1 keeps the coordinates and tracks the initial penetration");
   if (card.ignore == 1)
-    return findings.note(card.place, keyword,
-                         fmt::format("{}; the overlap is kept and gives no force ({})", what,
-                                     card.soft == 2 ? "SOFT = 2" : "IGNORE = 1"));
+    findings.note(card.place, keyword,
+                  fmt::format("{}; the overlap is kept and gives no force ({})", what,
+                              card.soft == 2 ? "SOFT = 2" : "IGNORE = 1"));
+  if (card.ignore == 0 || card.ignore == 1) return found;
   std::string advice = "move";
   for (std::size_t i = 0; i < std::min(proposals, found.size()); ++i)
     advice += (i == 0 ? " " : "; ") + proposal(model, found[i].found, x);
   findings.warning(card.place, keyword, what + "; the overlap is kept and gives no force (IGNORE = 2)", advice);
+  return found;
 }
 
 /// Shells that the contact sees thinner than they are.
@@ -153,6 +158,37 @@ void report_thin_shells(const model::Model& model, const model::Contact& card,
                             "0): {:.4g} in place of {:.4g} in shell {}; SSTHK = 1 of *CONTROL_CONTACT leaves them as "
                             "thick as they are",
                             thin.size(), seen, seen / least, model.shells.id[worst]));
+}
+
+/// Deep in a sheet, as nodes are where sheets go through each other.
+bool stands_near_the_middle(const Overlap& o) {
+  return !(o.segment.volume > 0.0) && o.found.depth > 0.5 * o.segment.thickness;
+}
+
+/// Sheets that go through each other from the start: each side of the one pushes its own way. `setup`: the whole
+/// surface, on each rank.
+void report_crossings(const model::Model& model, const model::Contact& card, const contact::SurfaceContactSetup& setup,
+                      std::span<const Row> x, Ranks* ranks, Findings& findings) {
+  const auto rank = at(ranks != nullptr ? ranks->rank() : 0), count = at(ranks != nullptr ? ranks->count() : 1);
+  const std::size_t segments = setup.segments.size();
+  std::vector<contact::Crossing> all =
+      contact::find_crossings(setup, x, segments * rank / count, segments * (rank + 1) / count);
+  if (ranks != nullptr) all = gather_lists(*ranks, all);
+  if (all.empty()) return;
+  std::ranges::sort(all, {}, [](const contact::Crossing& c) { return std::tuple(c.edge, c.segment); });
+  std::set<std::array<int, 2>> edges;
+  for (const contact::Crossing& c : all) edges.insert(c.edge);
+  const contact::Crossing& first = all.front();
+  const auto& [a, b] = first.edge;
+  const Vec3d middle = 0.5 * (vec(x[a]) + vec(x[b]));
+  findings.warning(
+      card.place, '*' + card.keyword,
+      fmt::format("{} edges of shells go through other shells at the start, which nothing pulls out again; "
+                  "the first is from node {} to {}, near ({:.6g}, {:.6g}, {:.6g}), through {}",
+                  edges.size(), model.nodes.id[a], model.nodes.id[b], middle.x, middle.y, middle.z,
+                  element_name(model, setup.segments[at(first.segment)])),
+      "move the sheets apart, cut the one off where it meets the other, or leave one of them out of the "
+      "contact");
 }
 
 /// The welds that SPOTHIN goes by: tied to the sheets where they stand in the deck.
@@ -188,7 +224,9 @@ std::vector<Vec3d> resolve_initial_penetrations(const model::Model& model, Findi
                                               }});
       setup = part(setup, rows);
     }
-    treat(model, card, setup, rows, divided ? &*divided : nullptr, findings);
+    const std::vector<Overlap> found = treat(model, card, setup, rows, divided ? &*divided : nullptr, findings);
+    if (std::ranges::any_of(found, stands_near_the_middle))
+      report_crossings(model, card, divided ? contact_setup(mesh, card) : setup, rows, ranks, findings);
     if (divided && card.ignore == 0) setup = divided->part(rows);
     report_out_of_reach(model, card, setup, rows, ranks, findings);
     if (card.ignore != 0) continue;
