@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "base/bvh.hpp"
 #include "base/index.hpp"
@@ -110,9 +109,8 @@ std::vector<Crossing> find_crossings(const SurfaceContactSetup& setup, std::span
   });
   std::vector<Crossing> all;
   for (const std::vector<Crossing>& some : of_stretch) all.insert(all.end(), some.begin(), some.end());
-  const auto key = [](const Crossing& c) { return std::tuple(c.edge, c.segment); };
-  std::ranges::sort(all, {}, key);
-  all.erase(std::ranges::unique(all, {}, key).begin(), all.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -14,6 +15,8 @@ namespace nugget::contact {
 struct Crossing {
   std::array<int, 2> edge{};  ///< its nodes, the lower one first
   int segment = 0;            ///< through which it goes: position in the setup
+
+  auto operator<=>(const Crossing&) const = default;
 };
 
 /// Edges of the shells `begin` to `end` of a setup that go through other shells (of two surfaces: of the other one),

@@ -10,7 +10,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <tuple>
 
 #include "base/index.hpp"
 #include "contact/crossings.hpp"
@@ -175,7 +174,7 @@ void report_crossings(const model::Model& model, const model::Contact& card, con
       contact::find_crossings(setup, x, segments * rank / count, segments * (rank + 1) / count);
   if (ranks != nullptr) all = gather_lists(*ranks, all);
   if (all.empty()) return;
-  std::ranges::sort(all, {}, [](const contact::Crossing& c) { return std::tuple(c.edge, c.segment); });
+  std::sort(all.begin(), all.end());
   std::set<std::array<int, 2>> edges;
   for (const contact::Crossing& c : all) edges.insert(c.edge);
   const contact::Crossing& first = all.front();
