@@ -5,7 +5,8 @@
     docs/theory/shell.md#frame     and a heading in it, by its anchor
     docs/decisions/0017            a decision, by its number or whole name
 
-Sources and tests cite no document outside of the repository. In docs/theory links between pages are looked at too.
+Sources and tests cite no document outside of the repository. In docs links between pages are looked at too, but those
+to the pages of the keywords, which are generated.
 """
 import pathlib
 import re
@@ -17,6 +18,7 @@ DECISION = re.compile(r"(?<![\w./-])docs/decisions/(\d{4})(?![\w-])")
 OUTSIDE = re.compile(r"\.\./shared/(?:reference|design)|\b(?:element|spotweld)-theory\b")
 LINK = re.compile(r"\]\(([\w./-]*\.md)?(?:#([\w-]+))?\)")
 HEADING = re.compile(r"^#{1,6} +(.*?) *#*$", re.M)
+GENERATED = "docs/manual/keywords"  # by tools/site.py
 SUFFIXES = {".cpp", ".hpp", ".py", ".txt", ".cmake", ".in", ".md"}
 
 
@@ -63,9 +65,11 @@ def citations(pages, path, text):
     if inside.startswith(("src/", "tests/")):
         for match in OUTSIDE.finditer(text):
             yield match, "cites a document outside of the repository; its theory belongs into docs/theory"
-    if inside.startswith("docs/theory/"):
+    if inside.startswith("docs/"):
         for match in LINK.finditer(text):
             page = path.parent / match.group(1) if match.group(1) else path
+            if page.parent.resolve() == pages.root / GENERATED:
+                continue
             fault = pages.fault(page, match.group(2))
             if fault:
                 yield match, fault

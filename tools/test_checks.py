@@ -156,6 +156,7 @@ class Citations(CheckCase):
             ("tests/unit/a.cpp", LICENCE + "// docs/theory/shell.md. Decks: ../shared/decks\n"),
             ("docs/evidence/a.md", "by `docs/theory/shell.md` and docs/decisions/0017-stiffness.md\n"),
             ("docs/theory/beam.md", "[Shells](shell.md#shells), [here](#beams)\n\n# Beams\n"),
+            ("docs/manual/keywords.md", "[Each](keywords/index.md)\n"),
             ("docs/decisions/0018-b.md", "Measured beside ../shared/reference/ecosystem.md.\n"),
         ]:
             with self.subTest(name=name):
@@ -171,6 +172,7 @@ class Citations(CheckCase):
             ("tests/verify/a.cpp", LICENCE + "// spotweld-theory 4.5\n"),
             ("docs/manual/a.md", "\nas docs/theory/beam.md has it\n"),
             ("docs/theory/a.md", "\n[Frame](shell.md#frame)\n"),
+            ("docs/evidence/a.md", "\n[Frame](../theory/shell.md#frame)\n"),
         ]:
             with self.subTest(text=text):
                 code, output = self.cite(name, text)
