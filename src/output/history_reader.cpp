@@ -57,7 +57,9 @@ const std::vector<ReadFile>& read_files() {
       {"nodout", {{"nodout", "node"}}, [] { return meanings(nodout()); }},
       {"rbdout", {{"rbdout", "rigid body"}}, [] { return meanings(rbdout()); }},
       {"rcforc", {{"rcforc", "contact"}}, [] { return meanings(rcforc()); }},
-      {"rwforc", {{"rwforc/forces", "wall"}, {"rwforc/transducer", "transducer"}}, [] { return meanings(rwforc()); }},
+      {"rwforc",
+       {{"rwforc/forces", "wall"}, {"rwforc/transducer", "transducer"}},
+       [] { return meanings(rwforc_with_areas({0})); }},
       {"secforc", {{"secforc", "section"}}, [] { return meanings(secforc()); }},
       {"sleout", {{"sleout", "contact"}}, [] { return meanings(sleout()); }},
       {"spcforc", {{"spcforc", "node"}}, [] { return meanings(spcforc()); }},
@@ -66,8 +68,24 @@ const std::vector<ReadFile>& read_files() {
   return files;
 }
 
+constexpr std::string_view area_of_wall = " area";  // ends the kind of what rwforc has of a wall's areas
+
+/// Those of rwforc: a wall with areas has a branch by its place, `wall001` the first.
+std::vector<ReadBranch> branches_of_walls(const BinoutReader& binout, const ReadFile& file) {
+  std::vector<ReadBranch> branches = file.branches;
+  const std::vector<double> walls = binout.numbers("/rwforc/forces/metadata/ids");
+  for (const std::string& name : binout.branches("rwforc")) {
+    if (!name.starts_with("wall")) continue;
+    const auto place = static_cast<std::size_t>(std::atoi(name.c_str() + 4));
+    if (place >= 1 && place <= walls.size())
+      branches.push_back({"rwforc/" + name, fmt::format("wall {:.0f}{}", walls[place - 1], area_of_wall)});
+  }
+  return branches;
+}
+
 /// The branches of a file; those of ncforc are the sides of contacts, by their ids, the tracked side first.
 std::vector<ReadBranch> branches_of(const BinoutReader& binout, const ReadFile& file) {
+  if (file.name == "rwforc") return branches_of_walls(binout, file);
   if (file.name != "ncforc") return file.branches;
   std::vector<std::tuple<int, bool, std::string>> sides;
   for (const std::string& name : binout.branches("ncforc")) {
@@ -101,7 +119,7 @@ std::vector<std::string> entities(const BinoutReader& binout, const ReadBranch& 
   return names;
 }
 
-/// The rows that a variable is of: supports have lists of their own, walls in glstat none.
+/// The rows that a variable is of: supports have lists of their own, walls in glstat none, sums of areas one for all.
 std::vector<std::string> entities_of(const BinoutReader& binout, const ReadBranch& branch, const std::string& variable,
                                      const std::vector<std::string>& rows, std::size_t count) {
   const std::string metadata = "/" + branch.path + "/metadata";
@@ -116,6 +134,7 @@ std::vector<std::string> entities_of(const BinoutReader& binout, const ReadBranc
     for (std::size_t i = 0; i < count; ++i) walls.push_back(fmt::format("wall {}", i + 1));
     return walls;
   }
+  if (branch.kind.ends_with(area_of_wall) && variable.starts_with("total_")) return {branch.kind + 's'};
   if (rows.size() == count) return rows;
   return count == 1 ? std::vector<std::string>{""} : std::vector<std::string>{};
 }

@@ -10,6 +10,8 @@ namespace {
 
 constexpr const char* wall_heading =
     "\n\n    time       wall#   normal-force    x-force        y-force        z-force\n";
+constexpr const char* wall_row =
+    "{time:12.5E}{id:8}{normal_force:15.6E}{x_force:15.6E}{y_force:15.6E}{z_force:15.6E}\n";
 constexpr const char* transducer_heading =
     "\n\n\nr i g i d   w a l l   n o d e   s e t   f o r c e   s u m m a t i o n s\n"
     "f o r   t i m e   s t e p {:9}   ( at time {:12.5E} )\n\n"
@@ -26,8 +28,9 @@ void print(AsciiFile& file, const RwforcState& state) {
   if (!state.transducers.empty() && state.time > 0.0) file.print("{}", wall_heading);
   for (std::size_t w = 0; w < state.rows.size(); ++w) {
     const RwforcRow& row = state.rows[w];
-    file.print("{:12.5E}{:8}{:15.6E}{:15.6E}{:15.6E}{:15.6E}\n", column(state.time), row.wall, column(row.normal),
-               column(row.force.x), column(row.force.y), column(row.force.z));
+    file.print_text(fmt::format(fmt::runtime(wall_row), fmt::arg("time", column(state.time)), fmt::arg("id", row.wall),
+                                fmt::arg("normal_force", column(row.normal)), fmt::arg("x_force", column(row.force.x)),
+                                fmt::arg("y_force", column(row.force.y)), fmt::arg("z_force", column(row.force.z))));
     for (const WallAreas& areas : state.areas) {
       if (areas.wall != w) continue;
       file.print("                seg#    \n");
@@ -83,9 +86,7 @@ HistoryFormat<RwforcState> walls_and_transducers() {
                    }},
       .legend = LegendLines::titles,
       .heading = wall_heading,
-      .lines = {.head = "",
-                .row = "{time:12.5E}{id:8}{normal_force:15.6E}{x_force:15.6E}{y_force:15.6E}{z_force:15.6E}\n",
-                .tail = ""},
+      .lines = {.head = "", .row = wall_row, .tail = ""},  // as the reader finds a wall's
       .print = print,
   };
 }

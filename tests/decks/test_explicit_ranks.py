@@ -12,44 +12,17 @@ from fabric_bag import pillow
 from few_elements import card, curve
 from lap_joint import deck as lap_joint
 from nugget_command import SOURCE
-from repeated_runs import FOREVER, LANES, RepeatedRuns, with_lanes
+from repeated_runs import FOREVER, LANES, with_lanes
+from runs_over_ranks import RunsOverRanks
 from shared_out import block, stacks_of_bricks, switched_tube, tube, weak_double_hat
 from test_breaking_metals import torn
 from test_composites import plates
 from test_nodal_contact_forces import falling
-from under_mpirun import ENVIRONMENT, MPIRUN, mpirun, ranks_in
+from under_mpirun import ENVIRONMENT, MPIRUN, ranks_in
 
 
 @unittest.skipUnless(MPIRUN, "mpirun is not installed")
-class ExplicitRanks(RepeatedRuns):
-    def command(self, ranks, *arguments):
-        return mpirun(ranks, *arguments)
-
-    def over(self, ranks, *arguments, expect=0, lanes=None):
-        environment = dict(ENVIRONMENT, **({"NUGGET_LANES": str(lanes)} if lanes else {}))
-        run = subprocess.run(self.command(ranks, *arguments), capture_output=True, text=True, timeout=200, cwd=self.folder, env=environment)
-        self.assertEqual(run.returncode, expect, f"{ranks} ranks: {arguments}\n{run.stderr}\n{run.stdout}")
-        return run
-
-    def compare_ranks(self, text, *options, ranks=((2, 1), (3, 2)), expect=0):
-        """One process with one thread against these ranks and threads; the summary of the last."""
-        model = self.write(text) if isinstance(text, str) else text
-        self.nugget("run", model, "-o", "one", "-j", 1, "--quiet", *options, env=with_lanes(4), expect=expect)
-        reference = self.bits("one")
-        for count, threads in ranks:
-            folder = f"r{count}_{threads}"
-            run = self.over(count, "run", model, "-o", folder, "-j", threads, "--quiet", *options, expect=expect)
-            self.assertEqual(run.stdout.count("t e r m i n a t i o n"), 1)  # one rank speaks
-            bits = self.bits(folder)
-            self.assertEqual(sorted(bits), sorted(reference))
-            for name, content in bits.items():
-                self.assertTrue(content == reference[name], f"{name} differs with {count} ranks of {threads} threads")
-            summary, alone = self.json(f"{folder}/summary.json"), self.json("one/summary.json")
-            self.assertEqual((summary["ranks"], len(summary["rank"]), summary["threads"]), (count, count, threads))
-            for quantity in ("cycles", "time", "time_step", "mass", "energy", "termination", "message", "weld"):
-                self.assertEqual(summary[quantity], alone[quantity], quantity)
-        return summary
-
+class ExplicitRanks(RunsOverRanks):
     def test_four_and_eight_lanes(self):
         """Each number of lanes that this processor has, over ranks, against four of one process."""
         model = self.write(tube())

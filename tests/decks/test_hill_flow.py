@@ -4,8 +4,8 @@ threads, lanes and ranks and across a restart; the same energies turned, mirrore
 import unittest
 
 import lsda
-import test_explicit_ranks
 from repeated_runs import RepeatedRuns
+from runs_over_ranks import RunsOverRanks
 from test_invariance import Cards, Case, included, oblique
 from under_mpirun import MPIRUN
 
@@ -108,10 +108,7 @@ class HillFlow(RepeatedRuns):
 
 
 @unittest.skipUnless(MPIRUN, "mpirun is not installed")
-class HillFlowOverRanks(RepeatedRuns):
-    over, command = test_explicit_ranks.ExplicitRanks.over, test_explicit_ranks.ExplicitRanks.command
-    compare_ranks = test_explicit_ranks.ExplicitRanks.compare_ranks
-
+class HillFlowOverRanks(RunsOverRanks):
     def test_ranks(self):
         self.compare_ranks(patches(Case()))
 

@@ -5,8 +5,8 @@ import re
 import unittest
 
 import lsda
-import test_explicit_ranks
 from repeated_runs import RepeatedRuns
+from runs_over_ranks import RunsOverRanks
 from test_invariance import Cards, Case, oblique
 from under_mpirun import MPIRUN
 
@@ -83,6 +83,10 @@ class WallAreas(RepeatedRuns):
         self.assertIn("r i g i d   w a l l   n o d e   s e t   f o r c e   s u m m a t i o n s", text)
         self.assertEqual(text.count("                seg#    \n"), len(own))
         self.assertIn("nodes of block 2", text)
+        plotted = self.nugget("plot", "whole", "rwforc").stdout
+        rows = {re.split(r" {2,}", line)[0]: line.split() for line in plotted.splitlines()}
+        for name, values in (("area 2/z_force", [s["z_force"][1] for s in areas]), ("areas/total_z", [s["total_z"][0] for s in areas])):
+            self.assertAlmostEqual(float(rows[f"rwforc/wall 5 {name} N"][-3]) / max(values), 1.0, delta=1e-5)
 
     def test_invariance(self):
         reference = self.forces("reference", blocks(Case()))
@@ -109,10 +113,7 @@ class WallAreas(RepeatedRuns):
 
 
 @unittest.skipUnless(MPIRUN, "mpirun is not installed")
-class WallAreasOverRanks(RepeatedRuns):
-    over, command = test_explicit_ranks.ExplicitRanks.over, test_explicit_ranks.ExplicitRanks.command
-    compare_ranks = test_explicit_ranks.ExplicitRanks.compare_ranks
-
+class WallAreasOverRanks(RunsOverRanks):
     def test_ranks(self):
         self.compare_ranks(blocks(Case()))
 
