@@ -39,6 +39,8 @@ class CowperSymonds {
   template <class R>
   Range<R> range(const R& raise, const R& most_rate) const {
     const R most = (1.0 / c_) * most_rate;
+    // The rate is so high a power of x that the return would not come back from farther off.
+    if (p_ > 8.0) return {R(0.0), (1.0 + 1e-9) * power(most, 1.0 / p_), raise};
     if (p_ >= 1.0) return {R(0.0), max(most, R(1.0)), raise};
     return {R(0.0), power(most, 1.0 / p_), raise};
   }

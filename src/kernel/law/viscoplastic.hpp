@@ -29,23 +29,6 @@ struct Viscoplastic {
   std::optional<HillAnisotropy> anisotropy{};
 };
 
-/// V (rate)^m: a Cowper-Symonds effect with C = 1 and P = 1 / m that raises V. Its range ends where the rate can be no
-/// larger: with a small m the rate is so high a power of x that the return would not come back from farther off.
-class ViscousStress : public CowperSymonds {
- public:
-  ViscousStress() = default;
-  ViscousStress(double factor, double exponent) : CowperSymonds(1.0, 1.0 / exponent, factor), exponent_(exponent) {}
-
-  template <class R>
-  kernel::Range<R> range(const R& raise, const R& most_rate) const {
-    if (exponent_ >= 0.125) return CowperSymonds::range(raise, most_rate);
-    return {R(0.0), (1.0 + 1e-9) * power(most_rate, exponent_), raise};
-  }
-
- private:
-  double exponent_ = 1.0;
-};
-
 /// Its yield stress at rest, and the rate effect.
 class ViscoplasticFormula {
  public:
@@ -55,13 +38,13 @@ class ViscoplasticFormula {
         exponent_1_(law.exponent_1),
         hardening_2_(law.hardening_2),
         exponent_2_(law.exponent_2),
-        rate_(law.viscosity > 0.0 ? ViscousStress(law.viscosity, law.rate_exponent) : ViscousStress()) {}
+        rate_(law.viscosity > 0.0 ? CowperSymonds(1.0, 1.0 / law.rate_exponent, law.viscosity) : CowperSymonds()) {}
 
   /// With a Q below 0 the stress falls towards this.
   double lowest() const { return std::max(start_ + std::min(hardening_1_, 0.0) + std::min(hardening_2_, 0.0), 0.0); }
   static constexpr double power(double) { return 0.0; }
   static constexpr bool heats() { return false; }
-  const ViscousStress& rate() const { return rate_; }
+  const CowperSymonds& rate() const { return rate_; }
   static double limit(double) { return std::numeric_limits<double>::infinity(); }
   YieldStress<double> yield(const YieldPoint& p) const {
     const double strain = p.strain + p.increment, left_1 = std::exp(-exponent_1_ * strain),
@@ -72,7 +55,7 @@ class ViscoplasticFormula {
 
  private:
   double start_, hardening_1_, exponent_1_, hardening_2_, exponent_2_;
-  ViscousStress rate_;  // none: C is 0
+  CowperSymonds rate_;  // none: C is 0
 };
 
 template <>

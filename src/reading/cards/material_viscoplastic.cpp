@@ -190,8 +190,6 @@ void set_viscoplastic(Builder& b, Index material, const ViscoplasticRows& rows) 
       curves.rate_p = 1.0 / flow.rate_exponent;
       curves.rate_yield = flow.viscosity;
     }
-    // Hill's return gets there by a rate of which the stress is a small power, too.
-    if (curves.rate_p > 8.0 && !flow.anisotropy) flow.anisotropy.emplace();
     if (flow.anisotropy)
       flow.anisotropy->curves = std::move(curves);
     else

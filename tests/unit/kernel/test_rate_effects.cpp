@@ -7,7 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "kernel/law/piecewise_linear.hpp"
 #include "kernel/law/rate_table.hpp"
+#include "law_point.hpp"
 
 // The returns of points with rate effects end on the yield surface, and after few evaluations of the yield stress: in
 // terms of the plastic strain Newton's method would need dozens, since the slopes at small rates are without bound.
@@ -155,6 +157,38 @@ TEST(RateEffects, TablesReturnInFewSteps) {
       EXPECT_LE(asked.mean, 1.3) << log_rates << ' ' << lowest;
       EXPECT_LE(asked.most, 6) << log_rates << ' ' << lowest;
     }
+}
+
+/// Of a part of the yield stress alone, as with VP 1 (here 1.2 of 280): its curve and raised (rate / C)^(1/P).
+template <class Point, class Tensor>
+void expect_stress_by_the_rate(const Tensor& increment) {
+  for (const double p : {5.0, 8.0, 10.0, 30.0, 50.0, 300.0})
+    for (const double raised : {1.2, 25.0, 280.0}) {
+      PiecewiseLinear law;
+      law.E = 210000.0;
+      law.nu = 0.3;
+      law.yield = {{0, {0.0, 1.0}, {280.0, 1280.0}}};
+      law.rate_c = 1.0;
+      law.rate_p = p;
+      law.rate_yield = raised;
+      Point point(law);
+      point.dt = 1e-7;
+      double before = 0.0;
+      for (int k = 0; k < 200; ++k) {
+        before = point.plastic_strain();
+        point.strain(increment);
+      }
+      const double e = point.plastic_strain();
+      EXPECT_GT(e, 0.01);
+      EXPECT_NEAR(point.effective(), 280.0 + 1000.0 * e + raised * std::pow((e - before) / point.dt, 1.0 / p), 1e-6)
+          << p << ' ' << raised;
+    }
+}
+
+// Sabotage caught: a range whose end is the rate itself, so high a power of what is sought that it is not left again.
+TEST(CowperSymonds, ComesBackFromAHighPowerOfTheRate) {
+  expect_stress_by_the_rate<SolidPoint<PiecewiseLinear>>(1e-4 * SolidTensor<double>{1.0, -0.4, -0.5, 0.3, 0.0, 0.0});
+  expect_stress_by_the_rate<LayerPoint<PiecewiseLinear>>(1e-4 * LayerTensor<double>{1.0, -0.4, 0.3, 0.0, 0.0});
 }
 
 }  // namespace
