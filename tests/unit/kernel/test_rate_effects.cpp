@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "kernel/law/piecewise_linear.hpp"
+#include "kernel/law/piecewise_linear_kernel.hpp"
 #include "kernel/law/rate_table.hpp"
 #include "law_point.hpp"
 
