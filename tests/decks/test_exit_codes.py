@@ -95,9 +95,10 @@ class ExitCodes(CommandTest):
         self.assertEqual(self.files(), ["model.k"])
 
     def test_3_memory_runs_out(self):
-        """With room for more and more: at first the program cannot be loaded, in the end the run is normal; in between it says what is
-        missing, also in run.log where the run has begun. Sabotage: no room for the deck's text taken for a file that cannot be
-        read. OpenBLAS with threads of its own would wait for memory."""
+        """With room for more and more: from where the program can be loaded (until then libgfortran can overflow the stack in its own
+        start, to report that it has no memory) it says what is missing, also in run.log where the run has begun; in the end the run is
+        normal. Sabotage: no room for the deck's text taken for a file that cannot be read. OpenBLAS with threads of its own would wait
+        for memory."""
         side = 200
         nodes = "".join(f"{j * (side + 1) + i + 1:8}{5.0 * i:16.6f}{5.0 * j:16.6f}{0.0:16.6f}\n" for j in range(side + 1) for i in range(side + 1))
         first = [j * (side + 1) + i + 1 for j in range(side) for i in range(side)]
@@ -105,11 +106,17 @@ class ExitCodes(CommandTest):
         self.write("*KEYWORD\n*CONTROL_TERMINATION\n  1.00e-05\n*PART\nplate\n         1         1         1\n"
                    "*SECTION_SHELL\n         1         2\n       1.0\n*MAT_ELASTIC\n         1  7.85e-09  210000.0       0.3\n"
                    f"*DATABASE_GLSTAT\n  1.00e-06\n*NODE\n{nodes}*ELEMENT_SHELL\n{shells}*END\n")
+
+        def in_room(room, *arguments):
+            return subprocess.run([NUGGET, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=120,
+                                  env=dict(os.environ, OPENBLAS_NUM_THREADS="1"),
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (room * 10**6,) * 2))
+
         codes = []
         for room in range(60, 1000, 2):
-            run = subprocess.run([NUGGET, "run", "model.k", "-j", "1", "--quiet", "--max-cycles", "3"], cwd=self.folder, capture_output=True,
-                                 text=True, timeout=120, env=dict(os.environ, OPENBLAS_NUM_THREADS="1"),
-                                 preexec_fn=lambda room=room: resource.setrlimit(resource.RLIMIT_AS, (room * 10**6,) * 2))
+            if not codes and in_room(room, "--version").returncode != 0:
+                continue
+            run = in_room(room, "run", "model.k", "-j", "1", "--quiet", "--max-cycles", "3")
             codes.append(run.returncode)
             if run.returncode == 3:
                 self.assertIn("nugget: not enough memory for this model [", run.stderr)
@@ -118,7 +125,7 @@ class ExitCodes(CommandTest):
                 break
         self.assertEqual(codes[-1], 0)
         self.assertIn(3, codes)
-        self.assertLessEqual(set(codes), {0, 3, 127})
+        self.assertLessEqual(set(codes), {0, 3})
 
     def error_termination(self, text, reason):
         """Runs into an error; the reason stands everywhere, the results up to there are numbers."""
