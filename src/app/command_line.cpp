@@ -17,6 +17,7 @@
 #include "app/command_text.hpp"
 #include "app/commands.hpp"
 #include "app/weld_drop_runs.hpp"
+#include "app/wrong_words.hpp"
 #include "base/sae_filter.hpp"
 #include "base/vec3.hpp"
 #include "report/picture_file.hpp"
@@ -153,14 +154,6 @@ CLI::Validator direction(bool iso) {
                    : fmt::format("'{}', expected an axis (x, -x, y, ...) or three numbers X,Y,Z", text);
       },
       "");
-}
-
-/// The first word is no command: people try the deck's name there.
-bool is_unknown_command(const CLI::App& cli, const std::vector<std::string>& words) {
-  if (words.empty() || words.front().starts_with('-')) return false;
-  for (const CLI::App* command : cli.get_subcommands({}))
-    if (command->get_name() == words.front()) return false;
-  return true;
 }
 
 int obey(int argc, char** argv) {
@@ -524,10 +517,8 @@ int obey(int argc, char** argv) {
   std::vector<std::string> words = translated(argc, argv);
   nugget::app::name_values(cli);
   if (const std::optional<int> code = nugget::app::write_descriptions(cli, words)) return *code;
-  if (is_unknown_command(cli, words)) {
-    fmt::print(stderr,
-               "nugget: there is no command '{}'; to run a deck: nugget run MODEL.k; for all commands: nugget --help\n",
-               words.front());
+  if (const std::string message = nugget::app::unknown_command(cli, words); !message.empty()) {
+    fmt::print(stderr, "{}", message);
     return static_cast<int>(ExitCode::wrong_command);
   }
   std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
@@ -543,7 +534,9 @@ int obey(int argc, char** argv) {
     if (weld_command->parsed() && !weld.stack.empty() && !weld.points.empty())
       throw CLI::ExcludesError("--stack", "points");
   } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
+    if (error.get_exit_code() == 0) return cli.exit(error);  // help
+    fmt::print(stderr, "{}", nugget::app::wrong_words(cli, error));
+    return static_cast<int>(ExitCode::wrong_command);
   }
   if (!stop_after.empty()) run.stop_after = *nugget::app::clock_seconds(stop_after);
   run.over_ranks = true;

@@ -7,9 +7,9 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
-#include <numeric>
-#include <utility>
+#include <limits>
 
+#include "base/spelling.hpp"
 #include "reading/builder/builder.hpp"
 
 namespace nugget::reading {
@@ -122,24 +122,6 @@ std::string namesakes(std::string_view part) {
   return list_of_used([=](std::string_view name) { return name.find(part) != std::string_view::npos; });
 }
 
-/// Number of letters to change, add, take away or swap with their neighbour to make one of the other (optimal string
-/// alignment).
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before_last, last, row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    before_last = std::exchange(last, row);
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({changed, last[j] + 1, row[j - 1] + 1});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        row[j] = std::min(row[j], before_last[j - 2] + 1);
-    }
-  }
-  return row.back();
-}
-
 }  // namespace
 
 std::string describe_keywords() {
@@ -203,7 +185,7 @@ std::string similar_keyword(std::string_view written) {
   const auto consider = [&](const std::string& known, const Keyword& row) {
     const std::size_t difference = known.size() > name.size() ? known.size() - name.size() : name.size() - known.size();
     if (difference > allowed) return;
-    if (const std::size_t d = distance(name, known); d > 0 && d < nearest) {
+    if (const std::size_t d = letters_apart(name, known); d > 0 && d < nearest) {
       nearest = d;
       best = known;
       for (auto option = options.rbegin(); option != options.rend(); ++option)

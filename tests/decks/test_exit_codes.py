@@ -80,7 +80,12 @@ class ExitCodes(CommandTest):
     def test_2_wrong_command_line(self):
         self.write(deck())
         for arguments, word in ((["run"], "model"), ([], "subcommand"), (["fly"], "fly"), (["model.k"], "nugget run MODEL.k"),
-                                (["run", "model.k", "--frobnicate"], "--frobnicate"), (["run", "model.k", "two.k"], "two.k"),
+                                (["run", "model.k", "--frobnicate"], "nugget run: there is no option '--frobnicate'\n"),
+                                (["run", "model.k", "--max-cycle", "3"], "no option '--max-cycle'; is it --max-cycles?"),
+                                (["run", "model.k", "--cycles=3"], "no option '--cycles'; is it --max-cycles?"),
+                                (["plot", "--overr", "glstat"], "nugget plot: there is no option '--overr'; is it --over?"),
+                                (["--versoin"], "nugget: there is no option '--versoin'; is it --version?"), (["chekc"], "is it check?"),
+                                (["run", "model.k", "two.k"], "nugget run: 'two.k' is one word too many"),
                                 (["run", "model.k", "jobid=a"], "jobid=a"), (["report"], "directory"),
                                 (["run", "model.k", "-j", "0"], "'0', expected a whole number of 1 or more"),
                                 (["run", "i=model.k", "ncpu=some"], "'some', expected a whole number of 1 or more"),
