@@ -89,7 +89,7 @@ double worst_energy_balance(const std::string& more) {
 }
 
 // Sabotage to be caught: what a wall, a driven node or a rigid body changes in velocities left out of the account.
-TEST(StepChange, LedgerWithSupportsWallsAndBodies) {
+TEST(StepChange, BalanceWithSupportsWallsAndBodies) {
   const std::string ramp = curve(1, {{0.0, 0.0}, {5e-5, 2000.0}, {1.0, 2000.0}});
   const std::string thrown = "*INITIAL_VELOCITY\n\n" + fields({0, 0, -5000});
   const std::string wall = "*RIGIDWALL_PLANAR\n" + fields({0}) + fields({0, 0, -1e-3, 0, 0, 1});

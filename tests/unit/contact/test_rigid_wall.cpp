@@ -491,7 +491,7 @@ TEST(RigidWall, SphereStopsAndLetsSlide) {
   EXPECT_EQ(m.v[0].x, 50.0);
 }
 
-TEST(RigidWall, LedgerClosesWithOtherForcesAtWork) {
+TEST(RigidWall, BalanceClosesWithOtherForcesAtWork) {
   // Many masses under their own accelerations on a round wall with friction: work of the accelerations less energy
   // given to the wall is the kinetic energy gained, to round-off.
   model::RigidWall card = pole(50.0);

@@ -88,7 +88,7 @@ TEST(KeywordList, UnsupportedPhysicsIsRefusedAllAtOnce) {
   EXPECT_TRUE(skipped.warning("airbag"));
 }
 
-TEST(KeywordList, IgnoredKeywordsMakeNoFindingButStandInTheLedger) {
+TEST(KeywordList, IgnoredKeywordsMakeNoFindingButStandInTheTable) {
   const Built built(
       small_deck("*SENSOR_DEFINE_FORCE\n         1RWALL              2X                  0\n*CONTROL_PARALLEL\n        "
                  " 2\n*CONTROL_PARALLEL\n         2\n"));
