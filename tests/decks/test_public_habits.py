@@ -4,9 +4,9 @@
 import unittest
 
 import lap_joint
+from contact_models import LOWER, SIDE, UPPER, plates, sliding
 from few_elements import card
 from nugget_command import CommandTest
-from test_contact_forms import LOWER, SIDE, UPPER, plates, sliding
 
 
 def words(*lines):

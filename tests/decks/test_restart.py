@@ -9,8 +9,8 @@ import sys
 import time
 import unittest
 
+import contact_models as plates
 import test_bodies
-import test_contact_forms as plates
 import test_histories
 from lap_joint import deck as lap_joint
 from lap_joint import edited
