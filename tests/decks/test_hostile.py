@@ -166,7 +166,7 @@ class EdgesOfNumbers(CommandTest):
         request = ("*FREQUENCY_DOMAIN_FRF\n       216         0         3         3\n      0.02\n"
                    "       216         0         3         2\n       1.0     300.0  99999999\n")
         errors = self.refusals(("*PART\nlower", request + "*PART\nlower"))
-        self.assertRegex(errors[0], r"model\.k:\d+:\d+: error: \*FREQUENCY_DOMAIN_FRF nfreq = 99999999: expected 2 to 1000000")
+        self.assertRegex(errors[0], r"model\.k:\d+:\d+: error: \*FREQUENCY_DOMAIN_FRF nfreq = 99999999: expected 1 to 1000000")
 
     def test_an_end_time_of_zero_has_its_place(self):
         errors = self.refusals((END, "       0.0"))

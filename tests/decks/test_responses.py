@@ -93,6 +93,28 @@ class Responses(CommandTest):
         self.nugget("report", "wide")
         self.assertEqual(Page(self.read("wide/report.html")).rows, page.rows)
 
+    def test_one_frequency_alone(self):
+        """Has what a range has there; which of a range is meant by NFREQ 1 is asked."""
+        def over(*frequencies):
+            return strip(lambda tip: "*CONTROL_IMPLICIT_EIGENVALUE\n" + fields(3) + frf((tip, 0, 3, 3), (0.02,), (tip, 0, 3, 2), frequencies),
+                         along=20, across=2)
+        self.write(over(20.0, 300.0, 2))
+        self.nugget("frf", "model.k", "-o", "range", "--quiet")
+        expected = self.amplitudes("range/frf.csv")[20.0]
+        for count in (1, 5):
+            self.write(over(20.0, 20.0, count))
+            self.nugget("frf", "model.k", "-o", "alone", "--quiet")
+            self.assertEqual(self.amplitudes("alone/frf.csv"), {20.0: expected})
+            self.assertIn("</html>", self.read("alone/report.html"))
+        self.write(over(20.0, 300.0, 1))
+        self.assertRegex(self.nugget("check", "model.k", expect=1).stderr, r"model.k:\d+:\d+: error: .* nfreq = 1: one frequency of a range")
+        self.write(self.plate((2.377, 9.0, 2)))
+        self.nugget("run", "model.k", "-o", "range", "--quiet")
+        expected = [row for row in self.rows("range/ssd.csv") if float(row["frequency"]) == 2.377]
+        self.write(self.plate((2.377, 2.377, 1)))
+        self.nugget("run", "model.k", "-o", "alone", "--quiet")
+        self.assertEqual(self.rows("alone/ssd.csv"), expected)
+
     def plate(self, frequencies):
         """NAFEMS 13H: 100 Pa on a simply supported plate, as a steady-state analysis."""
         n = 20

@@ -394,7 +394,7 @@ CardOf<FrequencyCard> frequency_card(std::initializer_list<FieldOf<FrequencyCard
       CardOf<FrequencyCard>{
           {&FrequencyCard::fmin, real("fmin", dimension::rate, 0, at_least(0), "lowest frequency [cycles/time]")},
           {&FrequencyCard::fmax, real("fmax", dimension::rate, 0, at_least(0), "highest frequency [cycles/time]")},
-          {&FrequencyCard::nfreq, integer("nfreq", 2, between(2, 1000000), "number of frequencies, ends included")},
+          {&FrequencyCard::nfreq, integer("nfreq", 2, between(1, 1000000), "number of frequencies, ends included; 1: FMIN alone, which FMAX must be")},
           {&FrequencyCard::fspace,
            integer("fspace", 0, between(0, 3),
                    "spacing 0: linear, 1: logarithmic, 2: gathered at the natural frequencies, 3: these alone")},
@@ -409,7 +409,11 @@ Frequencies frequencies_of(Builder& b, const RowOf<FrequencyCard>& row) {
   const double low = row->fmin, high = row->fmax;
   const int count = row->nfreq, spacing = row->fspace;
   const bool logarithmic = spacing == 1;
+  if (low == high && low > 0.0 && spacing < 2) return {{low}, {}};
   if (low >= high) refuse(b, row[&FrequencyCard::fmax], "the range of frequencies is empty", "give an FMAX above FMIN");
+  if (count < 2)
+    refuse(b, row[&FrequencyCard::nfreq], "one frequency of a range: which one?",
+           "give FMAX as FMIN for that frequency alone, or an NFREQ of 2 or more");
   if (logarithmic && !(low > 0.0))
     refuse(b, row[&FrequencyCard::fmin], "logarithmic spacing cannot begin at 0", "give an FMIN above 0, or FSPACE 0");
   if (spacing > 1) return {{low, high}, spacing == 2 ? count : 0};
