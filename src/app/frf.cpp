@@ -118,11 +118,17 @@ std::string peaks(const std::vector<Response>& responses, const std::vector<doub
   return s + '\n';
 }
 
+/// `16 frequencies from 0 to 300 Hz`.
+std::string spelled(const std::vector<double>& frequency, const output::Summary& summary) {
+  const std::string unit = model::unit_of_frequency(model::units_named(summary.units));
+  if (frequency.size() == 1) return fmt::format("at {:.6g}{}", frequency.front(), unit);
+  return fmt::format("{} frequencies from {:.6g} to {:.6g}{}", frequency.size(), frequency.front(), frequency.back(),
+                     unit);
+}
+
 std::string title(const char* what, std::size_t count, const std::vector<double>& frequency,
                   const output::Summary& summary) {
-  return fmt::format("{}: {} response{}, {} frequencies from {:.6g} to {:.6g}{}\n\n", what, count,
-                     count == 1 ? "" : "s", frequency.size(), frequency.front(), frequency.back(),
-                     model::unit_of_frequency(model::units_named(summary.units)));
+  return fmt::format("{}: {} response{}, {}\n\n", what, count, count == 1 ? "" : "s", spelled(frequency, summary));
 }
 
 std::string frf_of(const fs::path& directory, const output::Header& header, const nvh::Matrices& matrices,
@@ -170,10 +176,9 @@ std::string power_of(const fs::path& directory, const output::Header& header, co
   const double reference = request.radiated_power->reference;
   const auto units = model::units_named(summary.units);
   std::string s = fmt::format(
-      "Equivalent radiated power: {} panels, {} frequencies from {:.6g} to {:.6g}{}\n\n {:<24} {:>14} {:>14} "
+      "Equivalent radiated power: {} panels, {}\n\n {:<24} {:>14} {:>14} "
       "{:>14} {:>10}   at the largest power\n",
-      request.radiated_power->panels.size(), result.frequency.size(), result.frequency.front(), result.frequency.back(),
-      model::unit_of_frequency(model::units_named(summary.units)), "panel",
+      request.radiated_power->panels.size(), spelled(result.frequency, summary), "panel",
       "area" + model::in_units(units, dimension::area), "frequency" + model::in_frequency(units),
       "power" + model::in_units(units, output::dimension_of_response("radiated power")), "dB");
   for (const nvh::RadiatedPower::Panel& panel : result.panels) {

@@ -100,7 +100,7 @@ class Canvas {
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < x.size(); ++i)
       if (x_.shows(x[i]) && y_.shows(y[i])) kept.push_back(i);
-    if (kept.empty()) return;
+    if (kept.size() < 2) return this->points(x, y, colour);  // a line of one point is not seen
     if (kept.size() > most_points) kept = outstanding(kept, x, y);
     std::string points;
     for (const std::size_t i : kept)

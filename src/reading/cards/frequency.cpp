@@ -394,7 +394,8 @@ CardOf<FrequencyCard> frequency_card(std::initializer_list<FieldOf<FrequencyCard
       CardOf<FrequencyCard>{
           {&FrequencyCard::fmin, real("fmin", dimension::rate, 0, at_least(0), "lowest frequency [cycles/time]")},
           {&FrequencyCard::fmax, real("fmax", dimension::rate, 0, at_least(0), "highest frequency [cycles/time]")},
-          {&FrequencyCard::nfreq, integer("nfreq", 2, between(1, 1000000), "number of frequencies, ends included; 1: FMIN alone, which FMAX must be")},
+          {&FrequencyCard::nfreq, integer("nfreq", 2, between(1, 1000000),
+                                          "number of frequencies, ends included; 1: FMIN alone, which FMAX must be")},
           {&FrequencyCard::fspace,
            integer("fspace", 0, between(0, 3),
                    "spacing 0: linear, 1: logarithmic, 2: gathered at the natural frequencies, 3: these alone")},
