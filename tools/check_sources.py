@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks what every source file must have: a licence line, `#pragma once` in headers, no path of one machine. And that git
-keeps no generated file: no deck but the seeds of fuzzing, nothing of more than 500 kB.
+"""Checks what every source file must have: a licence line, `#pragma once` in headers, no path of one machine. That no two
+types of one namespace have one name: the linker takes functions of the one for those of the other, and says nothing. And that
+git keeps no generated file: no deck but the seeds of fuzzing, nothing of more than 500 kB.
 
     python3 tools/check_sources.py [ROOT]
 
@@ -24,6 +25,11 @@ LARGE = 500_000  # bytes
 # Folders that are another thing on the next machine. System programs (/usr/bin) and devices (/dev) are not.
 MACHINE_PATH = re.compile(r"(?<![\w./)}>-])/(?:home|root|work|tmp|mnt|opt|data|farm|media|Users)/")
 
+COMMENT_OR_STRING = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
+BRACE = re.compile(r"namespace\s*(?P<space>[\w:]*)\s*\{"
+                   r"|\b(?:struct|class|union|enum(?:\s+(?:class|struct))?)\s+(?:alignas\([^()]*\)\s*)?(?P<type>\w[\w:]*)"
+                   r"(?P<arguments><[^{};]*>)?(?:\s+final)?\s*(?::[^{};()=]*)?\{|[{}]")
+
 
 def sources(root):
     for name in TOP_FILES:
@@ -45,6 +51,35 @@ def generated(root):
             yield name
 
 
+def named_types(text):
+    """(name with its namespaces, line) of the types that a source defines in namespaces that other sources see, too."""
+    text = COMMENT_OR_STRING.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+    spaces, depth = [], 0  # namespaces that are open, each with the depth of its brace
+    for match in BRACE.finditer(text):
+        if match[0] == "}":
+            while spaces and spaces[-1][1] >= depth:
+                spaces.pop()
+            depth -= 1
+            continue
+        names = [name for name, _ in spaces]
+        if match["type"] and not match["arguments"] and len(spaces) == depth and "" not in names:
+            yield "::".join([*names, match["type"]]), text.count("\n", 0, match.start("type")) + 1
+        depth += 1
+        if match["space"] is not None:
+            spaces.append((match["space"], depth))
+
+
+def of_one_name(root):
+    """Types of which sources that can meet in one program have each its own."""
+    known = {}
+    for path in sorted(path for path in (root / "src").rglob("*") if path.suffix in (".cpp", ".hpp")):
+        place = path.relative_to(root).as_posix()
+        for name, line in named_types(path.read_text(encoding="utf-8")):
+            if name in known:
+                yield f"{place}:{line}: {name} is another type at {known[name]}; give one of them another name"
+            known.setdefault(name, f"{place}:{line}")
+
+
 def breaches(root):
     """(errors, warnings) of all sources under root, each as `file:line: text`."""
     errors, warnings = [], []
@@ -61,6 +96,7 @@ def breaches(root):
                 errors.append(f"{place}:{number}: a path of one machine; make it relative, or take it as an argument")
         if len(lines) > LONG:
             warnings.append(f"{place}:{LONG}: {len(lines)} lines; is there a second file in it?")
+    errors += of_one_name(root)
     for name in generated(root):
         errors.append(f"{name}:1: git keeps a deck or a file of more than {LARGE} bytes; take it out, and write what makes it")
     return errors, warnings

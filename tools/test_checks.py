@@ -119,12 +119,20 @@ class Sources(CheckCase):
         folder = "/" + "home"  # in two pieces, or the check would find it here
         self.assert_breach("tests/a.cpp", LICENCE + f'auto f = "{folder}/me/a.k";\n', "tests/a.cpp:2: ")
 
+    def test_two_types_of_one_name(self):
+        """Not specializations, forward declarations, types inside of others, or those that one source has for itself."""
+        self.write("src/base/a.hpp", LICENCE + "#pragma once\nnamespace n {\nstruct A;\ntemplate <class T>\nstruct B {};\nclass C {\n  struct D {};\n};\n}\n")
+        self.write("src/base/b.cpp", LICENCE + "namespace n {\nnamespace {\nstruct C {};\n}\ntemplate <>\nstruct B<int> {};\nstruct A {};\n"
+                                               "struct C::D {};\n}  // struct E {}\nnamespace m { struct C {}; }\n")
+        self.assertEqual(self.run_check("check_sources.py"), (0, ""))
+        self.assert_breach("src/deck/c.hpp", LICENCE + "#pragma once\nnamespace n {\nenum class C : char {\n  one,\n};\n}\n",
+                           "src/deck/c.hpp:4: n::C is another type at src/base/a.hpp:6")
+
     def test_a_long_file_is_only_named(self):
         self.write("src/base/a.cpp", LICENCE + "\n" * 700)
         code, output = self.run_check("check_sources.py")
         self.assertEqual(code, 0)
         self.assertIn("701 lines", output)
-
 
     def test_a_generated_file(self):
         self.write("src/base/a.cpp", LICENCE)

@@ -40,12 +40,12 @@ void add_target(PreparedDeck& p, double step) {
 
 /// How far the forces of each weld reach by either form of tie: two columns of welds.csv and a line on the terminal.
 std::string add_holds(PreparedDeck& p) {
-  const std::vector<weld::Hold> holds = weld::holds(p.model, p.ties);
+  const std::vector<weld::WeldReach> reaches = weld::reaches(p.model, p.ties);
   std::array<double, 2> least, most;
   least.fill(std::numeric_limits<double>::quiet_NaN());
   most = least;
   for (std::size_t w = 0; w < p.welds.size(); ++w) {
-    const std::array<double, 2> hold{holds[w].by_segment, holds[w].by_area};
+    const std::array<double, 2> hold{reaches[w].by_segment, reaches[w].by_area};
     p.welds[w].audit.emplace_back("hold_by_segment", hold[0]);
     p.welds[w].audit.emplace_back("hold_by_area", hold[1]);
     for (std::size_t form = 0; form < 2; ++form) {
@@ -82,13 +82,13 @@ void add_joints(PreparedDeck& p, const std::vector<std::optional<weld::Joint>>& 
 /// the limits that a body model is held to.
 std::string add_place_errors(PreparedDeck& p, const std::vector<std::optional<weld::Joint>>& joints) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN(), of_lap = 0.05, of_bending = 0.12;
-  const std::vector<weld::Hold> holds = weld::holds(p.model, p.ties);
+  const std::vector<weld::WeldReach> reaches = weld::reaches(p.model, p.ties);
   std::vector<bool> stacked(p.welds.size(), false);
   for (const weld::Stack& stack : weld::stacks_of(p.model, p.ties, joints).stacks)
     for (const weld::Stack::Member& member : stack.welds) stacked[member.weld] = true;
   std::size_t joined = 0, lap = 0, peel = 0, cross = 0, unknown = 0;
   for (std::size_t w = 0; w < p.welds.size(); ++w) {
-    const weld::PlaceErrors* errors = joints[w] ? weld::place_errors(holds[w].by_area) : nullptr;
+    const weld::PlaceErrors* errors = joints[w] ? weld::place_errors(reaches[w].by_area) : nullptr;
     p.welds[w].audit.emplace_back("error_lap", errors ? errors->lap : nothing);
     p.welds[w].audit.emplace_back("error_peel", errors ? errors->peel : nothing);
     p.welds[w].audit.emplace_back("error_cross", errors ? errors->cross : nothing);

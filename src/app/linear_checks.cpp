@@ -4,6 +4,7 @@
 #include "app/preload.hpp"
 #include "app/without_part.hpp"
 #include "nvh/eigen/modes.hpp"
+#include "nvh/statics/loose_bodies.hpp"
 #include "nvh/statics/static_loads.hpp"
 #include "nvh/statics/statics.hpp"
 #include "weld/failure/missing_data.hpp"
@@ -19,7 +20,10 @@ void check_linear(LinearJob& job, const LinearChecks& checks, Findings& findings
     if (checks.analysis == Analysis::modes_and_responses)
       nvh::report_fixed_motions(matrices.equations, model, findings);
     if (!statics && checks.responses) check_responses(matrices, model, findings);
-    if (statics) weld::failure::report_missing_data(model, job.deck().ties, findings);
+    if (statics) {
+      weld::failure::report_missing_data(model, job.deck().ties, findings);
+      nvh::check_support(matrices, findings);
+    }
     if (statics || preloaded) {
       nvh::check_motions(matrices, findings);
       nvh::check_resistance(matrices, findings);

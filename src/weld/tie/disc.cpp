@@ -538,12 +538,12 @@ void hang_on_discs(const model::Model& model, const std::vector<Weld>& welds, co
   report_account(model, std::move(account), findings);
 }
 
-std::vector<Hold> holds(const model::Model& model, const Ties& ties) {
+std::vector<WeldReach> reaches(const model::Model& model, const Ties& ties) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Hold> all(ties.welds.size(), {nothing, nothing});
+  std::vector<WeldReach> all(ties.welds.size(), {nothing, nothing});
   for (const HangingEnd& end : find_discs(model, ties.welds, ties.x, ties.ties, is_a_nugget)) {
     if (end.disc.empty()) continue;
-    Hold& hold = all[static_cast<std::size_t>(end.weld - ties.welds.data())];
+    WeldReach& hold = all[static_cast<std::size_t>(end.weld - ties.welds.data())];
     hold.by_segment = std::fmax(hold.by_segment, hold_by_segments(end, ties.x, ties.ties));
     hold.by_area = std::fmax(hold.by_area, hold_by_area(end, ties.x, ties.ties));
   }

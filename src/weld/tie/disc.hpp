@@ -58,10 +58,10 @@ inline constexpr double most_hold = 3.0;
 
 /// How far the forces of a weld's ends reach, over the nugget's radius: a_eff / a of the worse end by each form of tie;
 /// NaN where there is nothing of the kind.
-struct Hold {
+struct WeldReach {
   double by_segment, by_area;
 };
 /// One a weld.
-std::vector<Hold> holds(const model::Model& model, const Ties& ties);
+std::vector<WeldReach> reaches(const model::Model& model, const Ties& ties);
 
 }  // namespace nugget::weld

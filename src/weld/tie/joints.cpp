@@ -246,8 +246,8 @@ const std::optional<kernel::JointEnd>& wider(const std::optional<kernel::JointEn
 
 }  // namespace
 
-Stacks stacks_of(const model::Model& model, const Ties& ties, const std::vector<std::optional<Joint>>& joints) {
-  Stacks found;
+JointStacks stacks_of(const model::Model& model, const Ties& ties, const std::vector<std::optional<Joint>>& joints) {
+  JointStacks found;
   if (model.control.weld_tie != model::WeldTie::joint) return found;
   const Neighbours neighbours(ties, joints);
   std::vector<bool> done(joints.size(), false);
@@ -305,7 +305,7 @@ void report_joints(const model::Model& model, const Ties& ties, Findings& findin
                 fmt::format("{} weld beams and {} welds of bricks have joints, {} of them plastic; most flexibility in "
                             "the plane {:.3g} length/force, in bending {:.3g} 1/moment",
                             beams, clusters, flowing, most_in_plane, most_bending));
-  const Stacks stacks = stacks_of(model, ties, joints);
+  const JointStacks stacks = stacks_of(model, ties, joints);
   if (!stacks.stacks.empty()) {
     std::size_t in_stacks = 0;
     for (const Stack& stack : stacks.stacks) in_stacks += stack.welds.size();

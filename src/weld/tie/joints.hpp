@@ -42,11 +42,11 @@ struct Stack {
   std::vector<std::optional<kernel::JointEnd>> sheets;
 };
 /// Of welds with joints that flow. Their joints flow by what the stack says (kernel::StackJoint).
-struct Stacks {
+struct JointStacks {
   std::vector<Stack> stacks;
   std::vector<std::size_t> crowded;  ///< welds at a nugget of more than two, or in a stack too high; each on its own
 };
-Stacks stacks_of(const model::Model& model, const Ties& ties, const std::vector<std::optional<Joint>>& joints);
+JointStacks stacks_of(const model::Model& model, const Ties& ties, const std::vector<std::optional<Joint>>& joints);
 
 /// A note of what the joints of all welds come to, a warning of welds of bricks that get none, by the reason.
 void report_joints(const model::Model& model, const Ties& ties, Findings& findings);

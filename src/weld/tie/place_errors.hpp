@@ -10,7 +10,7 @@ namespace nugget::weld {
 struct PlaceErrors {
   double lap, peel, cross, stack, force;
 };
-/// Of welds whose forces reach so many nugget radii far (Hold::by_area); null beyond what was measured.
+/// Of welds whose forces reach so many nugget radii far (WeldReach::by_area); null beyond what was measured.
 const PlaceErrors* place_errors(double reach);
 
 }  // namespace nugget::weld
