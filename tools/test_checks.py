@@ -126,7 +126,7 @@ class Sources(CheckCase):
                                                "struct C::D {};\n}  // struct E {}\nnamespace m { struct C {}; }\n")
         self.assertEqual(self.run_check("check_sources.py"), (0, ""))
         self.assert_breach("src/deck/c.hpp", LICENCE + "#pragma once\nnamespace n {\nenum class C : char {\n  one,\n};\n}\n",
-                           "src/deck/c.hpp:4: n::C is another type at src/base/a.hpp:6")
+                           "src/deck/c.hpp:4: n::C is another type at src/base/a.hpp:7")
 
     def test_a_long_file_is_only_named(self):
         self.write("src/base/a.cpp", LICENCE + "\n" * 700)
