@@ -138,12 +138,12 @@ TEST(Disc, HasItsCentreUnderTheWeld) {
 TEST(Disc, ReachesAsFarAsTheNugget) {
   WeldedSheets a(1.0, 3.2, 2.9);
   const Ties ties = a.tied();
-  const Hold hold = holds(a.model, ties).at(0);
+  const WeldReach hold = reaches(a.model, ties).at(0);
   EXPECT_NEAR(hold.by_area, std::sqrt(6.25 + 2.0 / 3.0) / 2.5, 0.01);
   EXPECT_LT(hold.by_segment, 0.5);
   WeldedSheets coarse(10.0, 35.0, 35.0);
   const Ties one_element = coarse.tied();  // a disc of radius h/2 touches its sides
-  EXPECT_NEAR(holds(coarse.model, one_element).at(0).by_area, 4.0, 1e-9);
+  EXPECT_NEAR(reaches(coarse.model, one_element).at(0).by_area, 4.0, 1e-9);
   EXPECT_THAT(text(coarse.findings), HasSubstr("elements too large for their nuggets"));
 }
 
