@@ -156,13 +156,13 @@ class ExitCodes(CommandTest):
                     self.assertTrue(all(abs(c) < 1e30 for c in x), f"at {state['time']}: {x}")
 
     def test_3_negative_volume(self):
-        self.error_termination(edited(BLOCK, SPEED), r"negative volume in solid 1 of part 1 at time \S+, cycle \d+")
+        self.error_termination(edited(BLOCK, SPEED), r"negative volume in solid 1 of part 1 at time \S+, cycle \d+ \[.*\]")
 
     def test_1_check_tries_the_first_cycles(self):
         """A run that would end at its start is refused by the check, which says what the run would; other decks pass."""
         self.write(edited(BLOCK, SPEED))
         told = self.nugget("run", "model.k", "--quiet", "-o", "of_run", expect=3).stderr.splitlines()[-1]
-        self.assertRegex(told, r"^negative volume in solid 1 of part 1 at time \S+, cycle [12]$")
+        self.assertRegex(told, r"^negative volume in solid 1 of part 1 at time \S+, cycle [12] \[see what loads, drives and ties its nodes")
         check = self.nugget("check", "model.k", "-o", "of_check", expect=1)
         self.assertIn(f"model.k: error: a run ends at its start: {told} [", check.stderr)
         self.assertEqual(self.files("of_check"), ["check.log", "findings.json"])

@@ -77,6 +77,17 @@ bool Simulation::energy_is_made() const {
   return energy_.size() > masses_.physical * noise * noise;
 }
 
+std::string Simulation::describe_inverted(const system::ElementGroup& group) const {
+  const model::Index e = group.element[group.inverted];
+  const char* const remedy =
+      state_.cycle <= 2
+          ? "see what loads, drives and ties its nodes, and the units of its material"
+          : "ERODE 1 in *CONTROL_TIMESTEP deletes such bricks; to keep them: a smaller TSSFAC, hourglass type 6, "
+            "in foams *CONTACT_INTERIOR or a curve that goes on to larger compression";
+  return fmt::format("negative volume in solid {} of part {} at time {:.6g}, cycle {} [{}]", system_.model.solids.id[e],
+                     system_.model.parts[group.part].id, state_.time, state_.cycle, remedy);
+}
+
 std::string Simulation::describe_instability() const {
   if (contact_gives())
     return fmt::format(

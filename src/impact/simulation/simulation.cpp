@@ -419,11 +419,7 @@ Outcome Simulation::reason_to_stop(const Options& options, double end_time) cons
             fmt::format("interrupted by {} at time {:.6g}, cycle {}; results up to there are kept",
                         static_cast<const char*>(interrupted_by), state_.time, state_.cycle)};
   for (const auto& group : system_.groups) {
-    if (group->inverted < 0) continue;
-    const model::Index e = group->element[group->inverted];
-    return error(fmt::format("negative volume in solid {} of part {} at time {:.6g}, cycle {}",
-                             system_.model.solids.id[e], system_.model.parts[group->part].id, state_.time,
-                             state_.cycle));
+    if (group->inverted >= 0) return error(describe_inverted(*group));
   }
   if (state_.time < end_time && state_.time + state_.dt == state_.time)
     return error(fmt::format("the time step {:.4g} of {} is too small to go on from time {:.6g}, cycle {}", state_.dt,

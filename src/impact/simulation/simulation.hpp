@@ -187,6 +187,8 @@ class Simulation {
   double input() const;                         ///< the most energy that was ever put in
   double energy_of_pressures_at_start() const;  ///< what equations of state may give at most
   std::string describe_instability() const;
+  /// Of the first brick of negative volume of a group: which, when, and what to do.
+  std::string describe_inverted(const system::ElementGroup& group) const;
   /// Between two cycles: writes a restart file if one is due, or the run was interrupted.
   void write_checkpoint_if_due(const Options& options);
   bool state_asked_ = false;  ///< a state of d3plot that is not due
