@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Welds written otherwise: which node of a beam is the first, where a brick begins, what its numbers are. Nothing of that is physics."""
 import csv
+import math
 import unittest
 
 import lsda
@@ -44,6 +45,38 @@ class WeldInvariance(CommandTest):
             self.assertAlmostEqual(float(b["failure_time"]) / float(a["failure_time"]), 1.0, 9)
         for q, energy in energies.items():
             self.assertAlmostEqual(other_energies[q] / energy, 1.0, 7, q)
+
+    def run_placed(self, name, turn):
+        """Welds that `nugget weld` places as beams, which yield: sheets of rectangles, turned. Energies and forces of the welds."""
+        def turned(p):
+            return [sum(a * b for a, b in zip(row, p)) for row in turn]
+        s = Sheets()
+        s.cards += ["*CONTROL_TERMINATION\n6.0e-5", "*DATABASE_GLSTAT\n5.0e-6,2", "*DATABASE_SWFORC\n5.0e-6,2"]
+        sheets = [s.sheet(1.2, 0.0, 0.0, 0.0, 10, 5, 5.0), s.sheet(1.5, 26.0, 1.0, 2.0, 10, 5, 5.0)]
+        for i, node in enumerate(s.nodes):
+            n, x, y, z = (float(value) for value in node.split(","))
+            s.nodes[i] = f"{n:.0f}," + ",".join(f"{a:.16g}" for a in turned((1.1 * x, y, z)))
+        s.node_set(1, s.column(sheets[0], 0))
+        s.node_set(2, s.column(sheets[1], -1) + s.column(sheets[1], -2))
+        s.cards += ["*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1", "*INITIAL_VELOCITY\n2\n" + ",".join(f"{a:.16g}" for a in turned((9000.0, 6000.0, 18000.0)))]
+        self.write(s.text(), f"{name}/sheets.k")
+        points = "".join(",".join(f"{a:.16g}" for a in turned(p)) + ",5.0\n" for p in ((34.0, 7.0, 1.0), (47.0, 16.0, 1.0)))
+        self.write("x, y, z, diameter\n" + points, f"{name}/points.csv")
+        self.nugget("weld", f"{name}/points.csv", f"{name}/sheets.k", "-o", f"{name}/joined.k", "--as", "beam", "--material", "sigy=60")
+        self.nugget("run", f"{name}/joined.k", "-o", f"{name}/out", "-j1", "--quiet")
+        found = lsda.read(self.folder / name / "out" / "binout0000")
+        energies = [state[q][0] for state in lsda.states(found, "glstat") for q in ("kinetic_energy", "internal_energy")]
+        forces = [f for state in lsda.states(found, "swforc") for q in ("axial", "shear") for f in state[q]]
+        return energies, forces
+
+    def test_welds_placed_on_turned_sheets(self):
+        """Sabotage: placed beams without a direction across them."""
+        c, s = math.cos(math.radians(30.0)), math.sin(math.radians(30.0))
+        drawn = self.run_placed("drawn", ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+        for name, turn in (("about the welds", ((c, -s, 0), (s, c, 0), (0, 0, 1))), ("askew", ((c, -s * s, s * c), (s, c * s, -c * c), (0, c, s)))):
+            other = self.run_placed(name.replace(" ", "_"), turn)
+            for a, b in zip(drawn, other):  # a list is not written with all digits, nor are its welds
+                self.assertLess(max(abs(x - y) for x, y in zip(a, b)), 1e-5 * max(map(abs, a)), name)
 
     def brick_lap(self, name, first, exchanged, weld):
         """The same sheets, warped, on one brick: its first corner, and whether it begins on the upper sheet."""

@@ -125,13 +125,24 @@ class PlacementWriter {
     for (const SpotSheet& s : spot.sheets) sheet_parts_.insert(model_.parts[s.part].id);
   }
 
+  /// Across the axis of the spot, along the mesh of the first sheet.
+  static Vec3d along_mesh(const Spot& spot) {
+    const Vec3d& along = spot.sheets.front().along;
+    const Vec3d s = along - dot(along, spot.axis) * spot.axis;
+    const double length = norm(s);
+    return length > 1e-6 * norm(along) ? (1.0 / length) * s : spot.sheets.front().normal;  // the axis lies in the sheet
+  }
+
+  /// Their sections lie along the mesh too: without a direction the global axes say where the points of a beam lie.
   void add_beams(const Spot& spot) {
     const int part = weld_part(spot);
     use_sheets(spot);
+    const Vec3d s = along_mesh(spot);
     int below = add_node(spot.sheets.front().point);
     for (std::size_t i = 1; i < spot.sheets.size(); ++i) {
       const int above = add_node(spot.sheets[i].point);
-      append(elements_, "{:8d}{:8d}{:8d}{:8d}{:8d}\n", ++element_, part, below, above, 0);
+      append(elements_, "{:8d}{:8d}{:8d}{:8d}{:8d}\n{}{}{}\n", ++element_, part, below, above, 0, real_field(s.x),
+             real_field(s.y), real_field(s.z));
       ++count_;
       below = above;
     }
@@ -170,10 +181,7 @@ class PlacementWriter {
   /// The points of a section on one sheet, or nothing where the sheet ends before one of them. The section lies along
   /// the mesh of the first sheet, so that a model that is turned has the same welds.
   std::vector<Vec3d> on_sheet(const Spot& spot, const SpotSheet& sheet, const model::WeldSection& section) const {
-    Vec3d s = spot.sheets.front().along;
-    s = s - dot(s, spot.axis) * spot.axis;
-    s = (1.0 / norm(s)) * s;
-    const Vec3d t = cross(spot.axis, s);
+    const Vec3d s = along_mesh(spot), t = cross(spot.axis, s);
     std::vector<Vec3d> points;
     for (const auto& [a, b] : section.point) {
       const auto foot = sheets_.closest(sheet.point + a * s + b * t, sheet.part, spot.diameter);
@@ -404,7 +412,8 @@ class PlacementWriter {
   std::string mesh() const {
     return "*NODE\n$#   nid               x               y               z\n" + nodes_ +
            (elements_.empty()         ? ""
-            : form_ == WeldForm::beam ? "*ELEMENT_BEAM\n$#   eid     pid      n1      n2      n3\n"
+            : form_ == WeldForm::beam ? "*ELEMENT_BEAM_ORIENTATION\n$#   eid     pid      n1      n2      n3\n"
+                                        "$#      vx        vy        vz\n"
                                       : brick_header) +
            elements_ + "*END\n";
   }
