@@ -5,10 +5,27 @@
 
 namespace nugget::weld {
 
+namespace {
+
+/// Without what a reader of numbers does not need: 2.017e9 for 2.017e+09, .25 for 0.25.
+std::string shortest(std::string text) {
+  if (const std::size_t e = text.find('e'); e != std::string::npos) {
+    const bool small = text[e + 1] == '-';
+    text = text.substr(0, e) + (small ? "e-" : "e") + text.substr(text.find_first_not_of("+-0", e + 1));
+  }
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  if (text.compare(first, 2, "0.") == 0) text.erase(first, 1);
+  return text;
+}
+
+}  // namespace
+
 std::string real_field(double value) {
   std::string text;
-  for (int digits = 8; digits > 1; --digits)
+  for (int digits = 8; digits > 1; --digits) {
     if (text = fmt::format("{:.{}g}", value, digits); text.size() < 10) break;
+    if (text = shortest(text); text.size() < 10) break;
+  }
   return fmt::format("{:>10}", text);
 }
 

@@ -14,6 +14,7 @@
 
 #include "model/weld_section.hpp"
 #include "unit/weld/assembly.hpp"
+#include "weld/placement/deck_text.hpp"
 #include "weld/placement/placement_deck.hpp"
 
 namespace nugget::weld {
@@ -358,6 +359,21 @@ TEST(SpotList, XmcfSpotsInTheUnitsOfTheModel) {
   EXPECT_EQ(list.points[0].place.line, 6);
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(list.points[1 + k].x.x, 0.005 + 0.03 * k, 1e-15);
   EXPECT_THAT(text(list.findings), HasSubstr(":7: warning: <rivet>: 1 connection of this kind, the first here"));
+}
+
+/// Sabotage: an exponent with its sign and zero, which leaves four digits. A stiffness in N/m then changed the energies
+/// of two welds by 2e-3.
+TEST(PlacementDeck, FieldsKeepDigitsInAnyUnits) {
+  for (int power = -12; power <= 14; ++power)
+    for (const double mantissa : {2.0174411043, -7.7593886519, 9.9999976, 1.0}) {
+      const double value = mantissa * std::pow(10.0, power);
+      const std::string field = real_field(value);
+      EXPECT_EQ(field.size(), 10u) << field;
+      EXPECT_EQ(field.front(), ' ') << field;
+      EXPECT_NEAR(std::stod(field) / value, 1.0, mantissa < 0.0 || power < -9 ? 3e-4 : 3e-5) << field;
+    }
+  EXPECT_EQ(real_field(7.85e-09), "  7.85e-09");
+  EXPECT_EQ(real_field(0.0), "         0");
 }
 
 TEST(SpotList, XmcfThatIsNotSound) {
