@@ -2,6 +2,7 @@
 #include "system/block_group.hpp"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -383,8 +384,11 @@ void BlockGroup<N>::damp(std::size_t b, Motion motion, double dt, Slots& slots) 
   Forces out;
   small_cycle(false, motion, no_step, scratch.data(), out);
 
-  R step;
-  for (int l = 0; l < width; ++l) set_lane(step, l, step_[b * width + at(l)]);
+  R step;  // 0 of what has no stiffness
+  for (int l = 0; l < width; ++l) {
+    const double own = step_[b * width + at(l)];
+    set_lane(step, l, own < std::numeric_limits<double>::infinity() ? own : 0.0);
+  }
   const R beta = R(1.0 / no_step) * (damping_time > 0.0 ? R(damping_time) : R(damping_share) * step);
   const auto alive = R(0.0) < alive_field;
   const auto damping = [&](const Vec3<R>& f) {

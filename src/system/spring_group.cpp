@@ -207,7 +207,7 @@ void SpringGroup::damp(std::size_t e, const State& state, Slots& slots) const {
   const Rows& of = rotational ? state.w : state.v;
   const Entry& s = springs_[e];
   Vec3d pull{};
-  if (s.alive && !s.cancelled) {
+  if (s.alive && !s.cancelled && std::isfinite(s.step)) {  // not before its bound is known, nor where all is held
     const Vec3d second = s.node[1] < 0 ? Vec3d{} : vec(of[s.node[1]]);
     const double k = s.source->scale * law_.initial_stiffness();
     pull = (damping_time_at(s.step) * k * dot(second - vec(of[s.node[0]]), s.line)) * s.line;

@@ -351,6 +351,43 @@ TEST(Damping, ByStiffnessLeavesRigidMotionAlone) {
                    1e-3, 1.0);
 }
 
+// Of an oscillator the share is the whole damping. A spring between held nodes and a discrete beam without a curve have
+// no step that it could be a share of. Sabotage: COEF times that step, which is infinite: the run diverged at cycle 1.
+TEST(Damping, ByStiffnessOfSpringsHasItsShare) {
+  constexpr double share = 0.05, stiffness = 100.0, mass = 1e-3;
+  Specimen specimen;
+  specimen.card("SECTION_DISCRETE", {1, 0})
+      .text("\n")
+      .card("MAT_SPRING_ELASTIC", {1, stiffness})
+      .part(1, 1, 1)
+      .card("MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM", {2, 1e-9})
+      .text("\n\n")
+      .card("SECTION_BEAM", {2, 6, 1, 0, 0, 2})
+      .text(fields({1.0, 1e-3}))
+      .part(2, 2, 2);
+  const int held = specimen.node({0, 0, 0}), moved = specimen.mass_point({10, 0, 0}, mass),
+            other = specimen.node({0, 20, 0}), apart = specimen.node({0, 40, 0}), last = specimen.node({0, 50, 0});
+  specimen.text(fmt::format("*ELEMENT_DISCRETE\n1,1,{},{},0,1.0\n2,1,{},{},0,1.0\n*ELEMENT_BEAM\n3,2,{},{}\n", held,
+                            moved, held, other, apart, last));
+  specimen.node_set(1, {held, other, apart, last})
+      .card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1})
+      .card("BOUNDARY_SPC_NODE", {1.0 * moved, 0, 0, 1, 1, 1, 1, 1})
+      .card("INITIAL_VELOCITY_NODE", {1.0 * moved, 100.0})
+      .card("DAMPING_PART_STIFFNESS", {1, share})
+      .card("DAMPING_PART_STIFFNESS", {2, share})
+      .card("CONTROL_TIMESTEP", {0, 0.05})
+      .card("CONTROL_TERMINATION", {0.25});
+  Experiment experiment(specimen.deck());
+  std::vector<double> time, value;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    time.push_back(now.state.time);
+    value.push_back(experiment.displacement(now, moved).x);
+  });
+  const Decay decay(time, value);
+  EXPECT_NEAR(decay.share, share, 0.01 * share);
+  EXPECT_NEAR(decay.omega, std::sqrt((1.0 - share * share) * stiffness / mass), 1.0);
+}
+
 // A rigid block slows down as exp(-D t) in the directions that are scaled, and spins down alike.
 TEST(Damping, OfRigidBodies) {
   constexpr double d = 50.0, time = 0.02;
