@@ -83,6 +83,23 @@ class Loads(MassesTest):
             self.nugget("run", "model.k", "-o", "out", "--quiet")
             self.assert_near(self.nodout()[-1][2001][3:], [0.0, 0.0, -10.0 * END], 1e-5)
 
+    def test_masses_at_the_nodes_of_parts_weigh_with_them(self):
+        """Of the box, at a corner and beside it on a node that it takes along, and of the cube. Sabotage: elements alone weigh, and the box with
+        its masses fell with 0.8 of the acceleration. A mass that belongs to no part stays, and so do the masses of parts that are not named."""
+        for parts in ((50,), (900,), (50, 900)):
+            sets = "*SET_PART_LIST\n" + card(5) + card(*parts)
+            more = nodes([(9, 1, 0.5)], 3001) + "*CONSTRAINED_EXTRA_NODES_NODE\n" + card(50, 3001)
+            more += "*ELEMENT_MASS\n" + "".join(f"{n:8}{n:8}{1.0:16}\n" for n in (2003, 3001, 1002)) + "*DATABASE_MATSUM\n" + card(0.02, 1)
+            for cards in ("".join("*LOAD_GRAVITY_PART\n" + card(part_id, 3, 0, 10.0) for part_id in parts),
+                          sets + "*LOAD_BODY_PARTS\n" + card(5) + "*LOAD_BODY_Z\n" + card(1, 10.0),
+                          sets + "*LOAD_BODY_GENERALIZED_SET_PART\n" + card(5, 0, 1) + card(0.0, 0.0, 10.0)):
+                self.write(masses([(0, 0, 0)], more + cards, box=True))
+                self.nugget("run", "model.k", "-o", "out", "--quiet")
+                last = self.glstat("out/glstat")[-1]
+                falling = (8.0 + 2.0) * (50 in parts) + (1.0 + 1.0) * (900 in parts)
+                self.assertAlmostEqual(last["external work"], 0.5 * falling * (10.0 * END) ** 2, delta=2e-3 * falling)
+                self.assert_near(self.nodout()[-1][1][3:], [0.0, 0.0, 0.0], 1e-12)
+
     def test_a_follower_needs_three_nodes_that_span_a_plane(self):
         self.write(masses([(0, 0, 0), (1, 0, 0), (2, 0, 0)], "*LOAD_NODE_POINT\n" + card(1, 4, 1, 3.0, 0, 1, 2, 3)))
         told = self.nugget("check", "model.k", expect=1).stderr

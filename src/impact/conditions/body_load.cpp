@@ -148,10 +148,38 @@ void ActingLoad<model::BodyLoad>::load_parts() {
     const system::RigidBody& rigid = system_.bodies[system_.body_of[source]];
     if (mesh.wanted > 0.0) mass[rigid.node] += mesh.wanted / mesh.all * rigid.mass;
   }
+  add_points(mass);
   for (const auto& [node, m] : mass) {
+    if (!(m > 0.0)) continue;
     nodes_.push_back(node);
     mass_.push_back(m);
   }
+}
+
+/// Masses and inertias at the nodes of the parts weigh with them; at other nodes of a rigid body where all of its parts
+/// do. What a body of given mass weighs is known.
+void ActingLoad<model::BodyLoad>::add_points(std::map<int, double>& mass) const {
+  const model::Model& model = system_.model;
+  std::vector<char> weighs(system_.nodes, 0);
+  for (const auto& [node, m] : mass)
+    if (at(node) < system_.nodes) weighs[at(node)] = 1;
+  std::vector<int> parts_of_body(model.rigid_bodies.size(), 0);
+  for (const model::Part& part : model.parts)
+    if (part.rigid_body != model::none) ++parts_of_body[at(part.rigid_body)];
+  std::vector<int> loaded(parts_of_body.size(), 0);
+  for (const model::Index p : load_.parts)
+    if (const model::Index body = model.parts[p].rigid_body; body != model::none) ++loaded[at(body)];
+  for (std::size_t b = 0; b < loaded.size(); ++b) {
+    const model::RigidBody& body = model.rigid_bodies[b];
+    const bool whole = parts_of_body[b] > 0 && loaded[b] == parts_of_body[b];
+    if (!body.given && !whole) continue;
+    for (const model::Index n : body.nodes) weighs[at(system_.node_of[n])] = body.given ? 0 : 1;
+  }
+  const auto add = [&](const auto& point) {
+    if (const int node = system_.node_of[point.node]; weighs[at(node)] != 0) mass[node] += point.mass;
+  };
+  std::for_each(model.masses.begin(), model.masses.end(), add);
+  std::for_each(model.inertias.begin(), model.inertias.end(), add);
 }
 
 /// The nodes of a set with their own masses. A rigid body that is in the set as a whole weighs what it weighs: its

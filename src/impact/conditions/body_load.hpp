@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,7 @@ class ActingLoad<model::BodyLoad> {
   void load_nodes();
   void load_everything();
   void load_parts();
+  void add_points(std::map<int, double>& mass) const;
 
   const model::BodyLoad& load_;
   const system::System& system_;
