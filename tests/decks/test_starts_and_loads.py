@@ -113,6 +113,21 @@ class Loads(MassesTest):
         self.assertIn("*LOAD_NODE_SET dof = 5: 2 of 3 nodes (the first is 1) have no rotation", told)
         self.assertEqual(told.count("have no rotation"), 1)
 
+    def test_rotations_that_nodes_do_not_have_are_told(self):
+        """A rotation of nodes of bricks, a moment at an end of a spring. Sabotage: motions are not looked at, a spring turns its nodes."""
+        spring = "*SECTION_DISCRETE\n" + card(60, 0) + "\n*MAT_SPRING_ELASTIC\n" + card(60, 1.0) + part(60, 60, 60)
+        spring += f"*ELEMENT_DISCRETE\n{60:8}{60:8}{1:8}{2:8}\n*DAMPING_PART_MASS\n" + card(60, 1)
+        cards = "*SET_NODE_LIST\n" + card(3) + card(1001, 1002) + "*BOUNDARY_PRESCRIBED_MOTION_SET\n" + card(3, 5, 0, 1, 3.0)
+        self.write(masses([(0, 0, 0), (1, 0, 0)], spring + cards + "*LOAD_NODE_POINT\n" + card(1, 6, 1, 3.0)))
+        told = self.nugget("check", "model.k").stderr
+        self.assertIn("*BOUNDARY_PRESCRIBED_MOTION_SET dof = 5: 2 of 2 nodes (the first is 1001) have no rotation: the motion has no effect there", told)
+        self.assertIn("*LOAD_NODE_POINT dof = 6: 1 of 1 nodes (the first is 1) have no rotation: the moment has no effect there", told)
+        self.assertIn("*DAMPING_PART_MASS pid = 60: part 60 is of springs or dampers, which have no mass: this does not damp it", told)
+        turning = spring.replace(card(60, 0), card(60, 1))
+        self.write(masses([(0, 0, 0), (1, 0, 0)], turning + "*LOAD_NODE_POINT\n" + card(1, 6, 1, 3.0) + "*ELEMENT_INERTIA\n"
+                          + "".join(f"{n + 70:8}{n:8}\n" + card(1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0) for n in (1, 2))))
+        self.assertNotIn("have no rotation", self.nugget("check", "model.k").stderr)
+
 
     def test_a_curve_over_the_displacement_is_refused(self):
         """LCID below 0 was read as its size: the force over time."""

@@ -10,6 +10,7 @@
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
+#include "reading/cards/turning_nodes.hpp"
 
 namespace nugget::reading {
 namespace {
@@ -385,6 +386,12 @@ void read_motion(Builder& builder, const Block& block, const Options& options) {
         motion.nodes = nodes_of<set>(b, row[&PrescribedMotionCard::target]);
         leave_out_rigid(b, row[&PrescribedMotionCard::target], Severity::error, motion.nodes,
                         "use *BOUNDARY_PRESCRIBED_MOTION_RIGID");
+        if (motion.rotation)
+          b.defer(Phase::checks, [row, nodes = motion.nodes](Builder& all) {
+            warn_of_no_rotation(all, row[&PrescribedMotionCard::dof], nodes, nodes_that_turn(all),
+                                "the motion has no effect there",
+                                "drive them around an axis by dof 9, 10 or 11, or as a *CONSTRAINED_NODAL_RIGID_BODY");
+          });
       } else {
         resolve_body(b, row, motion);
       }

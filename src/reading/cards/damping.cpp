@@ -156,6 +156,15 @@ std::vector<Index> parts_of(Builder& builder, const deck::Entry& field) {
   }
 }
 
+/// Damping by mass takes the mass of elements: springs and dampers have none.
+void warn_of_no_mass(Builder& b, const deck::Entry& field, const std::vector<Index>& parts) {
+  for (const Index part : parts)
+    if (const Part& p = b.model.parts[part]; p.kind == ElementKind::discrete)
+      field.report(b.findings, Severity::warning,
+                   fmt::format("part {} is of springs or dampers, which have no mass: this does not damp it", p.id),
+                   "give them a damper of their own, as *MAT_S02");
+}
+
 template <bool set>
 void read_part_mass(Builder& builder, const Block& block, const Options&) {
   Cursor cursor(builder.deck, block, builder.findings);
@@ -166,7 +175,9 @@ void read_part_mass(Builder& builder, const Block& block, const Options&) {
     builder.defer(Phase::conditions, [row, damping](Builder& b) mutable {
       damping.curve = b.curve(row[&MassDampingCard::lcid]);
       damping.factor = row->sf;
-      for (const Index part : parts_of<set>(b, row[&MassDampingCard::target])) {
+      const std::vector<Index> parts = parts_of<set>(b, row[&MassDampingCard::target]);
+      warn_of_no_mass(b, row[&MassDampingCard::target], parts);
+      for (const Index part : parts) {
         damping.part = part;
         b.model.damping.mass.push_back(damping);
       }
@@ -242,7 +253,10 @@ void read_range(Builder& builder, const Block& block, const Options& options) {
     builder.defer(Phase::conditions, [row, deform](Builder& b) {
       FrequencyRangeDamping damping{row->cdamp, row->flow, row->fhigh, row->psid == 0, {}, none, deform};
       if (const auto* parts = b.part_set(row[&RangeCard::psid])) damping.parts = parts->members;
-      if (deform) damping.parts = deformed_parts(b, row, damping.parts);
+      if (deform)
+        damping.parts = deformed_parts(b, row, damping.parts);
+      else
+        warn_of_no_mass(b, row[&RangeCard::psid], damping.parts);
       if (row->pidrel != 0 && !deform) damping.relative_to = find_body(b, row[&RangeCard::pidrel]);
       if (damping.share > 0.0) b.model.damping.range.push_back(std::move(damping));
     });
@@ -257,6 +271,7 @@ void read_relative(Builder& builder, const Block& block, const Options&) {
       RelativeDamping damping{row->cdamp, row->freq, find_body(b, row[&RelativeCard::pidrb]),
                               {},         row->dv2,  b.curve(row[&RelativeCard::lcid])};
       if (const auto* parts = b.part_set(row[&RelativeCard::psid])) damping.parts = parts->members;
+      warn_of_no_mass(b, row[&RelativeCard::psid], damping.parts);
       if (damping.rigid_body != none) b.model.damping.relative.push_back(std::move(damping));
     });
   }

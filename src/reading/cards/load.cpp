@@ -11,6 +11,7 @@
 #include "reading/bodies/rigid_bodies.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/families.hpp"
+#include "reading/cards/turning_nodes.hpp"
 
 namespace nugget::reading {
 namespace {
@@ -65,46 +66,6 @@ void resolve_follower(Builder& builder, const RowOf<ForceCard>& row, NodalLoad& 
            "name three nodes that span a plane");
 }
 
-/// Nodes that can turn: of shells, beams, springs, rigid bodies, bricks with rotations, and those with an inertia.
-std::vector<char> nodes_that_turn(const Builder& b) {
-  const Model& m = b.model;
-  std::vector<char> turns(m.nodes.size(), 0);
-  const auto take = [&](Index n) {
-    if (n != none) turns[n] = 1;
-  };
-  for (std::size_t n = 0; n < turns.size(); ++n)
-    if (b.body_of_node[n] != none) turns[n] = 1;
-  for (std::size_t e = 0; e < m.shells.size(); ++e)
-    for (const Index n : m.shells.nodes(e)) take(n);
-  for (std::size_t e = 0; e < m.beams.size(); ++e)
-    for (const Index n : m.beams.nodes(e)) take(n);
-  for (std::size_t e = 0; e < m.solids.size(); ++e) {
-    const Index section = m.solids.part[e] == none ? none : m.parts[m.solids.part[e]].section;
-    if (section != none && m.solid_sections[section].elform == 4)
-      for (const Index n : m.solids.nodes(e)) take(n);
-  }
-  for (const Discrete& d : m.discretes)
-    for (const Index n : d.node) take(n);
-  for (const PointInertia& inertia : m.inertias) take(inertia.node);
-  for (const Interpolation& i : m.interpolations)
-    if (i.rotations) take(i.node);
-  return turns;
-}
-
-/// A moment on a node of bricks alone finds no rotation to act on.
-void warn_of_lost_moments(Builder& b, const RowOf<ForceCard>& row, const std::vector<Index>& nodes,
-                          const std::vector<char>& turns) {
-  const auto stands = [&](Index n) { return turns[n] == 0; };
-  const auto count = std::count_if(nodes.begin(), nodes.end(), stands);
-  if (count == 0) return;
-  const int first = b.model.nodes.id[*std::find_if(nodes.begin(), nodes.end(), stands)];
-  row[&ForceCard::dof].report(
-      b.findings, Severity::warning,
-      fmt::format("{} of {} nodes (the first is {}) have no rotation: the moment has no effect there", count,
-                  nodes.size(), first),
-      "give the moment as forces, or put it on a *CONSTRAINED_NODAL_RIGID_BODY of nodes around");
-}
-
 void resolve_fixed_direction(Builder& builder, const RowOf<ForceCard>& row, NodalLoad& load) {
   const int axis = (row->dof - 1) % 4;
   load.direction = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
@@ -149,7 +110,9 @@ void read_force(Builder& builder, const Block& block, const Options&) {
       if (load.moment)
         b.defer(Phase::checks, [row, turns, nodes = load.nodes](Builder& all) {
           if (turns->empty()) *turns = nodes_that_turn(all);
-          warn_of_lost_moments(all, row, nodes, *turns);
+          warn_of_no_rotation(
+              all, row[&ForceCard::dof], nodes, *turns, "the moment has no effect there",
+              "give the moment as forces, or put it on a *CONSTRAINED_NODAL_RIGID_BODY of nodes around");
         });
       b.model.nodal_loads.push_back(std::move(load));
     });
