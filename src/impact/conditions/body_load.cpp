@@ -14,6 +14,7 @@ ActingLoad<model::BodyLoad>::ActingLoad(const model::BodyLoad& load, const syste
     : load_(load),
       system_(system),
       last_force_(load.centrifugal ? system.all_nodes() : 0),
+      last_moment_(last_force_.size()),
       work_of_node_(system.all_nodes()) {
   update_masses();
 }
@@ -237,7 +238,21 @@ void ActingLoad<model::BodyLoad>::apply_centrifugal(system::State& state, double
     work_of_node_[k] += 0.5 * dt * dot(last_force_[k] + force, vec(state.v[k]));
     add(state.f[k], force);
     last_force_[k] = force;
+    if (k >= system_.nodes) apply_to_body(k, mass_[i], dt, omega, state);
   }
+}
+
+/// What the force on all points of a body amounts to about its centre, w^2 (J n) x n for the axis n: a body that lies
+/// askew to the axis turns away from it.
+void ActingLoad<model::BodyLoad>::apply_to_body(std::size_t k, double mass, double dt, double omega,
+                                                system::State& state) {
+  const system::RigidBody& body = system_.bodies[k - system_.nodes];
+  if (!(body.mass > 0.0)) return;
+  const Vec3d& axis = load_.direction;
+  const Vec3d moment = (mass / body.mass * omega * omega) * cross(body.momentum(axis, body.axes), axis);
+  work_of_node_[k] += 0.5 * dt * dot(last_moment_[k] + moment, vec(state.w[k]));
+  add(state.m[k], moment);
+  last_moment_[k] = moment;
 }
 
 double ActingLoad<model::BodyLoad>::work() const {
@@ -249,12 +264,14 @@ void ActingLoad<model::BodyLoad>::carry(system::Carried what, const system::Syst
   if (what == system::Carried::histories) return;
   for (const int k : of.share.reported_by(of.rank)) {
     parcel(&work_of_node_[k], 1);
-    if (what == system::Carried::restart && !last_force_.empty()) parcel(&last_force_[k], 1);
+    if (what != system::Carried::restart || last_force_.empty()) continue;
+    parcel(&last_force_[k], 1);
+    parcel(&last_moment_[k], 1);
   }
 }
 
 void ActingLoad<model::BodyLoad>::archive(Archive& a) {
-  a(last_, last_force_, work_of_node_, nodes_, mass_);
+  a(last_, last_force_, last_moment_, work_of_node_, nodes_, mass_);
   a.built(load_, system_, of_elements_, handed_over_);
 }
 

@@ -28,6 +28,7 @@ class ActingLoad<model::BodyLoad> {
  private:
   double motion(const system::State& state) const;
   void apply_centrifugal(system::State& state, double dt, double omega);
+  void apply_to_body(std::size_t k, double mass, double dt, double omega, system::State& state);
   /// By node what mass scaling added and EMSCL leaves without weight [mass].
   class Weightless {
    public:
@@ -58,6 +59,7 @@ class ActingLoad<model::BodyLoad> {
   std::vector<double> mass_;          ///< of `nodes_` [mass]
   double last_ = 0.0;                 ///< acceleration of the last cycle [length/time^2]
   std::vector<Vec3d> last_force_;     ///< by node of the system, of a centrifugal load [force]
+  std::vector<Vec3d> last_moment_;    ///< the same on rigid bodies, about their centres [force length]
   std::vector<double> work_of_node_;  ///< so far [energy]
   Weightless of_elements_, handed_over_;
 };
