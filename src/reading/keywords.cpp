@@ -32,6 +32,8 @@ std::vector<Keyword> all_families() {
            plastic_material_keywords,
            johnson_cook_keywords,
            modified_johnson_cook_keywords,
+           tabulated_johnson_cook_keywords,
+           laminated_fabric_keywords,
            viscoplastic_material_keywords,
            equation_of_state_keywords,
            erosion_keywords,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plates of fibres at angles, of MAT_022, 054 and 055, struck so that plies crack, fibres tear and shells go: the same bits with any number of
+"""Plates of fibres at angles, of MAT_022, 054, 055 and 058, struck so that plies crack, fibres tear and shells go: the same bits with any number of
 threads and lanes and across a restart, and energies that close."""
 import unittest
 
@@ -10,7 +10,10 @@ ELASTIC = "{},1.52e-9,127e3,8.41e3,8.41e3,0.0205,0.0205,0.3\n4.21e3,4.21e3,4.21e
 LAWS = (("*MAT_022\n" + ELASTIC.format(1, 0) + "\n\n154.0,2200.0,48.9,199.0,1e-9\n"),
         ("*MAT_054\n" + ELASTIC.format(2, 2) + ",,,1.0\n,,,0,1.0,,0.05,0.06\n1e-9,1e-9,0.8,0.5,1.5,0.02,-0.015,0.2\n"
          "1470.0,2200.0,199.0,48.9,154.0,54,0.3\n\n0.1,0.4,0.3,0.5,0.6,30\n"),
-        ("*MAT_055\n" + ELASTIC.format(3, 3) + "\n0,1.0,0\n\n1470.0,2200.0,199.0,48.9,154.0,55\n"))
+        ("*MAT_055\n" + ELASTIC.format(3, 3) + "\n0,1.0,0\n\n1470.0,2200.0,199.0,48.9,154.0,55\n"),
+        *("*MAT_058\n{},1.52e-9,127e3,8.41e3,8.41e3,0.0205,{}\n4.21e3,4.21e3,4.21e3,0.05,0.6,0.05,0.6,0.8\n{},0,0.1,1,{}\n,,,1\n,,,0,1\n"
+          "0.015,0.02,0.03,0.008,0.08\n1470.0,2200.0,199.0,48.9,100.0\n".format(4 + k, "40.0,0.012" if fs < 0 else "0,0", "2.0" if fs else "0", fs)
+          for k, fs in enumerate((-1, 0, 1))))
 FORMULATIONS = (2, 16, 17)
 
 
@@ -76,6 +79,37 @@ class Composites(RepeatedRuns):
         for first, strength in ((0, 0.6 * 2200.0), (layers, 2200.0)):
             self.assertAlmostEqual(max(max(row[first:first + layers]) for row in stress), strength, delta=0.005 * strength)
 
+    def test_each_strength_is_reached(self):
+        """MAT_058: squares pulled, pressed and sheared, along a and across, of two formulations and with each surface: the greatest stress is the strength, and
+        in the end what SLIM leaves of it. Sabotage: XC read for XT; E11T without effect; SLIMT1 for SLIMC1."""
+        strengths = (2200.0, 1470.0, 60.0, 199.0, 100.0)
+        for elform in (2, 16):
+            for fs in (-1, 0, 1):
+                law = ("*MAT_058\n{},1.52e-9,127e3,8.41e3,8.41e3,0,0,0\n4.21e3,4.21e3,4.21e3,0.1,0.5,0.2,0.6,0.7\n0,0,0,1,{}\n\n,,,,,,{}\n"
+                       "0.015,0.02,0.03,0.01,0.03\n1470.0,2200.0,199.0,60.0,100.0")
+                cards = ["*KEYWORD", "*CONTROL_TERMINATION", "1e-3", law.format(1, fs, 0), law.format(2, fs, 90), "*DEFINE_CURVE\n9\n0,1\n1,1",
+                         f"*SECTION_SHELL\n1,{elform},,3\n1,1,1,1", "*PART\np\n1,1,1", "*PART\nq\n2,1,2", "*DATABASE_HISTORY_SHELL\n1,2,3,4,5", "*DATABASE_ELOUT\n2e-6,2"]
+                nodes, elements = [], []
+                for e, speed in enumerate((600.0, -600.0, 600.0, -600.0, 1200.0), 1):
+                    first, sheared = len(nodes) + 1, e == 5
+                    for a, b in ((0, 0), (10, 0), (10, 10), (0, 10)):
+                        nodes.append((len(nodes) + 1, 20 * e + a, b, 0))
+                        cards.append(f"*BOUNDARY_SPC_NODE\n{len(nodes)},0,{int(a == 0 and not sheared)},{int(sheared)},1,1,1,1")
+                        if sheared:
+                            cards.append(f"*BOUNDARY_PRESCRIBED_MOTION_NODE\n{len(nodes)},1,0,9,{speed if b else 0.0}")
+                        elif a:
+                            cards.append(f"*BOUNDARY_PRESCRIBED_MOTION_NODE\n{len(nodes)},1,0,9,{speed}")
+                    elements.append((e, 2 if e in (3, 4) else 1, *range(first, first + 4)))
+                cards += ["*NODE", *(",".join(map(str, n)) for n in nodes), "*ELEMENT_SHELL", *(",".join(map(str, n)) for n in elements), "*END", ""]
+                self.write("\n".join(cards))
+                self.nugget("run", "model.k", "-o", "run", "--quiet")
+                states = lsda.states(lsda.read(self.folder / "run" / "binout0000"), "elout/shell")
+                for e, (strength, left) in enumerate(zip(strengths, (0.1, 0.5, 0.2, 0.6, 0.7))):
+                    stress = [abs(state["sig_xy" if e == 4 else "sig_xx"][3 * e]) for state in states]
+                    self.assertAlmostEqual(max(stress), strength, delta=0.01 * strength, msg=(elform, fs, e))
+                    if e < 4:  # a sheared square turns
+                        self.assertAlmostEqual(stress[-1], left * strength, delta=0.02 * strength, msg=(elform, fs, e))
+
     def test_axes_of_a_coordinate_system(self):
         """Layers of a material whose axes a coordinate system gives, written before and behind it: as with the vectors of AOPT 2, whether the layers are
         those of *PART_COMPOSITE or the angles of a section. Sabotage: layers take the law before it has its axes, and lie along the sides of the shells."""
@@ -100,7 +134,7 @@ class Composites(RepeatedRuns):
 
     def test_modes_are_those_of_the_elastic_plate(self):
         found = []
-        for law in (LAWS[0], LAWS[1], "*MAT_002\n" + ELASTIC.format(1, 0) + "\n\n"):
+        for law in (LAWS[0], LAWS[1], LAWS[3].replace("\n4,", "\n1,", 1), "*MAT_002\n" + ELASTIC.format(1, 0) + "\n\n"):
             cards = ["*KEYWORD", "*CONTROL_IMPLICIT_GENERAL\n1,1.0", "*CONTROL_IMPLICIT_EIGENVALUE\n9", law.replace("\n2,", "\n1,", 1).removesuffix("\n"),
                      "*PART_COMPOSITE\nplate\n1,16", "1,0.3,0,0,1,0.3,45", "1,0.3,-45,0,1,0.3,90", "*NODE"]
             cards += [f"{1 + a + 7 * b},{10 * a},{10 * b},0" for b in range(7) for a in range(7)]
@@ -109,8 +143,8 @@ class Composites(RepeatedRuns):
             self.nugget("modes", "model.k", "-n", 9, "-o", "modes", "--quiet")
             found.append([mode["frequency_hz"] for mode in self.json("modes/summary.json")["modes"]][6:])
         self.assertEqual(len(found[0]), 3)
-        for own in found[:2]:
-            for value, elastic in zip(own, found[2]):
+        for own in found[:3]:
+            for value, elastic in zip(own, found[3]):
                 self.assertAlmostEqual(value / elastic, 1.0, delta=1e-9)
 
 

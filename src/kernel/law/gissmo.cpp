@@ -49,14 +49,15 @@ double Gissmo::grown(double root) const {
   return power(std::min(root, 1.0), growth);
 }
 
-Gissmo::Ends Gissmo::ends(double triaxiality, double lode, double size, double plastic_rate) const {
-  const double of_rate = rate_factor(plastic_rate);
-  return {fracture.at(lode, triaxiality) * mesh_factor(triaxiality, size) * of_rate,
+Gissmo::Ends Gissmo::ends(double triaxiality, double lode, double size, double plastic_rate, double heating) const {
+  const double of_rate = rate_factor(plastic_rate), of_heat = heat.empty() ? 1.0 : heat.clamped(heating);
+  return {fracture.at(lode, triaxiality) * mesh_factor(triaxiality, size) * of_rate * of_heat,
           instability.given() ? instability.at(lode, triaxiality) * (rate_of_instability ? of_rate : 1.0) : 1.0};
 }
 
 template <class R>
-R Gissmo::advance(const SolidTensor<R>& stress, const R& increment, MaskOf<R> carries, double dt, double* h) const {
+R Gissmo::advance(const SolidTensor<R>& stress, const R& increment, const R& heating, MaskOf<R> carries, double dt,
+                  double* h) const {
   const R size = load_field<R>(h, size_field);
   R damage = load_field<R>(h, damage_field), unstable = load_field<R>(h, instability_field),
     onset = load_field<R>(h, onset_field);
@@ -66,7 +67,8 @@ R Gissmo::advance(const SolidTensor<R>& stress, const R& increment, MaskOf<R> ca
     R to_fracture = R(1.0), to_instability = R(1.0);
     for (int l = 0; l < lanes<R>; ++l) {
       if (!(lane(increment, l) > 0.0)) continue;
-      const Ends of = ends(lane(state.triaxiality, l), lane(state.lode, l), lane(size, l), lane(increment, l) / dt);
+      const Ends of = ends(lane(state.triaxiality, l), lane(state.lode, l), lane(size, l), lane(increment, l) / dt,
+                           lane(heating, l));
       set_lane(to_fracture, l, of.fracture);
       set_lane(to_instability, l, of.instability);
     }
@@ -96,7 +98,7 @@ R Gissmo::advance(const SolidTensor<R>& stress, const R& increment, MaskOf<R> ca
   return select(damage >= 1.0, R(1.0), lost);
 }
 
-template NativeBatch Gissmo::advance(const SolidTensor<NativeBatch>&, const NativeBatch&, NativeBatch::Mask, double,
-                                     double*) const;
+template NativeBatch Gissmo::advance(const SolidTensor<NativeBatch>&, const NativeBatch&, const NativeBatch&,
+                                     NativeBatch::Mask, double, double*) const;
 
 }  // namespace nugget::kernel

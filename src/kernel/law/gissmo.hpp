@@ -29,6 +29,7 @@ struct Gissmo {
   Curve rate{};                      ///< LCSRS: factor on ef over the plastic strain rate; empty: 1
   bool log_rates = false;            ///< its abscissae are natural logarithms
   bool rate_of_instability = false;  ///< the factor is on ec too
+  Curve heat{};                      ///< LCH of MAT_224: factor on ef over the temperature rise; empty: 1
   bool weakens = true;               ///< DTYP: false: damage is summed and has no effect
 
   // History of a point: size of its element, D^(1/n), F^(1/n), Dc (0 until F is 1).
@@ -38,16 +39,17 @@ struct Gissmo {
   double grown(double root) const;
 
   /// Adds a step's plastic strain to the points that carry; the share of its stress that each has lost, 1 once it has
-  /// failed. `stress`: that of the undamaged points; `h`: their histories.
+  /// failed. `stress`: that of the undamaged points; `heating`: their temperature rise so far; `h`: their histories.
   template <class R>
-  R advance(const SolidTensor<R>& stress, const R& increment, MaskOf<R> carries, double dt, double* h) const;
+  R advance(const SolidTensor<R>& stress, const R& increment, const R& heating, MaskOf<R> carries, double dt,
+            double* h) const;
 
  private:
   /// ef and ec of a point.
   struct Ends {
     double fracture, instability;
   };
-  Ends ends(double triaxiality, double lode, double size, double plastic_rate) const;
+  Ends ends(double triaxiality, double lode, double size, double plastic_rate, double heating) const;
   double mesh_factor(double triaxiality, double size) const;
   double rate_factor(double plastic_rate) const;
 };

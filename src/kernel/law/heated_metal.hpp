@@ -6,20 +6,21 @@
 
 namespace nugget::kernel {
 
-/// A metal with isotropic hardening by a formula that plastic work may heat. History of a point: plastic strain and,
-/// where work heats it, its temperature rise, which ends at `melting_rise`.
-template <class Formula>
-class HeatedMetal : public J2<SmoothHardening<Formula>, false> {
-  using Base = J2<SmoothHardening<Formula>, false>;
+/// A metal with isotropic hardening that plastic work may heat. History of a point: plastic strain and, where work
+/// heats it, its temperature rise, which ends at `melting_rise`.
+template <class Hardening>
+class HeatedMetal : public J2<Hardening, false> {
+  using Base = J2<Hardening, false>;
 
  public:
   /// `heating`: rise of temperature a work [temperature/stress]; 0: none.
   template <class Law>
   HeatedMetal(const Law& law, double heating, double melting_rise)
-      : Base(law.E, law.nu, SmoothHardening<Formula>(law), 0.0), heating_(heating), melting_rise_(melting_rise) {}
+      : Base(law.E, law.nu, Hardening(law), 0.0), heating_(heating), melting_rise_(melting_rise) {}
 
   int layer_history() const { return heats() ? temperature_rise_field + 1 : Base::layer_history(); }
   int solid_history() const { return layer_history(); }
+  int fibre_history() const { return layer_history(); }
   bool heats() const { return heating_ > 0.0; }
   int temperature_field() const { return heats() ? temperature_rise_field : 0; }
 
@@ -39,6 +40,12 @@ class HeatedMetal : public J2<SmoothHardening<Formula>, false> {
     if (!heats()) return;
     const R xy = s.xx - s.yy, yz = s.yy - s.zz, zx = s.zz - s.xx;
     heat(sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s.xy * s.xy + s.yz * s.yz + s.zx * s.zx)), before, history);
+  }
+  template <class R>
+  void fibre(FibreTensor<R>& s, const FibreTensor<R>& rate, double dt, double* history) const {
+    const R before = load_field<R>(history, plastic_strain_field);
+    Base::fibre(s, rate, dt, history);
+    if (heats()) heat(sqrt(s.rr * s.rr + 3.0 * (s.rs * s.rs + s.rt * s.rt)), before, history);
   }
 
  private:

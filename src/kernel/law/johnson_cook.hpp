@@ -60,7 +60,7 @@ class JohnsonCookFormula {
 };
 
 template <>
-class LawKernel<JohnsonCook> : public HeatedMetal<JohnsonCookFormula> {
+class LawKernel<JohnsonCook> : public HeatedMetal<SmoothHardening<JohnsonCookFormula>> {
  public:
   explicit LawKernel(const JohnsonCook& law) : HeatedMetal(law, law.heating, law.melting_rise) {}
 };

@@ -12,12 +12,14 @@
 #include "kernel/law/foam.hpp"
 #include "kernel/law/honeycomb.hpp"
 #include "kernel/law/johnson_cook.hpp"
+#include "kernel/law/laminated_fabric.hpp"
 #include "kernel/law/modified_johnson_cook.hpp"
 #include "kernel/law/orthotropic.hpp"
 #include "kernel/law/piecewise_linear_kernel.hpp"
 #include "kernel/law/plastic_kinematic_kernel.hpp"
 #include "kernel/law/power_law.hpp"
 #include "kernel/law/rubber.hpp"
+#include "kernel/law/tabulated_johnson_cook.hpp"
 #include "kernel/law/tabulated_rubber.hpp"
 #include "kernel/law/viscoelastic.hpp"
 #include "kernel/law/viscoplastic.hpp"
@@ -33,6 +35,7 @@ using Flow = std::variant<  //
     PiecewiseLinear,        //
     ModifiedJohnsonCook,    //
     JohnsonCook,            //
+    TabulatedJohnsonCook,   //
     PowerLaw,               //
     Viscoplastic,           //
     CompressionTension,     //
@@ -48,6 +51,7 @@ using Flow = std::variant<  //
     RateFoam,               //
     Orthotropic,            //
     CompositeLayer,         //
+    LaminatedFabric,        //
     Fabric,                 //
     WovenFabric,            //
     AnisotropicSheet,       //

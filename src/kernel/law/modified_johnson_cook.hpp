@@ -65,7 +65,7 @@ class ModifiedJohnsonCookFormula {
 };
 
 template <>
-class LawKernel<ModifiedJohnsonCook> : public HeatedMetal<ModifiedJohnsonCookFormula> {
+class LawKernel<ModifiedJohnsonCook> : public HeatedMetal<SmoothHardening<ModifiedJohnsonCookFormula>> {
  public:
   explicit LawKernel(const ModifiedJohnsonCook& law) : HeatedMetal(law, law.heating, law.melting_rise) {}
 };

@@ -270,7 +270,7 @@ void PointFailure::advance(const PointStep<R>& step, double* history) const {
   if (gissmo_) {
     const R lost = load_field<R>(history, lost_field);
     double* damage = history + damaged_ * lanes<R>;
-    const R by_damage = gissmo_->advance(step.stress, step.plastic_increment, carries, step.dt, damage);
+    const R by_damage = gissmo_->advance(step.stress, step.plastic_increment, step.heating, carries, step.dt, damage);
     store_field(history, lost_field, select(carries, max(lost, by_damage), lost));
     if (gissmo_only_) return;
   }

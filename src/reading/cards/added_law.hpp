@@ -16,6 +16,10 @@ std::optional<kernel::LawComponents> components_of(const Law& law);
 /// Takes NUMFIP of a row into the law; an error where it differs from what another card has said, if one has.
 void take_points_to_delete(Builder& builder, const deck::Entry& numfip, kernel::LawComponents& law, bool said_before);
 
+/// The curve, or the table where one may stand, of this id, whose values must be above 0; not given and a finding where
+/// there is none. After Phase::curves.
+CurveTable positive_curves(Builder& builder, const deck::Entry& field, int id, bool may_be_table);
+
 /// Fields of GISSMO on the cards of two keywords.
 namespace gissmo_field {
 inline constexpr IntegerField lcsdg = id(

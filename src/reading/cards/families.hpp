@@ -43,6 +43,8 @@ std::vector<Keyword> friction_keywords();                ///< *DEFINE_FRICTION
 std::vector<Keyword> plastic_material_keywords();        ///< *MAT_... of metals beside 003 and 024
 std::vector<Keyword> johnson_cook_keywords();            ///< *MAT_... of Johnson and Cook
 std::vector<Keyword> modified_johnson_cook_keywords();   ///< *MAT_MODIFIED_JOHNSON_COOK
+std::vector<Keyword> tabulated_johnson_cook_keywords();  ///< *MAT_TABULATED_JOHNSON_COOK
+std::vector<Keyword> laminated_fabric_keywords();        ///< *MAT_LAMINATED_COMPOSITE_FABRIC
 std::vector<Keyword> viscoplastic_material_keywords();   ///< *MAT_ANISOTROPIC_VISCOPLASTIC
 std::vector<Keyword> weld_material_keywords();           ///< *MAT_SPOTWELD
 std::vector<Keyword> weld_table_keywords();              ///< the *DEFINE_ cards that belong to it

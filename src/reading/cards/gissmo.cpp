@@ -66,25 +66,6 @@ const CardOf<TubCard> tub_card{
                            "triaxiality from which on BIAXF has an effect")},
 };
 
-/// The curve, or the table where one may stand, of this id; not given and a finding where there is none.
-CurveTable curves_of(Builder& b, const deck::Entry& field, int id, bool may_be_table) {
-  CurveTable found;
-  if (const Index t = b.tables.find(id); t != none && may_be_table) found = b.table_with_curves(t);
-  if (const Index c = b.curves.find(id); c != none && !found.given()) found = {id, {0.0}, {b.model.curves[c]}};
-  if (!found.given()) {
-    refuse(b, field,
-           b.tables.find(id) != none ? "a table is not built here" : fmt::format("curve {} is not defined", id),
-           b.tables.find(id) != none ? "give a curve" : "define it");
-    return {};
-  }
-  for (const Curve& curve : found.curve)
-    if (std::any_of(curve.y.begin(), curve.y.end(), [](double y) { return !(y > 0.0); })) {
-      refuse(b, field, fmt::format("curve {} has values of 0 or below", curve.id), "give values above 0");
-      return {};
-    }
-  return found;
-}
-
 /// Strains at fracture of which none is one that sheet steel reaches. Single ones are: in compression decks write any
 /// large number.
 bool looks_like_percent(const CurveTable& fracture) {
@@ -96,7 +77,7 @@ bool looks_like_percent(const CurveTable& fracture) {
 /// The curves of a field whose value stands for itself from 0 on, and for an id below.
 CurveTable number_or_curves(Builder& b, const deck::Entry& field) {
   const double value = field.value;
-  return value < 0.0 ? curves_of(b, field, curve_below_zero(field.value), true)
+  return value < 0.0 ? positive_curves(b, field, curve_below_zero(field.value), true)
                      : CurveTable{0, {0.0}, {Curve{0, {0.0}, {value}}}};
 }
 
@@ -149,6 +130,24 @@ void read_gissmo(Builder& b, const Block& block, const Options& options) {
 
 }  // namespace
 
+CurveTable positive_curves(Builder& b, const deck::Entry& field, int id, bool may_be_table) {
+  CurveTable found;
+  if (const Index t = b.tables.find(id); t != none && may_be_table) found = b.table_with_curves(t);
+  if (const Index c = b.curves.find(id); c != none && !found.given()) found = {id, {0.0}, {b.model.curves[c]}};
+  if (!found.given()) {
+    refuse(b, field,
+           b.tables.find(id) != none ? "a table is not built here" : fmt::format("curve {} is not defined", id),
+           b.tables.find(id) != none ? "give a curve" : "define it");
+    return {};
+  }
+  for (const Curve& curve : found.curve)
+    if (std::any_of(curve.y.begin(), curve.y.end(), [](double y) { return !(y > 0.0); })) {
+      refuse(b, field, fmt::format("curve {} has values of 0 or below", curve.id), "give values above 0");
+      return {};
+    }
+  return found;
+}
+
 std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoEntries& entries, const kernel::Flow& flow) {
   const int errors = b.findings.errors();
   if (!has_plastic_strain(flow)) {
@@ -158,7 +157,7 @@ std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoEntries& entries, c
   }
   kernel::Gissmo g;
   if (entries.lcsdg.integer() > 0) {
-    g.fracture = curves_of(b, entries.lcsdg, entries.lcsdg.integer(), true);
+    g.fracture = positive_curves(b, entries.lcsdg, entries.lcsdg.integer(), true);
     if (looks_like_percent(g.fracture))
       entries.lcsdg.report(b.findings, Severity::warning, "no strain at fracture is below 3 (300 %): nothing will fail",
                            "give strains, not percentages");
@@ -171,14 +170,14 @@ std::optional<kernel::Gissmo> gissmo(Builder& b, const GissmoEntries& entries, c
   g.growth = entries.dmgexp.value;
   g.fading = number_or_curves(b, entries.fadexp);
   if (const int regularization = entries.lcregd.integer(); regularization != 0)
-    g.mesh = curves_of(b, entries.lcregd, std::abs(regularization), regularization < 0);
+    g.mesh = positive_curves(b, entries.lcregd, std::abs(regularization), regularization < 0);
   g.shear = share(b, entries.shrf);
   g.biaxial = share(b, entries.biaxf);
   if (!g.mesh.given() && (g.shear != 0.0 || g.biaxial != 0.0))
     (g.shear != 0.0 ? entries.shrf : entries.biaxf)
         .report(b.findings, Severity::warning, "has no effect without LCREGD", "give LCREGD");
   if (const int rate = entries.lcsrs.integer(); rate != 0) {
-    const CurveTable found = curves_of(b, entries.lcsrs, std::abs(rate), false);
+    const CurveTable found = positive_curves(b, entries.lcsrs, std::abs(rate), false);
     if (found.given()) g.rate = found.curve.front();
     g.log_rates = !g.rate.empty() && g.rate.x.front() < 0.0;
     g.rate_of_instability = rate > 0;

@@ -267,7 +267,8 @@ void check_beam_law(Builder& b, const Part& part, const deck::RowOf<PartCard>& r
              fmt::format("resultant beams (ELFORM 2) are elastic here, but the part has *{}", material.keyword),
              "write ELFORM 1 with the dimensions of the section");
     else if (const auto* compound = std::get_if<kernel::ComposedLaw>(&material.law);
-             compound && compound->components->gissmo)
+             compound && compound->components->gissmo &&
+             !std::holds_alternative<kernel::TabulatedJohnsonCook>(compound->components->flow))
       refuse(b, row[&PartCard::mid], "*MAT_ADD_DAMAGE_GISSMO is not built for beams",
              "take it away, or write *MAT_ADD_EROSION, or the failure strain of *MAT_003 or 024");
     else if (compound && compound->components->erosion && compound->components->erosion->thinning)

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""MAT_224 in shells and bricks, and MAT_058 in layers, thrown to and fro until some fail: the same bits with any number of threads, lanes and ranks and
+across a restart; the same energies turned, mirrored, far away, in other units and with other numbers."""
+import unittest
+
+import lsda
+from repeated_runs import RepeatedRuns
+from runs_over_ranks import RunsOverRanks
+from test_invariance import Cards, Case, included, oblique
+from under_mpirun import MPIRUN
+
+END = 2e-4
+
+
+def metal(cards, number):
+    """Tables over the rate and the temperature, failure over all that LCF to LCI have."""
+    c, add = cards.case, cards.add
+    for k, (low, high) in enumerate(((200, 300), (260, 360), (100, 180), (60, 100))):
+        add("DEFINE_CURVE", (100 + k,), (0, c.of(low, 1, -1, -2)), (0.3, c.of(high, 1, -1, -2)), (2, c.of(1.5 * high, 1, -1, -2)))
+    add("DEFINE_TABLE_2D", (104,), (c.of(10, 0, 0, -1), 100), (c.of(8000, 0, 0, -1), 101))
+    add("DEFINE_TABLE_2D", (105,), (293, 102), (493, 103))
+    for k, curve in enumerate((((-0.7, 0.06), (-0.2, 0.1), (0.5, 0.4)), ((-0.7, 0.08), (-0.2, 0.16), (0.5, 0.6)))):
+        add("DEFINE_CURVE", (106 + k,), *curve)
+    add("DEFINE_TABLE_2D", (108,), (-1, 106), (1, 107))
+    add("DEFINE_CURVE", (109,), (0, 1), (c.of(9000, 0, 0, -1), 0.8))
+    add("DEFINE_CURVE", (110,), (293, 1), (793, 2))
+    add("DEFINE_CURVE", (111,), (c.of(1, 0, 1), 1.4), (c.of(9, 0, 1), 0.7))
+    add("MAT_224", (number, c.of(2.7e-8, 1, -3), c.of(70000, 1, -1, -2), 0.33, c.of(9e8, 0, 2, -2), 293.0, 0.9, 2), (104, 105, 108, 109, 110, 111))
+
+
+def laminate(cards, number, surface):
+    c = cards.case
+
+    def stress(*values):
+        return [c.of(value, 1, -1, -2) for value in values]
+    shear = (*stress(25), 0.01) if surface < 0 else ("", "")
+    a, d = (c.vector(v, 1.0) for v in ((0.6, 0.7, 0.2), (-0.5, 0.6, 0.3)))
+    cards.add("MAT_058", (number, c.of(1e-8, 1, -3), *stress(60e3, 20e3, 10e3), 0.05, *shear), (*stress(4e3, 3e3, 3.5e3), 0.1, 0.8, 0.2, 0.9, 0.6),
+              (2, c.of(1e-12, 0, 0, 1), 0.12, 0.9, surface), ("", "", "", a), ("", "", "", d, 20), (0.02, 0.03, 0.05, 0.02, 0.1), stress(600, 900, 180, 100, 60))
+
+
+LAWS = ((metal, True), (lambda cards, number: laminate(cards, number, -1), False), (lambda cards, number: laminate(cards, number, 0), False),
+        (lambda cards, number: laminate(cards, number, 1), False))
+
+
+def patches(c):
+    """A square of each law in shells of ELFORM 2 and 16, and a block of those of solids in bricks of ELFORM 1 and 2 and thick shells of 2 and 5."""
+    cards = Cards(c)
+    add, node = cards.add, cards.node
+    number, vectors = c.first, []
+    add("HOURGLASS", (7, 4, 0.05))
+    for k in range(2):
+        add("SECTION_SHELL", (k + 1, (2, 16)[k], 0.8333, 3), [c.of(1.0, 0, 1)] * 4)
+        add("SECTION_SOLID", (k + 3, k + 1))
+        add("SECTION_TSHELL", (k + 5, (2, 5)[k], "", 3))
+    elements = {"SHELL": [], "SOLID": [], "TSHELL": []}
+    for i, (law, of_solids) in enumerate(LAWS):
+        law(cards, i + 1)
+        for kind, name in enumerate(elements if of_solids else ("SHELL",)):
+            for k in range(2):
+                part = 10 * (i + 1) + 2 * kind + k
+                cards.append(f"*PART\npatch\n{part},{1 + k + 2 * kind},{i + 1},0,{7 if name != 'TSHELL' and k == 0 else 0}")
+                deep = 3 if name == "SOLID" else 2 if name == "TSHELL" else 1
+                at = {(x, y, z): node((40.0 * i + 20.0 * k + 4.0 * x + 0.25 * y, 60.0 * kind + 5.0 * y - 0.5 * x, 4.0 * z + (0.25 * x * y if deep == 1 else 0.5 * x)))
+                      for z in range(deep) for y in range(3) for x in range(4)}
+                ring = ((0, 0), (0, 1), (1, 1), (1, 0)) if c.mirrored else ((0, 0), (1, 0), (1, 1), (0, 1))
+                for z in range(deep - 1 or 1):
+                    for y in range(2):
+                        for x in range(3):
+                            levels = (0,) if deep == 1 else (0, 1)
+                            elements[name].append((part, *(at[x + u, y + v, z + w] for w in levels for u, v in ring)))
+                vectors += [(n, c.vector((40000.0 * (x - 1.5) + 9000.0 * y, 30000.0 * (1 - y) * (x - 1), 20000.0 * (z - 1) + 12000.0 * (x * y % 3 - 1)), c.velocity))
+                            for (x, y, z), n in at.items()]
+    for kind, (name, rows) in enumerate(elements.items()):
+        add(f"ELEMENT_{name}", *((number + 1000 * kind + e, *row) for e, row in enumerate(rows)))
+    add("INITIAL_VELOCITY_NODE", *vectors)
+    return cards.text(END, "GLSTAT", "MATSUM", "ELOUT").replace("*NODE\n", "*DATABASE_BINARY_D3PLOT\n" + c.of(END / 4, 0, 0, 1) + "\n*NODE\n", 1)
+
+
+class TabulatedLaws(RepeatedRuns):
+    def energies(self, name, case, text=None):
+        self.nugget("run", self.write(text or patches(case), f"{name}.k").name, "-o", name, "-j1", "--quiet")
+        states = lsda.states(lsda.read(self.folder / name / "binout0000"), "matsum")
+        return [[value / case.energy for state in states for value in state[q]] for q in ("internal_energy", "kinetic_energy", "eroded_internal_energy")]
+
+    def compare_energies(self, ours, reference):
+        size = max(reference[0])
+        for one, two in zip(ours, reference, strict=True):
+            for a, b in zip(one, two, strict=True):
+                self.assertAlmostEqual(a / size, b / size, delta=1e-7)
+
+    def test_invariance(self):
+        """Sabotage: SOFT or LCI without the length; rates without the time; axes that turn with one side."""
+        reference = self.energies("reference", Case())
+        self.assertGreater(max(reference[2]), 0.001 * max(reference[0]))
+        cases = (Case(turn=oblique()), Case(turn=((-1, 0, 0), (0, 1, 0), (0, 0, 1)), mirrored=True), Case(shift=(4096.0, -2048.0, 1024.0)),
+                 Case(mass=1e-3, length=1e3), Case(mass=1e-6, time=1e-3), Case(first=1234567))
+        for number, case in enumerate(cases):
+            with self.subTest(number):
+                self.compare_energies(self.energies("other", case), reference)
+
+    def test_included(self):
+        """Axes turn with *INCLUDE_TRANSFORM and are mirrored by it."""
+        self.write(patches(Case()), "inner.k")
+        reference = self.energies("reference", Case())
+        case = Case(turn=oblique(), shift=(64.0, -32.0, 16.0))
+        for mirrored in (False, True):
+            with self.subTest(mirrored=mirrored):
+                self.compare_energies(self.energies("other", case, included(case, mirrored)), reference)
+
+    def test_same_bits_and_restart(self):
+        text = patches(Case())
+        self.compare(self.write(text))
+        self.resumed(text, shares=(0.4,))
+
+    def test_energy_closes(self):
+        self.nugget("run", self.write(patches(Case())), "-o", "run", "--quiet")
+        states = self.glstat("run/glstat")
+        for state in states:
+            self.assertAlmostEqual(state["total energy / initial energy"], 1.0, delta=0.02)
+        self.assertGreater(states[-1]["internal energy"], 0.3 * states[0]["kinetic energy"])
+
+
+@unittest.skipUnless(MPIRUN, "mpirun is not installed")
+class TabulatedLawsOverRanks(RunsOverRanks):
+    def test_ranks(self):
+        self.compare_ranks(patches(Case()))
+
+
+if __name__ == "__main__":
+    unittest.main()
