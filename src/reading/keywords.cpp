@@ -34,6 +34,7 @@ std::vector<Keyword> all_families() {
            modified_johnson_cook_keywords,
            tabulated_johnson_cook_keywords,
            laminated_fabric_keywords,
+           yld2000_keywords,
            viscoplastic_material_keywords,
            equation_of_state_keywords,
            erosion_keywords,

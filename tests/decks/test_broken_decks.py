@@ -153,9 +153,9 @@ class BrokenDecks(CommandTest):
     def test_refused_law(self):
         """A law that is not built: the parts that use it are not told that it is undefined."""
         self.check(1, [
-            ("*MAT_PIECEWISE_LINEAR_PLASTICITY\n", "*MAT_BARLAT_YLD2000\n"),
+            ("*MAT_PIECEWISE_LINEAR_PLASTICITY\n", "*MAT_HILL_90\n"),
         ], [
-            "model.k:37:1: error: *MAT_BARLAT_YLD2000: this law is not built; *MAT_3-PARAMETER_BARLAT comes "
+            "model.k:37:1: error: *MAT_HILL_90: this law is not built; *MAT_3-PARAMETER_BARLAT comes "
             "nearest [remove it, or run with --skip-unsupported to leave such cards out at your own risk]",
             "1 error, 0 warnings",
             "the deck is refused; nothing was run",
@@ -455,10 +455,10 @@ class BrokenDecks(CommandTest):
         ])
 
     def test_skip_unsupported_cannot_leave_out_what_the_model_needs(self):
-        self.write(deck(("*MAT_PIECEWISE_LINEAR_PLASTICITY\n", "*MAT_BARLAT_YLD2000\n")))
+        self.write(deck(("*MAT_PIECEWISE_LINEAR_PLASTICITY\n", "*MAT_HILL_90\n")))
         run = self.nugget("run", "model.k", "--skip-unsupported", expect=1)
         self.assertEqual(run.stderr.splitlines()[1:3], [
-            f"model.k:{line}:30: error: *PART mid = 1: material 1 is left out, as *MAT_BARLAT_YLD2000 is not "
+            f"model.k:{line}:30: error: *PART mid = 1: material 1 is left out, as *MAT_HILL_90 is not "
             "supported [define it by a supported keyword, or remove what needs it]" for line in (27, 30)
         ])
 

@@ -11,6 +11,7 @@
 #include "kernel/law/hardening.hpp"
 #include "kernel/law/law_kernel.hpp"
 #include "kernel/law/smooth_hardening.hpp"
+#include "kernel/law/yld2000.hpp"
 
 namespace nugget::kernel {
 
@@ -34,6 +35,15 @@ struct AnisotropicSheet {
   double nu = 0.0;  ///< Poisson's ratio [1]
   BarlatLian surface{};
   std::variant<SheetFormula, PiecewiseLinear> hardening{};  ///< of curves their yield, rates, and Cowper-Symonds
+  MaterialAxes axes{};
+};
+
+/// The same with the surface of Yld2000-2d (MAT_133). The yield stress is the effective one of the surface.
+struct Yld2000Sheet {
+  double E = 0.0;   ///< Young's modulus [stress]
+  double nu = 0.0;  ///< Poisson's ratio [1]
+  Yld2000 surface{};
+  std::variant<SheetFormula, PiecewiseLinear> hardening{};
   MaterialAxes axes{};
 };
 
@@ -69,13 +79,15 @@ class SheetYield {
   CowperSymonds rate_;
 };
 
-/// History of a point: plastic strain; cosine and sine of the angle from the element's axis to a.
-template <>
-class LawKernel<AnisotropicSheet> {
+/// Both laws, with `Surface` made ready of their surface. History of a point: plastic strain; cosine and sine of the
+/// angle from the element's axis to a.
+template <class Surface>
+class SheetKernel {
  public:
   static constexpr bool has_plastic_strain = true;
 
-  explicit LawKernel(const AnisotropicSheet& law)
+  template <class Sheet>
+  explicit SheetKernel(const Sheet& law)
       : elastic_(law.E, law.nu),
         surface_(law.surface),
         hardening_(made_ready(law.hardening)),
@@ -236,7 +248,7 @@ class LawKernel<AnisotropicSheet> {
   template <class R>
   class InverseOf {
    public:
-    InverseOf(const LawKernel& law, const SurfaceAt<R>& at, const R& e) {
+    InverseOf(const SheetKernel& law, const SurfaceAt<R>& at, const R& e) {
       const PlaneStress<R> a = law.elastic_stress(PlaneStress<R>{e * at.aa_aa, e * at.aa_bb, e * at.aa_ab}),
                            b = law.elastic_stress(PlaneStress<R>{e * at.aa_bb, e * at.bb_bb, e * at.bb_ab}),
                            c = law.elastic_stress(PlaneStress<R>{e * at.aa_ab, e * at.bb_ab, e * at.ab_ab});
@@ -291,10 +303,21 @@ class LawKernel<AnisotropicSheet> {
   }
 
   ElasticConstants elastic_;
-  BarlatLianSurface surface_;
+  Surface surface_;
   Hardening hardening_;
   MaterialAxes axes_;
   double lowest_;  ///< yield stress below which no point yields [stress]
+};
+
+template <>
+class LawKernel<AnisotropicSheet> : public SheetKernel<BarlatLianSurface> {
+ public:
+  explicit LawKernel(const AnisotropicSheet& law) : SheetKernel(law) {}
+};
+template <>
+class LawKernel<Yld2000Sheet> : public SheetKernel<Yld2000Surface> {
+ public:
+  explicit LawKernel(const Yld2000Sheet& law) : SheetKernel(law) {}
 };
 
 }  // namespace nugget::kernel

@@ -83,12 +83,14 @@ PointUpdate LowDensityFoamPoint::update(const Tensor&, const Tensor& d, double d
     if (s < 0.0) s *= left;
   const double modulus = slope * make_true(stress, axes, J);
   Tensor sum = with_values(axes, stress) + viscous(modulus, law_.damping, d, dt);
-  if (law_.maxwell_modulus > 0.0) {
-    const std::span<double> maxwell_stress = h.subspan(Tensor::size, Tensor::size);
-    store(maxwell_stress, relaxed(load(maxwell_stress), law_.maxwell_modulus, law_.decay, tensorial(d), dt));
-    sum = sum + load(maxwell_stress);
+  double stiffer = 0.0;
+  for (std::size_t k = 0; k < relaxing_.size(); ++k) {
+    const std::span<double> stress_of_term = h.subspan((k + 1) * Tensor::size, Tensor::size);
+    store(stress_of_term, relaxed(load(stress_of_term), relaxing_[k].shear, relaxing_[k].decay, tensorial(d), dt));
+    sum = sum + load(stress_of_term);
+    stiffer += relaxing_[k].shear;
   }
-  return {sum, with_damping(modulus, law_.damping) + law_.maxwell_modulus};
+  return {sum, with_damping(modulus, law_.damping) + stiffer};
 }
 
 PointUpdate CrushableFoamPoint::update(const Tensor& s, const Tensor& d, double dt, std::span<double> h) const {

@@ -7,6 +7,7 @@
 
 #include "base/curve.hpp"
 #include "kernel/law/loading_rates.hpp"
+#include "kernel/law/relaxation.hpp"
 #include "kernel/law/single_points.hpp"
 
 // Foams, laws of solids without lateral contraction: each principal direction has a stress of its own. Damping is a
@@ -20,7 +21,8 @@ class RateFoamPoint;
 
 /// Highly compressible foam (MAT_057): each principal direction has the nominal stress of its own stretch, in
 /// compression by a curve, in tension linear up to a cutoff. Unloading keeps HU + (1 - HU) (W / Wmax)^SHAPE of the
-/// stress, W energy of the curve; Wmax - W decays with the rate BETA.
+/// stress, W energy of the curve; Wmax - W decays with the rate BETA. Stresses that relax are added, each component of
+/// the strain by itself (MAT_057: one; MAT_073: up to six).
 struct LowDensityFoam {
   using Point = LowDensityFoamPoint;
 
@@ -35,6 +37,7 @@ struct LowDensityFoam {
   double damping = 0.0;          ///< DAMP, share of critical damping [1]
   double maxwell_modulus = 0.0;  ///< ED, modulus of a stress that relaxes, a spring and a damper in series [stress]
   double decay = 0.0;            ///< BETA1, rate at which it does [1/time]
+  std::vector<Overstress::MaxwellBranch> terms{};  ///< GI, BETAI of MAT_073: further ones
 };
 
 /// Crushable foam (MAT_063, MODEL 0): elastic, each principal stress at most the yield stress of the volume reached in
@@ -77,13 +80,16 @@ struct RateFoam {
 
 class LowDensityFoamPoint {
  public:
-  explicit LowDensityFoamPoint(const LowDensityFoam& law) : law_(law) {}
+  explicit LowDensityFoamPoint(const LowDensityFoam& law) : law_(law), relaxing_(law.terms) {
+    if (law.maxwell_modulus > 0.0) relaxing_.insert(relaxing_.begin(), {law.maxwell_modulus, law.decay});
+  }
   int history() const { return tensors() * SolidTensor<double>::size + 2; }
-  int tensors() const { return law_.maxwell_modulus > 0.0 ? 2 : 1; }  // b - 1, the stress that relaxes
+  int tensors() const { return 1 + static_cast<int>(relaxing_.size()); }  // b - 1, the stresses that relax
   PointUpdate update(const SolidTensor<double>& s, const SolidTensor<double>& d, double dt, std::span<double> h) const;
 
  private:
   LowDensityFoam law_;
+  std::vector<Overstress::MaxwellBranch> relaxing_;
 };
 
 class CrushableFoamPoint {

@@ -55,6 +55,7 @@ using Flow = std::variant<  //
     Fabric,                 //
     WovenFabric,            //
     AnisotropicSheet,       //
+    Yld2000Sheet,           //
     Honeycomb,              //
     Fluid>;
 

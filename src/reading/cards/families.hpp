@@ -28,6 +28,7 @@ std::vector<Keyword> fabric_material_keywords();         ///< *MAT_FABRIC
 std::vector<Keyword> composite_material_keywords();      ///< *MAT_COMPOSITE_DAMAGE, *MAT_ENHANCED_COMPOSITE_DAMAGE
 std::vector<Keyword> simplified_rubber_keywords();       ///< *MAT_SIMPLIFIED_RUBBER/FOAM
 std::vector<Keyword> sheet_material_keywords();          ///< *MAT_... of rolled sheets: 036, 037, 122
+std::vector<Keyword> yld2000_keywords();                 ///< *MAT_BARLAT_YLD2000
 std::vector<Keyword> plain_law_keywords();               ///< *MAT_... whose cards stand with their laws
 std::vector<Keyword> rubber_material_keywords();         ///< *MAT_... of rubber
 std::vector<Keyword> viscoelastic_keywords();            ///< *MAT_KELVIN-MAXWELL_, *MAT_GENERAL_VISCOELASTIC

@@ -338,7 +338,7 @@ std::vector<Keyword> material_keywords() {
        .options = {"TITLE", "LOG_INTERPOLATION"},
        .layout = {{"", &plastic_card}, {"", &plastic_rate_card}, {"", &yield_strain_card}, {"", &yield_stress_card}},
        .read = read_plastic},
-      not_built("MAT_BARLAT_YLD2000", "MAT_133", use_036),
+      not_built("MAT_HILL_90", "MAT_243", use_036),
   };
 }
 

@@ -123,6 +123,55 @@ void read_low_density_foam(Builder& b, const Block& block, const Options& option
   });
 }
 
+// ---- 073
+
+const CardOf<LowDensityFoamCards> viscous_foam_unloading_card{
+    {&LowDensityFoam::shape, real("shape", dimension::number, 1, above_zero(), "exponent of the energy in unloading")},
+    {&LowDensityFoamCards::fail,
+     real("fail", dimension::number, 0, between(0, 1), "at the cutoff 0: the stress stays there, 1: it falls to 0")},
+    {&LowDensityFoamCards::bvflag,
+     real("bvflag", dimension::number, 0, between(0, 1), "bulk viscosity: 0 none, 1 as in other solids")},
+    {&LowDensityFoamCards::kcon,
+     real("kcon", dimension::stress, 0, at_least(0), "modulus for the stiffness of contacts; 0: E")},
+    integer("lcid2", 0, only(0), "relaxation curve that a series would be fitted to"),
+    real("bstart", dimension::number, 0, any_value, "of that fit"),
+    real("tramp", dimension::number, 0, any_value, "of that fit"),
+    integer("nv", 6, any_value, "of that fit"),
+};
+
+struct ViscousFoamTerm : kernel::Overstress::MaxwellBranch {};
+const CardOf<ViscousFoamTerm> viscous_foam_term_card{
+    {&ViscousFoamTerm::shear, real("gi", dimension::stress, 0, at_least(0), "modulus of a stress that relaxes")},
+    {&ViscousFoamTerm::decay, real("betai", dimension::rate, 0, at_least(0), "its decay; 0: the term stays")},
+    reference,
+};
+
+void read_viscous_foam(Builder& b, const Block& block, const Options& options) {
+  constexpr std::size_t most_terms = 6;
+  Cursor cursor(b.deck, block, b.findings);
+  std::string title = read_title(cursor, options);
+  LowDensityFoamCards cards;
+  const auto row = cursor.read(low_density_foam_card, cards);
+  cursor.read(viscous_foam_unloading_card, cards);
+  while (cursor.more()) {
+    const auto term = cursor.read(viscous_foam_term_card);
+    if (!(term->shear > 0.0)) continue;
+    if (cards.terms.size() == most_terms) {
+      refuse(b, term[&ViscousFoamTerm::shear], "more than six terms are not supported");
+      break;
+    }
+    cards.terms.push_back(*term);
+  }
+  if (cards.terms.empty())
+    row[&LowDensityFoamCards::lcid].report(b.findings, Severity::note, "without GI and BETAI no stress relaxes",
+                                           "*MAT_LOW_DENSITY_FOAM is the same");
+  const Index material =
+      add_material(b, row, std::move(title), "MAT_LOW_DENSITY_VISCOUS_FOAM", kernel::Elastic{cards.E, 0.0});
+  b.defer(Phase::parts, [=, lcid = row[&LowDensityFoamCards::lcid]](Builder& later) {
+    set_low_density_foam(later, material, cards, lcid);
+  });
+}
+
 // ---- 063
 
 struct CrushableFoamCard : MaterialCard, CrushableFoam {
@@ -320,6 +369,13 @@ std::vector<Keyword> foam_material_keywords() {
        .options = {"TITLE"},
        .layout = {{"", &low_density_foam_card}, {"", &low_density_foam_unloading_card}},
        .read = read_low_density_foam},
+      {.name = "MAT_LOW_DENSITY_VISCOUS_FOAM",
+       .aliases = {"MAT_073"},
+       .options = {"TITLE"},
+       .layout = {{"", &low_density_foam_card},
+                  {"", &viscous_foam_unloading_card},
+                  {"one a term, up to six", &viscous_foam_term_card}},
+       .read = read_viscous_foam},
       {.name = "MAT_CRUSHABLE_FOAM",
        .aliases = {"MAT_063"},
        .options = {"TITLE"},

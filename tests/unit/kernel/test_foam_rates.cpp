@@ -237,6 +237,27 @@ TEST(FoamRates, LowDensityFoamRelaxes) {
   EXPECT_NEAR(-bar.move(0.0, 500), 2.0 * (1.0 - bar.length) + grown * std::exp(-1.5), 1e-6);
 }
 
+// MAT_073: several stresses that relax, beside ED's.
+TEST(FoamRates, LowDensityFoamRelaxesByTerms) {
+  LowDensityFoam law;
+  law.E = 2.0;
+  law.compression = {1, {0.0, 1.0}, {0.0, 2.0}};
+  law.maxwell_modulus = 1.0;
+  law.decay = 50.0;
+  law.terms = {{7.0, 300.0}, {3.0, 20.0}, {0.5, 0.0}};
+  Bar bar({law}, 1e-5);
+  const double rate = 10.0, t = 0.01, then = 0.005;
+  const auto grown = [&](double G, double b) {
+    return b > 0.0 ? G * rate * (1.0 - std::exp(-b * t)) / b : G * rate * t;
+  };
+  const double stress = -bar.strain(-rate, 1000);
+  EXPECT_NEAR(stress, 2.0 * (1.0 - bar.length) + grown(1, 50) + grown(7, 300) + grown(3, 20) + grown(0.5, 0), 1e-6);
+  EXPECT_NEAR(-bar.move(0.0, 500),
+              2.0 * (1.0 - bar.length) + grown(1, 50) * std::exp(-50 * then) + grown(7, 300) * std::exp(-300 * then) +
+                  grown(3, 20) * std::exp(-20 * then) + grown(0.5, 0),
+              1e-6);
+}
+
 // KCON raises the modulus of the step and of DAMP, and nothing else.
 TEST(FoamRates, ModulusForTheStep) {
   RateFoam plain = rate_foam(), raised = rate_foam();

@@ -6,7 +6,7 @@
 
 #include "law_decks.hpp"
 
-// Cards of MAT_224 and MAT_058.
+// Cards of MAT_224, MAT_058, MAT_133 and MAT_073.
 namespace nugget::reading {
 namespace {
 
@@ -113,6 +113,71 @@ TEST(TabulatedMaterials, WhatOf58IsNotObeyedIsSaid) {
   EXPECT_TRUE(laminate("2,0,0.5,1,0", "0,0", "0,0.018,0.02,0.008,0.1").error("", "e11c"));
   EXPECT_TRUE(laminate("2,0,0.5,1,0", "0,0", "0.014,0.018,0.02,0.008,0.1", "0,7\n").error("", "lcxt"));
   EXPECT_TRUE(laminate("2,0,0.5,1,0", "0,0", "0.014,0.018,0.02,0.008,0.1", "\n,,,,9\n").error("", "lcgms"));
+}
+
+Built yld(const std::string& hardening = "500,0.01,0.25,,,1,8",
+          const std::string& shape = "0.4865,1.3783,0.7536,1.0246,1.0363,0.9036,1.2321,1.4858",
+          const std::string& first = "0,0,0,1", const std::string& option = "2,15") {
+  return built("*MAT_BARLAT_YLD2000\n1,2.7e-9,70e3,0.33," + first + "\n" + hardening + "\n" + shape + "\n" + option +
+               "\n,,,1,0,0\n0,0,0,0,1,0\n*DEFINE_CURVE\n7\n0,200\n1,400\n");
+}
+
+TEST(TabulatedMaterials, Mat133) {
+  const auto b = yld();
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& law = flow<kernel::Yld2000Sheet>(b);
+  EXPECT_DOUBLE_EQ(law.surface.alpha[1], 1.3783);
+  EXPECT_DOUBLE_EQ(law.surface.alpha[7], 1.4858);
+  EXPECT_DOUBLE_EQ(law.surface.m, 8.0);
+  EXPECT_NEAR(law.axes.angle, 15.0 * std::numbers::pi / 180.0, 1e-15);
+  EXPECT_DOUBLE_EQ(std::get<kernel::SheetFormula>(law.hardening).start_strain, 0.01);
+  // Scaled: tension along a has the yield stress.
+  const auto scaled = yld("500,0.01,0.25,,,1,8", "2,2,2,2,2,2,2,2", "0,0,0,0");
+  EXPECT_NEAR(flow<kernel::Yld2000Sheet>(scaled).surface.alpha[4], 1.0, 1e-14);
+  const auto fitted = yld("500,300,0.25,,,2,8", "100,81.14,91.02,0.2115,1.5769,0.6923\n103.5,103.5,0,-0.67,1,0", "1");
+  ASSERT_EQ(fitted.findings.errors(), 0) << fitted.all_findings();
+  EXPECT_NEAR(flow<kernel::Yld2000Sheet>(fitted).surface.alpha[0], 0.4865, 5e-3);
+  const auto& voce = std::get<kernel::SheetFormula>(flow<kernel::Yld2000Sheet>(fitted).hardening);
+  EXPECT_DOUBLE_EQ(voce.offset - voce.factor, 200.0);
+  EXPECT_DOUBLE_EQ(voce.decay, 0.25);
+  const auto curve = yld("0,0,0,,,-7,8");
+  ASSERT_EQ(curve.findings.errors(), 0) << curve.all_findings();
+  EXPECT_EQ(std::get<kernel::PiecewiseLinear>(flow<kernel::Yld2000Sheet>(curve).hardening).yield.at(0).y.at(1), 400.0);
+}
+
+TEST(TabulatedMaterials, WhatOf133IsNotObeyedIsSaid) {
+  EXPECT_TRUE(yld("500,0.01,0.25,,,3,8").error("built are 1, 2, 4, 5", "hard"));
+  EXPECT_TRUE(yld("500,0.01,0.25,10,0.1,1,8").error("", "c"));
+  EXPECT_TRUE(yld("500,0.01,0.25,,,1,1.5").error("2 or more", "a"));
+  EXPECT_TRUE(yld("500,0.01,0.25,,,1,-8\n1,2").error("kinematic", "a"));
+  EXPECT_TRUE(yld("500,0,0.25,,,1,8").error("first yield stress", "e0"));
+  EXPECT_TRUE(yld("500,600,2,,,2,8").error("a - b", "k"));
+  EXPECT_TRUE(yld("500,300,2,,,5,8").error("HARD 5", "p4"));
+  EXPECT_TRUE(yld("500,0.01,0.25,,,1,8", "1,1,1,1,1,1,1,1", "0,0.5").error("", "beta"));
+  EXPECT_TRUE(yld("500,0.01,0.25,,,1,8", "0,0,0,0,0,0,0,0", "0").error("", "alpha1"));
+  EXPECT_TRUE(
+      yld("500,0.01,0.25,,,1,2", "100,81,91,0.2,1.5,0.7\n103,103,0,-0.7,1,0", "1").error("no surface", "sig00"));
+  EXPECT_TRUE(yld("500,0.01,0.25,,,1,8", "100,81,91,0.2,1.5,0.7\n0,0,0,-0.7,1,0", "1").error("further", "sigxx"));
+  EXPECT_TRUE(yld("500,0.01,0.25,,,1,8", "100,81,91,0.2,1.5,0.7\n103,103,0", "1").error("tangent", "dxx"));
+}
+
+TEST(TabulatedMaterials, Mat73) {
+  const std::string card = "*MAT_LOW_DENSITY_VISCOUS_FOAM\n1,5e-11,2.0,7,0.5,0.4,3.0,0.1\n2,1,1,5.0",
+                    curve = "*DEFINE_CURVE\n7\n0,0\n0.9,2\n";
+  const auto b = built(card + "\n0.3,100\n0.2,5000\n" + curve);
+  ASSERT_EQ(b.findings.errors(), 0) << b.all_findings();
+  const auto& law = flow<kernel::LowDensityFoam>(b);
+  ASSERT_EQ(law.terms.size(), 2U);
+  EXPECT_DOUBLE_EQ(law.terms[1].shear, 0.2);
+  EXPECT_DOUBLE_EQ(law.terms[1].decay, 5000.0);
+  EXPECT_DOUBLE_EQ(law.unloading, 0.4);
+  EXPECT_DOUBLE_EQ(law.shape, 2.0);
+  EXPECT_TRUE(law.tension_failure);
+  EXPECT_DOUBLE_EQ(composition(b).contact_modulus, 5.0);
+  EXPECT_TRUE(built(card + ",8\n0.3,100\n" + curve).error("", "lcid2"));
+  std::string many = card;
+  for (int k = 0; k < 7; ++k) many += "\n0.1,10";
+  EXPECT_TRUE(built(many + "\n" + curve).error("six terms", "gi"));
 }
 
 }  // namespace
