@@ -59,7 +59,7 @@ def rods(elform, n=4000):
 KINDS = {f"shell {form}{' triangle' if tri else ''}, {layers} layers": (lambda f=form, la=layers, t=tri: sheet(f, la, t))
          for form, tri, layers in ((2, False, 3), (2, False, 5), (2, False, 9), (16, False, 3), (16, False, 5), (4, True, 3), (17, True, 3), (5, False, 1), (9, False, 1))}
 KINDS |= {f"solid {form}": (lambda f=form, t=form in (10, 13, 4): block(f, t)) for form in (1, 2, -1, -2, 10, 13, 4)}
-KINDS |= {f"thick shell 5, {layers} layers": (lambda la=layers: thick_sheet(5, la)) for layers in (2, 3, 5, 9)}
+KINDS |= {f"thick shell {form}, {layers} layers": (lambda fo=form, la=layers: thick_sheet(fo, la)) for form in (3, 5) for layers in (2, 3, 5, 9)}
 KINDS |= {f"beam {form}": (lambda f=form: rods(f)) for form in (1, 3)}
 
 

@@ -69,10 +69,11 @@ FullBrickElement<Law> full_brick(const BrickElement<Law>& of, const model::Secti
 
 /// `brick`: of the section's part. Without hourglass control of type 6 it has the whole elastic stabilisation.
 kernel::ThickShellProperties thick_shell(kernel::HexahedronProperties brick, const model::Hourglass& hourglass,
-                                         const model::SectionSolid::Thickness& through, const model::Control& control) {
+                                         const model::SectionSolid& section, const model::Control& control) {
+  const model::SectionSolid::Thickness& through = *section.thickness;
   brick.hourglass = 6;
   if (hourglass.type != 6) brick.hourglass_coefficient = 1.0;
-  kernel::ThickShellProperties shell{brick, layer_rule(through, control), {}};
+  kernel::ThickShellProperties shell{brick, layer_rule(through, control), {}, section.elform == 3};
   shell.shear = kernel::shear_by_layer(shell.layers, through.parabolic_shear,
                                        through.parabolic_shear ? 5.0 / 6.0 : through.shear_factor);
   return shell;
@@ -152,17 +153,16 @@ void System::make_bricks() {
       add_weld_bricks(p, sorted[p], brick, *law);
       continue;
     }
-    const auto& thickness = model.solid_sections[part.section].thickness;
     const bool computed = with_law(material.law, [&]<class Law>(const Law& law) {
       const model::SectionSolid& section = model.solid_sections[part.section];
       if (section.has_laws_of_shells())
         return add_group(ExtrudedShellElement<Law>{extruded_shell(brick, hourglass, section, model.control),
                                                    kernel::LawKernel<Law>(law)},
                          model::ElementKind::solid, p, members(model.solids, sorted[p]), solid_location);
-      if (thickness)
-        return add_group(ThickShellElement<Law>{thick_shell(brick, hourglass, *thickness, model.control),
-                                                kernel::LawKernel<Law>(law)},
-                         model::ElementKind::solid, p, members(model.solids, sorted[p]), solid_location);
+      if (section.thickness)
+        return add_group(
+            ThickShellElement<Law>{thick_shell(brick, hourglass, section, model.control), kernel::LawKernel<Law>(law)},
+            model::ElementKind::solid, p, members(model.solids, sorted[p]), solid_location);
       const BrickElement<Law> element{brick, kernel::LawKernel<Law>(law)};
       const auto [quadratic, tetrahedra, full, others] =
           by_formulation(sorted[p], model.solid_sections[part.section].elform);

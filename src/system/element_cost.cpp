@@ -27,8 +27,8 @@ constexpr std::array costs{
     Cost{ElementKind::solid, 4, 10, 45.0, 0.0, 10.0},   Cost{ElementKind::solid, 4, 13, 58.0, 0.0, 8.0},
     Cost{ElementKind::solid, 10, 16, 132.0, 0.0, 20.0}, Cost{ElementKind::solid, 4, 4, 132.0, 0.0, 20.0},
     Cost{ElementKind::solid, 8, 105, 92.0, 10.0, 19.0}, Cost{ElementKind::solid, 8, 101, 95.0, 1.5, 10.0},
-    Cost{ElementKind::solid, 8, 102, 140.0, 9.0, 38.0}, Cost{ElementKind::beam, 2, 1, 34.0, 0.0, 39.0},
-    Cost{ElementKind::beam, 2, 3, 14.0, 0.0, 3.0},
+    Cost{ElementKind::solid, 8, 102, 140.0, 9.0, 38.0}, Cost{ElementKind::solid, 8, 103, 125.0, 28.0, 62.0},
+    Cost{ElementKind::beam, 2, 1, 34.0, 0.0, 39.0},     Cost{ElementKind::beam, 2, 3, 14.0, 0.0, 3.0},
 };
 constexpr int of_thick_shells = 100;  ///< added to their ELFORM
 constexpr double of_others = 80.0, of_springs = 20.0, single_precision = 0.7;

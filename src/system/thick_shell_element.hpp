@@ -37,7 +37,8 @@ struct ThickShellElement {
     kernel::start_thick_shell(layout(), state, native_width, lane);
     const double size = std::cbrt(kernel::hexahedron_volume(x));
     for (int k = 0; k < layers(); ++k)
-      start_size(law, state + layout().history_of(k) * native_width + lane, native_width, size);
+      for (int c = 0; c < layout().columns; ++c)
+        start_size(law, state + layout().history_of(k, c) * native_width + lane, native_width, size);
   }
   double mass(model::Index, const Places& x) const {
     return 8.0 * kernel::hexahedron_nodal_mass(x, shell.brick.density);
@@ -51,16 +52,22 @@ struct ThickShellElement {
 
   template <class Field>
   ElementGroup::Layer layer(const Field& field, int k, const Places&) const {
-    ElementGroup::Layer l;
-    for (int i = 0; i < 6; ++i) l.stress[at(i)] = field(layout().layer(k) + i);
-    if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain = field(layout().history_of(k));
-    l.damage = damage_of(law, field, 1, [this, k](int) { return layout().history_of(k); });
+    ElementGroup::Layer l;  // of four points their mean
+    const Layout of = layout();
+    const double share = 1.0 / of.columns;
+    for (int c = 0; c < of.columns; ++c) {
+      for (int i = 0; i < 6; ++i) l.stress[at(i)] += share * field(of.layer(k, c) + i);
+      if (kernel::LawKernel<Law>::has_plastic_strain) l.plastic_strain += share * field(of.history_of(k, c));
+    }
+    l.damage = damage_of(law, field, of.columns, [&of, k](int c) { return of.history_of(k, c); });
     return l;
   }
   template <class Put>
   void set_layer(const Put& put, int k, const ElementGroup::Layer& l, const Places&) const {
-    for (int i = 0; i < 6; ++i) put(layout().layer(k) + i, l.stress[at(i)]);
-    if (kernel::LawKernel<Law>::has_plastic_strain) put(layout().history_of(k), l.plastic_strain);
+    for (int c = 0; c < layout().columns; ++c) {
+      for (int i = 0; i < 6; ++i) put(layout().layer(k, c) + i, l.stress[at(i)]);
+      if (kernel::LawKernel<Law>::has_plastic_strain) put(layout().history_of(k, c), l.plastic_strain);
+    }
   }
   /// The same element without viscous forces.
   ThickShellElement inviscid() const {

@@ -59,7 +59,7 @@ LAWS = ((metal, "SHELL SOLID TSHELL"), (lambda cards, number: laminate(cards, nu
 
 
 def patches(c):
-    """A square of each law in shells of ELFORM 2 and 16, and a block of those of solids in bricks of ELFORM 1 and 2, of metals in thick shells of 2 and 5."""
+    """A square of each law in shells of ELFORM 2 and 16, and a block of those of solids in bricks of ELFORM 1 and 2, of metals in thick shells of 3 and 5."""
     cards = Cards(c)
     add, node = cards.add, cards.node
     number, vectors = c.first, []
@@ -67,7 +67,7 @@ def patches(c):
     for k in range(2):
         add("SECTION_SHELL", (k + 1, (2, 16)[k], 0.8333, 3), [c.of(1.0, 0, 1)] * 4)
         add("SECTION_SOLID", (k + 3, k + 1))
-        add("SECTION_TSHELL", (k + 5, (2, 5)[k], "", 3))
+        add("SECTION_TSHELL", (k + 5, (3, 5)[k], "", 3))
     elements = {"SHELL": [], "SOLID": [], "TSHELL": []}
     for i, (law, kinds) in enumerate(LAWS):
         law(cards, i + 1)

@@ -65,7 +65,7 @@ def thick_layers(folder, thick_shell):
 
 class ThickShells(RepeatedRuns):
     def test_same_bits_and_restart(self):
-        for elform in (5, 1, 2):
+        for elform in (5, 1, 2, 3):
             with self.subTest(elform):
                 self.write(plate(elform=elform))
                 files = self.compare("model.k")
@@ -74,7 +74,7 @@ class ThickShells(RepeatedRuns):
 
     @unittest.skipUnless(MPIRUN, "mpirun is not installed")
     def test_same_bits_over_ranks(self):
-        for elform, ranks in ((5, 2), (1, 3), (2, 3)):
+        for elform, ranks in ((5, 2), (1, 3), (2, 3), (3, 3)):
             with self.subTest(elform):
                 self.write(plate(contact=False, layers=5, elform=elform))
                 self.nugget("run", "model.k", "-o", "one", "-j", 1, "--quiet")
@@ -84,7 +84,7 @@ class ThickShells(RepeatedRuns):
                 self.assertEqual(self.bits("one"), self.bits("some"))
 
     def test_energy_closes(self):
-        for elform in (5, 1, 2):
+        for elform in (5, 1, 2, 3):
             with self.subTest(elform):
                 self.write(plate(fail=False, elform=elform))
                 self.nugget("run", "model.k", "-o", "run", "--quiet")
@@ -95,7 +95,7 @@ class ThickShells(RepeatedRuns):
                 self.assertIn("thk shell", self.read("run/glstat"))
 
     def test_d3plot_has_the_layers_of_elout(self):
-        for elform in (5, 1, 2):
+        for elform in (5, 1, 2, 3):
             with self.subTest(elform):
                 self.compare_d3plot_with_elout(elform)
 
@@ -118,7 +118,7 @@ class ThickShells(RepeatedRuns):
 
     def test_what_is_not_built_is_refused(self):
         for old, new, words in (("*SECTION_TSHELL\n" + card(1, 5, "", 3), "*SECTION_TSHELL\n" + card(1, 6, "", 3), "thick shells of ELFORM 6 are not built"),
-                                ("*SECTION_TSHELL\n" + card(1, 5, "", 3), "*SECTION_TSHELL\n" + card(1, 3, "", 3), "thick shells of ELFORM 3 are not built"),
+                                ("*SECTION_TSHELL\n" + card(1, 5, "", 3), "*SECTION_TSHELL\n" + card(1, 7, "", 3), "thick shells of ELFORM 7 are not built"),
                                 ("*END", "*SET_TSHELL_LIST\n" + card(1) + card(1) + "*END", "SET_TSHELL"),
                                 ("*END", "*INITIAL_STRESS_SOLID\n" + card(1, 1) + card(*7 * [1.0]) + "*END", "thick shells begin without stress")):
             with self.subTest(words):

@@ -6,7 +6,7 @@
 #include "kernel/element/hexahedron_points.hpp"
 #include "kernel/element/physical_stabilisation.hpp"
 
-// Assumed strains of an eight-node brick that bends without locking. Included by full_hexahedron.cpp only.
+// Assumed strains of an eight-node brick that bends without locking. Included by .cpp files only.
 namespace nugget::kernel {
 
 /// What a direct strain that varies over the element draws along across itself, as shares of it.

@@ -134,10 +134,10 @@ const CardOf<SolidCard> thick_shell_card{
      integer(
          "elform", 1, any_value,
          "formulation: 1 one point in its plane, 2 four, layers with laws of shells and a stiffness across of their "
-         "own; 5 one point, assumed strains, laws of solids; others are refused")},
-    {&SolidCard::shrf,
-     real("shrf", dimension::number, 1, above_zero(),
-          "factor on the transverse shear stiffness; of ELFORM 5 with TSHEAR 1, the parabola of TSHEAR 0 has 5/6")},
+         "own; 3 four points, 5 one, assumed strains, laws of solids; others are refused")},
+    {&SolidCard::shrf, real("shrf", dimension::number, 1, above_zero(),
+                            "factor on the transverse shear stiffness; of ELFORM 3 and 5 with TSHEAR 1, the parabola "
+                            "of TSHEAR 0 has 5/6")},
     {&SolidCard::nip,
      integer("nip", 2, between(2, 10), "layers through the thickness; of ELFORM 1 3 for 2 and 5 for 4")},
     real("propt", dimension::number, 0, any_value, "listings, no effect"),
@@ -146,7 +146,7 @@ const CardOf<SolidCard> thick_shell_card{
     integer("icomp", 0, only(0), "angles of layers are not built"),
     {&SolidCard::tshear,
      real("tshear", dimension::number, 0, between(0, 1),
-          "transverse shear strain of ELFORM 5: 0 a parabola through the thickness, 1 constant, as that of 1 and "
+          "transverse shear strain of ELFORM 3 and 5: 0 a parabola through the thickness, 1 constant, as that of 1 and "
           "2 always is")},
 };
 

@@ -39,10 +39,11 @@ void check_kinds(Builder& b) {
 void check_formulation(Builder& b, const deck::RowOf<SolidCard>& row) {
   const int elform = row->elform;
   if (elform == 1 || elform == 2) return;
-  if (elform != 5)
+  if (elform != 3 && elform != 5)
     return refuse(b, row[&SolidCard::elform],
                   fmt::format("thick shells of ELFORM {} are not built; built are 1 and 2 (laws of shells; one and 2 x "
-                              "2 points in the plane) and 5 (laws of solids, assumed strains, one point)",
+                              "2 points in the plane), 3 and 5 (laws of solids, assumed strains; 2 x 2 points and "
+                              "one)",
                               elform),
                   elform == 6 ? "write 2, which has laws of shells as well"
                               : "write 5: it has the stress across, bends without locking and needs no hourglass "
@@ -71,7 +72,7 @@ void check_control(Builder& b, const Part& part) {
   const Model& m = b.model;
   const Hourglass& h = part.hourglass == none ? m.control.hourglass : m.hourglass[at(part.hourglass)];
   const int elform = m.solid_sections[part.section].elform;
-  if (elform == 2) return;  // it has no hourglass patterns
+  if (elform == 2 || elform == 3) return;  // they have no hourglass patterns
   if (elform == 1) {
     if (h.type <= 5) return;
     const bool of_part = part.hourglass != none;
