@@ -69,6 +69,21 @@ TEST(ModifiedJohnsonCook, SoftensByItsHeat) {
   EXPECT_NEAR(p.s.xx, 500.0 * 0.8 * std::exp(-500.0 * 0.3 * p.plastic_strain() / 500.0), 0.05);
 }
 
+// A fibre of a beam is heated as layers are. Sabotage: it stays cold.
+TEST(ModifiedJohnsonCook, FibresSoftenByTheirHeat) {
+  ModifiedJohnsonCook law;
+  law.E = 210000.0;
+  law.nu = 0.3;
+  law.yield = 500.0;
+  law.heating = 0.3;
+  law.melting_rise = 500.0;
+  const LawKernel<ModifiedJohnsonCook> kernel(law);
+  std::vector<double> history(static_cast<std::size_t>(kernel.fibre_history()));
+  FibreTensor<double> s{};
+  for (int k = 0; k < 2000; ++k) kernel.fibre(s, FibreTensor<double>{1e-4, 0.0, 0.0}, 1.0, history.data());
+  EXPECT_NEAR(s.rr, 500.0 * std::exp(-500.0 * 0.3 * history[0] / 500.0), 0.05);
+}
+
 /// Plastic strain at which a bar of 500 MPa without hardening fails.
 double strain_at_failure(const DuctileFracture& rule, double heating = 0.0) {
   ModifiedJohnsonCook law;
