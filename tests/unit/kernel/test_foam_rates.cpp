@@ -256,6 +256,19 @@ TEST(FoamRates, LowDensityFoamRelaxesByTerms) {
               2.0 * (1.0 - bar.length) + grown(1, 50) * std::exp(-50 * then) + grown(7, 300) * std::exp(-300 * then) +
                   grown(3, 20) * std::exp(-20 * then) + grown(0.5, 0),
               1e-6);
+
+  // The step is that of all springs together.
+  const auto modulus = [](const LowDensityFoam& foam) {
+    const LowDensityFoamPoint point(foam);
+    std::vector<double> history(static_cast<std::size_t>(point.history()), 0.0);
+    SolidTensor<double> s{}, d{};
+    d.xx = -1.0;
+    return point.update(s, d, 1e-3, history).wave_modulus;
+  };
+  LowDensityFoam bare = law;
+  bare.maxwell_modulus = 0.0;
+  bare.terms.clear();
+  EXPECT_NEAR(modulus(law) - modulus(bare), 1.0 + 7.0 + 3.0 + 0.5, 1e-12);
 }
 
 // KCON raises the modulus of the step and of DAMP, and nothing else.
