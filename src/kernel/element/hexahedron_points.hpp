@@ -3,8 +3,8 @@
 
 #include "kernel/element/uniform_gradient.hpp"
 
-// The 2 x 2 x 2 points of an eight-node brick and the fields that its shape functions make there. Included by .cpp files
-// only.
+// The 2 x 2 x 2 points of an eight-node brick and the fields that its shape functions make there. Included by .cpp
+// files only.
 namespace nugget::kernel {
 
 /// Natural coordinates of a point of the 2 x 2 x 2 rule.
