@@ -416,6 +416,77 @@ TEST(Damping, OfRigidBodies) {
   expect_reference("damping", "rigid block: energy ratio - 1", balance, 0.0, 1e-6, 1.0);
 }
 
+// A rigid block on a torsional spring. Sabotage: only the motion of its centre is damped, and it swings on for ever.
+TEST(Damping, OverARangeOfFrequenciesOfABodyThatSwings) {
+  constexpr double share = 0.02, frequency = 100.0, omega = 2.0 * pi * frequency;
+  Specimen specimen;
+  specimen.card("MAT_RIGID", {1, density, modulus, 0.3})
+      .text("\n\n")
+      .card("SECTION_SOLID", {1, 1})
+      .part(1, 1, 1)
+      .text(constant_curve(9, 2e-5))
+      .card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 9})
+      .text("*SET_PART_LIST\n" + fields({5}) + fields({1}))
+      .card("DAMPING_FREQUENCY_RANGE", {share, 30, 300, 5})
+      .card("CONTROL_TERMINATION", {12.0 / frequency});
+  specimen.bricks(1, {-50, -5, -5}, {100.0, 10.0, 10.0}, {1, 1, 1});
+  const double inertia = density * 1e4 * (50.0 * 50.0 + 5.0 * 5.0);  // of eight corners
+  const int anchor = specimen.node({0, 0, 10}), middle = specimen.node({0, 0, 0});
+  specimen.card("CONSTRAINED_EXTRA_NODES_NODE", {1, 1.0 * middle})
+      .card("SECTION_DISCRETE", {2, 1})
+      .text("\n")
+      .card("MAT_SPRING_ELASTIC", {2, inertia * omega * omega})
+      .part(2, 2, 2)
+      .text(fmt::format("*ELEMENT_DISCRETE\n1,2,{},{},0,1.0\n", anchor, middle))
+      .node_set(1, {anchor})
+      .card("BOUNDARY_SPC_SET", {1, 0, 1, 1, 1, 1, 1, 1})
+      .text("*INITIAL_VELOCITY_RIGID_BODY\n" + fields({1, 0, 0, 0, 0, 0, 10}));
+  Experiment experiment(specimen.deck());
+  std::vector<double> time, value;
+  double balance = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    time.push_back(now.state.time);
+    value.push_back(now.spin(at(now.system.bodies.at(0).node)).z);
+    balance = std::max(balance, std::abs(now.energy.ratio() - 1.0));
+  });
+  EXPECT_NEAR(Decay(time, value).share, share, 0.05 * share);
+  EXPECT_LT(balance, 1e-6);
+}
+
+// A rigid block that spins about the line to another one, which takes its spin over. Sabotage: its centre alone is
+// damped, and it spins on; the other block gets no moment.
+TEST(Damping, RelativeToABodyOfABodyThatSpins) {
+  constexpr double share = 0.1, frequency = 20.0, time = 0.05;
+  Specimen specimen;
+  specimen.card("MAT_RIGID", {1, density, modulus, 0.3})
+      .text("\n\n")
+      .card("MAT_RIGID", {2, density, modulus, 0.3})
+      .text("\n\n")
+      .card("SECTION_SOLID", {1, 1})
+      .part(1, 1, 1)
+      .part(2, 1, 2)
+      .text(constant_curve(9, 1e-5))
+      .card("CONTROL_TIMESTEP", {0, 0.9, 0, 0, 0, 9})
+      .text("*SET_PART_LIST\n" + fields({5}) + fields({2}))
+      .card("DAMPING_RELATIVE", {share, frequency, 1, 5})
+      .card("CONTROL_TERMINATION", {time});
+  specimen.bricks(1, {}, {20.0, 20.0, 20.0}, {1, 1, 1});
+  specimen.bricks(2, {5, 5, 30}, {10.0, 10.0, 10.0}, {1, 1, 1});
+  specimen.text("*INITIAL_VELOCITY_RIGID_BODY\n" + fields({2, 0, 0, 0, 0, 0, 30}));
+  Experiment experiment(specimen.deck());
+  double heavy = 0.0, light = 0.0, balance = 0.0;
+  run_to_end(experiment, [&](const impact::Snapshot& now) {
+    heavy = now.spin(at(now.system.bodies.at(0).node)).z;
+    light = now.spin(at(now.system.bodies.at(1).node)).z;
+    balance = std::max(balance, std::abs(now.energy.ratio() - 1.0));
+  });
+  constexpr double ratio = 32.0;  // of the moments of inertia: edges of 2 to 1
+  const double rate = 2.0 * share * 2.0 * pi * frequency * (1.0 + 1.0 / ratio);
+  EXPECT_NEAR(light - heavy, 30.0 * std::exp(-rate * time), 2e-3 * 30.0);
+  EXPECT_NEAR(light + ratio * heavy, 30.0, 1e-9);
+  EXPECT_LT(balance, 1e-6);
+}
+
 // Two blocks, a light one damped relative to a heavy one: what one loses the other gets.
 TEST(Damping, RelativeToABodyConservesMomentum) {
   constexpr double share = 0.1, frequency = 20.0, time = 0.05;

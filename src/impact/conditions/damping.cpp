@@ -281,8 +281,10 @@ void Damping::add(ByRange& damping, const system::State& state, double dt) {
     for (std::size_t i = begin; i < end; ++i) {
       const Member& m = damping.members[i];
       if (!system_.follows(m.node)) continue;
-      const Vec3d v = vec(state.v[m.node]) - carried(body, vec(state.x[m.node]), state), w = vec(state.w[m.node]);
-      Vec3d force{}, moment{};
+      const Vec3d v = vec(state.v[m.node]) - carried(body, vec(state.x[m.node]), state);
+      // Of a body its angular momentum: what it changes by is what moments do to it, however it tumbles.
+      const Vec3d w = m.body < 0 ? vec(state.w[m.node]) : turned(m, vec(state.w[m.node]));
+      Vec3d force{}, turning{};
       for (std::size_t f = 0; f < count; ++f) {
         Vec3d &slow_v = damping.v[i * count + f], &slow_w = damping.w[i * count + f];
         if (!damping.started) slow_v = v, slow_w = w;
@@ -290,10 +292,10 @@ void Damping::add(ByRange& damping, const system::State& state, double dt) {
         slow_v += step.nearer[f] * (v - slow_v);
         slow_w += step.nearer[f] * (w - slow_w);
         force -= (m.mass * rate) * (v - slow_v);
-        moment -= (m.inertia * rate) * (w - slow_w);
+        turning -= rate * (w - slow_w);
       }
       push(m.node, body, force, state);
-      nugget::add(moment_[m.node], moment);
+      nugget::add(moment_[m.node], m.body < 0 ? m.inertia * turning : turning);
     }
   };
   // A body to which the motion is relative feels every node's force.
@@ -388,8 +390,20 @@ void Damping::add(const Relative& damping, const system::State& state) {
   const double linear = factor * 2.0 * card.share * 2.0 * std::numbers::pi * card.frequency;
   for (const Member& m : damping.members) {
     const Vec3d v = vec(state.v[m.node]) - carried(card.rigid_body, vec(state.x[m.node]), state);
-    push(m.node, card.rigid_body, -m.mass * (linear + factor * card.quadratic * norm(v)) * v, state);
+    const double d = linear + factor * card.quadratic * norm(v);
+    push(m.node, card.rigid_body, -m.mass * d * v, state);
+    if (m.body < 0) continue;
+    // The same at all points of a body amounts to a moment too, which the other body gets back.
+    const auto other = at(system_.bodies[system_.body_of[card.rigid_body]].node);
+    const Vec3d moment = turned(m, -d * (vec(state.w[m.node]) - vec(state.w[other])));
+    nugget::add(moment_[m.node], moment);
+    nugget::add(moment_[other], -moment);
   }
+}
+
+Vec3d Damping::turned(const Member& body, const Vec3d& spin) const {
+  const system::RigidBody& rigid = system_.bodies[body.body];
+  return rigid.momentum(spin, rigid.axes);
 }
 
 void Damping::carry(system::Carried what, const system::System::Computed& of, system::Parcel& parcel) {

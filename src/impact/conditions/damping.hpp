@@ -63,6 +63,8 @@ class Damping {
     double mass, inertia;
     int body;  ///< or -1
   };
+  /// The tensor of inertia of a body times a spin.
+  Vec3d turned(const Member& body, const Vec3d& spin) const;
   struct ByMass {
     const model::MassDamping* card;
     std::vector<Member> members;  ///< of a part; empty where the card is for everything
