@@ -41,6 +41,15 @@ def body(nodes, half, *cards, inertia=50.0):
             + "".join(cards) + "*END\n")
 
 
+def mechanism():
+    """Two bricks with one edge in common, one of them held."""
+    nodes = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1), (2, 0, 1), (2, 1, 1), (1, 0, 2), (1, 1, 2), (2, 0, 2), (2, 1, 2)]
+    return HEAD + STATICS + (
+        "*SECTION_SOLID\n21,1\n*MAT_ELASTIC\n21,7.85e-9,210000.0,0.3\n*PART\nbricks\n21,21,21\n*ELEMENT_SOLID\n1,21,1,2,3,4,5,6,7,8\n"
+        "2,21,6,9,10,7,11,13,14,12\n*NODE\n" + "".join(f"{i},{x},{y},{z}\n" for i, (x, y, z) in enumerate(nodes, 1)) +
+        "*LOAD_NODE_POINT\n13,3,77,2.0\n*BOUNDARY_SPC_NODE\n" + "".join(f"{i},0,1,1,1\n" for i in range(1, 5)) + "*END\n")
+
+
 class LinearResistance(CommandTest):
     def frequencies(self, text, *arguments, command="modes"):
         self.write(text)
@@ -158,12 +167,8 @@ class LinearResistance(CommandTest):
         self.assertIn("in 6 ways", self.nugget("check", "model.k", expect=1).stderr)
 
     def test_a_mechanism_ends_the_run(self):
-        """Two bricks with one edge in common, one of them held: the other swings. That is seen by the solver alone."""
-        nodes = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1), (2, 0, 1), (2, 1, 1), (1, 0, 2), (1, 1, 2), (2, 0, 2), (2, 1, 2)]
-        self.write(HEAD + STATICS + (
-            "*SECTION_SOLID\n21,1\n*MAT_ELASTIC\n21,7.85e-9,210000.0,0.3\n*PART\nbricks\n21,21,21\n*ELEMENT_SOLID\n1,21,1,2,3,4,5,6,7,8\n"
-            "2,21,6,9,10,7,11,13,14,12\n*NODE\n" + "".join(f"{i},{x},{y},{z}\n" for i, (x, y, z) in enumerate(nodes, 1)) +
-            "*LOAD_NODE_POINT\n13,3,77,2.0\n*BOUNDARY_SPC_NODE\n" + "".join(f"{i},0,1,1,1\n" for i in range(1, 5)) + "*END\n"))
+        """One brick swings about an edge of the other: that is seen by the solver alone."""
+        self.write(mechanism())
         said = self.nugget("run", "model.k", "-o", "out", expect=3).stderr
         self.assertRegex(said, r"it moves most at node (1[34]|11|12)")
 

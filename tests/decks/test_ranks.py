@@ -8,6 +8,7 @@ import time
 import unittest
 
 from nugget_command import NUGGET, CommandTest
+from test_linear_resistance import mechanism
 from test_mode_studies import strips
 from test_responses import fields, frf, strip
 from test_statics import statics
@@ -93,7 +94,9 @@ class Ranks(CommandTest):
         free = statics(("         1         0         1         1         1         1         1         1\n",
                         "         1         0         1         1         0         0         0         0\n"))
         self.write(free)
-        self.assertEqual(self.two("run", "model.k", "-o", "out", "--quiet", expect=3).stderr.count("held"), 1)
+        self.assertEqual(self.two("run", "model.k", "-o", "out", "--quiet", expect=1).stderr.count("is not held"), 1)
+        self.write(mechanism())
+        self.assertEqual(self.two("run", "model.k", "-o", "out", "--quiet", expect=3).stderr.count("is not held"), 1)
         self.assertEqual(self.two("--version").stdout.count("nugget"), 1)
 
     def test_no_rank_stays_behind(self):
