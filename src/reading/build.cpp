@@ -142,6 +142,7 @@ model::Model build(const deck::Deck& deck, Findings& findings, bool skip_unsuppo
   b.defer(Phase::checks, release_driven_bodies);
   b.defer(Phase::checks, check_tied_nodes);
   b.defer(Phase::checks, check_relaxation);
+  b.defer(Phase::checks, check_initial_stresses);
   b.defer(Phase::checks, check_units);
   b.defer(Phase::checks, report_unused_leakage);
   b.defer(Phase::checks, check_initial_velocities);

@@ -53,6 +53,13 @@ class MistakenStructure(CommandTest):
         contact = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n" + card(0) + "\n\n"
         self.one(brick(contact, contact), "warning", "stands with the same lines again as at model.k:")
 
+    def test_stresses_of_what_is_rigid(self):
+        """Sabotage: they are left out without a word."""
+        stress = "*INITIAL_STRESS_SOLID\n" + card(1, 1) + card(1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0)
+        self.assertEqual(self.said(brick(stress), "warning"), [])
+        rigid = STEEL.replace("*MAT_ELASTIC", "*MAT_RIGID") + card(0) + "\n"
+        self.one(HEAD + rigid + BLOCK + stress + "*END\n", "warning", "*INITIAL_STRESS_SOLID: solid 1 belongs to a rigid part, and has no stress")
+
     def test_the_same_file_at_two_places_is_no_mistake(self):
         """Lines of other transformations are other lines."""
         self.write("*KEYWORD\n*ELEMENT_MASS\n" + f"{1:8}{1:8}{1e-9:16}\n" + "*END\n", "mass.k")

@@ -38,7 +38,8 @@ void check_parts(Builder& builder);  ///< parts without elements; sections, laws
 void release_driven_bodies(Builder& builder);
 void check_tied_nodes(Builder& builder);  ///< sets of nodes that stay tied until they tear become groups at a place
 void check_relaxation(Builder& builder);  ///< what dynamic relaxation cannot hold still
-void check_units(Builder& builder);       ///< do modulus and density fit a usual system of units?
+void check_initial_stresses(Builder& builder);    ///< of rigid elements
+void check_units(Builder& builder);               ///< do modulus and density fit a usual system of units?
 void check_initial_velocities(Builder& builder);  ///< elements between moving nodes and standing ones
 
 }  // namespace nugget::reading

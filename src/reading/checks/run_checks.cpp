@@ -30,7 +30,30 @@ bool is_elastic_plastic(const Material& m) {
   return !is_fluid_or_moved && !is_soft && m.density > 0.0 && m.young() > 0.0;
 }
 
+/// Warns of stresses of elements that have none, being rigid. `what`: one of them.
+template <class Elements>
+void report_rigid(Builder& b, const std::vector<InitialStress>& stresses, const Elements& elements, const char* keyword,
+                  const char* what) {
+  const auto rigid = [&](const InitialStress& s) {
+    const Index part = elements.part[s.element];
+    return part != none && b.model.parts[part].rigid_body != none;
+  };
+  const auto first = std::ranges::find_if(stresses, rigid);
+  if (first == stresses.end()) return;
+  const auto more = std::ranges::count_if(stresses, rigid) - 1;
+  b.findings.warning(first->place, keyword,
+                     fmt::format("{} {}{} belongs to a rigid part, and has no stress", what,
+                                 elements.id[first->element], more == 0 ? "" : fmt::format(" (and {} more)", more)),
+                     "take the stress out, or give the part a material that deforms");
+}
+
 }  // namespace
+
+void check_initial_stresses(Builder& b) {
+  const InitialState& given = b.model.initial_state;
+  report_rigid(b, given.shells, b.model.shells, "*INITIAL_STRESS_SHELL", "shell");
+  report_rigid(b, given.solids, b.model.solids, "*INITIAL_STRESS_SOLID", "solid");
+}
 
 void check_relaxation(Builder& b) {
   const Model& m = b.model;
