@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "kernel/law/composed_law_kernel.hpp"
@@ -50,6 +53,45 @@ struct LayerPoint {
     return std::sqrt(xx * xx + yy * yy - xx * yy + 3 * (xy * xy + xz * xz + yz * yz));
   }
 };
+
+/// A batch of points gives bit for bit what its lanes give alone: lane l is `point(l)`, strained by `increment(l)` in
+/// each of `steps` steps of `dt`. `seen(l, point)` is called after each.
+template <class Law, class Point, class Increment, class Seen>
+void expect_bits_of_lanes(const Law& law, int steps, double dt, const Point& point, Increment&& increment,
+                          const Seen& seen) {
+  const LawKernel<Law> kernel(law);
+  constexpr int width = lanes<NativeBatch>;
+  std::vector<LayerPoint<Law>> alone;
+  std::vector<double> history(static_cast<std::size_t>(kernel.layer_history() * width));
+  for (int l = 0; l < width; ++l) {
+    alone.push_back(point(l));
+    alone.back().dt = dt;
+    for (int i = 0; i < kernel.layer_history(); ++i) history[i * width + l] = alone[l].history[i];
+  }
+  LayerTensor<NativeBatch> s;
+  for (int k = 0; k < steps; ++k) {
+    LayerTensor<NativeBatch> rate;
+    for (int l = 0; l < width; ++l) {
+      const LayerTensor<double> step = increment(l), one = (1.0 / dt) * step;
+      set_lane(rate.xx, l, one.xx);
+      set_lane(rate.yy, l, one.yy);
+      set_lane(rate.xy, l, one.xy);
+      set_lane(rate.xz, l, one.xz);
+      set_lane(rate.yz, l, one.yz);
+      alone[l].strain(step);
+    }
+    kernel.layer(s, rate, dt, history.data());
+    for (int l = 0; l < width; ++l) {
+      ASSERT_EQ(lane(s.xx, l), alone[l].s.xx);
+      ASSERT_EQ(lane(s.yy, l), alone[l].s.yy);
+      ASSERT_EQ(lane(s.xy, l), alone[l].s.xy);
+      ASSERT_EQ(lane(s.xz, l), alone[l].s.xz);
+      ASSERT_EQ(lane(s.yz, l), alone[l].s.yz);
+      for (int i = 0; i < kernel.layer_history(); ++i) ASSERT_EQ(history[i * width + l], alone[l].history[i]) << i;
+      seen(l, alone[l]);
+    }
+  }
+}
 
 template <class Law>
 struct SolidPoint {

@@ -296,43 +296,17 @@ TEST(CompositeLayer, BatchesGiveTheBitsOfTheirLanes) {
     law.failure_strain_t = rule == Rule::stresses_stay ? 0.03 : 0.0;
     law.failure_strain_m = 0.2;
     law.effective_failure_strain = 0.3;
-    const LawKernel<CompositeLayer> kernel(law);
-    constexpr int width = lanes<NativeBatch>;
-    std::vector<LayerPoint<CompositeLayer>> alone;
-    std::vector<double> history(static_cast<std::size_t>(kernel.layer_history() * width));
-    for (int l = 0; l < width; ++l) {
-      alone.push_back(point_of(law, 17.0 * l));
-      alone.back().dt = 1e-3;
-      for (int i = 0; i < kernel.layer_history(); ++i) history[i * width + l] = alone[l].history[i];
-    }
     std::mt19937 engine(5);
     std::uniform_real_distribution<double> chance(-4e-3, 4e-3);
-    LayerTensor<NativeBatch> s;
+    const auto increment = [&](int l) {
+      const double size = l % 2 == 0 ? 1.0 : 0.01;
+      return LayerTensor<double>{size * chance(engine), size * chance(engine), size * chance(engine),
+                                 size * chance(engine), size * chance(engine)};
+    };
     int failed = 0;
-    for (int k = 0; k < 400; ++k) {
-      LayerTensor<NativeBatch> rate;
-      for (int l = 0; l < width; ++l) {
-        const double size = l % 2 == 0 ? 1.0 : 0.01;
-        const LayerTensor<double> step{size * chance(engine), size * chance(engine), size * chance(engine),
-                                       size * chance(engine), size * chance(engine)};
-        const LayerTensor<double> one = (1.0 / 1e-3) * step;
-        set_lane(rate.xx, l, one.xx);
-        set_lane(rate.yy, l, one.yy);
-        set_lane(rate.xy, l, one.xy);
-        set_lane(rate.xz, l, one.xz);
-        set_lane(rate.yz, l, one.yz);
-        alone[l].strain(step);
-      }
-      kernel.layer(s, rate, 1e-3, history.data());
-      for (int l = 0; l < width; ++l) {
-        ASSERT_EQ(lane(s.xx, l), alone[l].s.xx);
-        ASSERT_EQ(lane(s.yy, l), alone[l].s.yy);
-        ASSERT_EQ(lane(s.xy, l), alone[l].s.xy);
-        ASSERT_EQ(lane(s.yz, l), alone[l].s.yz);
-        for (int i = 0; i < kernel.layer_history(); ++i) ASSERT_EQ(history[i * width + l], alone[l].history[i]) << i;
-        failed += alone[l].law.failed<double>(alone[l].history.data());
-      }
-    }
+    expect_bits_of_lanes(
+        law, 400, 1e-3, [&](int l) { return point_of(law, 17.0 * l); }, increment,
+        [&](int, const auto& p) { failed += p.law.template failed<double>(p.history.data()); });
     EXPECT_GT(failed, 0);
   }
 }
