@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <unordered_map>
 
 #include "reading/bodies/rigid_bodies.hpp"
@@ -54,11 +55,17 @@ KeywordLookup classify(const std::string& keyword) {
   if (lookup.row) {
     lookup.status = lookup.row->status;
     lookup.why = lookup.row->why;
+    const std::string_view name = lookup.row->name;
+    const bool advises = lookup.why.find(';') != std::string::npos;
+    if (lookup.status == KeywordStatus::refused && name.ends_with("_*") && !advises)
+      if (const std::string built = built_of_family(name.substr(0, name.size() - 1)); !built.empty())
+        lookup.why += "; " + built;
   } else if (const Keyword* base = nearest_keyword(keyword)) {
     lookup.why =
         keyword.starts_with("MAT_")  // *MAT_ELASTIC_PLASTIC_HYDRO is no form of *MAT_ELASTIC
-            ? fmt::format("this material, or this form of *{}, is not built; `nugget keywords` lists those that are",
-                          base->name)
+            ? fmt::format(
+                  "this material, or this form of *{}, is not built; `nugget keywords MAT_` lists what is built",
+                  base->name)
             : fmt::format("this form of *{} is not supported", base->name);
   } else {
     lookup.why = lookup.harmless ? "this output is not written" : "not a keyword that this program knows";

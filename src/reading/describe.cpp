@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string_view>
+#include <vector>
 
 #include "base/spelling.hpp"
 #include "reading/builder/builder.hpp"
@@ -151,6 +153,26 @@ std::string describe_keyword(std::string_view name) {
   if (keyword) return describe(*keyword) + (similar.empty() ? "" : fmt::format("is it *{}?\n", similar));
   return fmt::format("*{}: not a keyword that this program knows{}\n", written,
                      similar.empty() ? "" : fmt::format("; is it *{}?", similar));
+}
+
+std::string built_of_family(std::string_view beginning) {
+  constexpr std::size_t few = 12;
+  const std::string_view base = beginning.substr(0, beginning.size() - 1);  // without its last _
+  std::vector<std::string> built;
+  for (const Keyword& keyword : keywords()) {
+    if (keyword.status != KeywordStatus::used) continue;
+    if (keyword.name.starts_with(beginning)) built.emplace_back(keyword.name);
+    if (keyword.name != base) continue;
+    for (const std::string_view option : keyword.options)
+      if (option != "TITLE" && option != "ID") built.push_back(fmt::format("{}{}", beginning, option));
+  }
+  if (built.empty()) return {};
+  if (built.size() > few) return fmt::format("`nugget keywords {}` lists what is built", beginning);
+  std::sort(built.begin(), built.end());
+  std::string text = fmt::format("*{}", built.front());
+  for (std::size_t i = 1; i < built.size(); ++i)
+    text += fmt::format("{}_{}", i + 1 < built.size() ? ", " : " and ", built[i].substr(beginning.size()));
+  return fmt::format("built {} {}", built.size() == 1 ? "is" : "are", text);
 }
 
 std::string keyword_use_table(const Model& model) {

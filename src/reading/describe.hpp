@@ -20,6 +20,10 @@ std::string describe_keywords();
 /// default, allowed values, dimension, meaning. Says so where the name is unknown, and which name is near.
 std::string describe_keyword(std::string_view name);
 
+/// What of a family of keywords is built, `SECTION_` or the like: "built are *SECTION_BEAM, _SHELL and _SOLID", or, of
+/// many, how to list them; empty where nothing is.
+std::string built_of_family(std::string_view beginning);
+
 /// What became of each keyword of a deck, for run.log.
 std::string keyword_use_table(const model::Model& model);
 

@@ -140,7 +140,7 @@ class BrokenDecks(CommandTest):
             "model.k:44:1: error: *EM_CONTROL: electromagnetics are not built [remove it, or run with "
             "--skip-unsupported to leave such cards out at your own risk]",
             "model.k:46:1: error: *AIRBAG_HYBRID: this gas of airbags is not built; "
-            "_SIMPLE_AIRBAG_MODEL, _WANG_NEFSKE, _SIMPLE_PRESSURE_VOLUME and _ADIABATIC_GAS_MODEL are "
+            "built are *AIRBAG_ADIABATIC_GAS_MODEL, _SIMPLE_AIRBAG_MODEL, _SIMPLE_PRESSURE_VOLUME and _WANG_NEFSKE "
             "[remove it, or run with --skip-unsupported to leave such cards out at your own risk]",
             "model.k:48:1: error: *CONTROL_THERMAL_SOLVER: heat conduction is not built [remove it, or run with "
             "--skip-unsupported to leave such cards out at your own risk]",
@@ -294,7 +294,7 @@ class BrokenDecks(CommandTest):
             ("*MAT_SPOTWELD\n", "*MAT_SPOTWLED\n"),
             ("*BOUNDARY_SPC_SET\n", "*BOUNDRY_SPC_SET\n"),
         ], [
-            "model.k:45:1: error: *MAT_SPOTWLED: this material is not built; `nugget keywords` lists those that are "
+            "model.k:45:1: error: *MAT_SPOTWLED: this material is not built; `nugget keywords MAT_` lists what is built "
             "[is it *MAT_SPOTWELD?]",
             "model.k:62:1: error: *BOUNDRY_SPC_SET: not a keyword that this program knows [is it "
             "*BOUNDARY_SPC_SET?]",

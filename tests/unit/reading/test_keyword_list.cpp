@@ -40,6 +40,15 @@ TEST(KeywordList, EveryRowIsComplete) {
   for (const auto& [name, count] : names) EXPECT_EQ(count, 1) << name << " stands in the list more than once";
 }
 
+TEST(KeywordList, WhatIsBuiltOfAFamily) {
+  EXPECT_EQ(built_of_family("INTEGRATION_"), "built are *INTEGRATION_BEAM and _SHELL");
+  EXPECT_EQ(built_of_family("INITIAL_STRAIN_"), "built is *INITIAL_STRAIN_SHELL");
+  EXPECT_THAT(built_of_family("PART_"), HasSubstr("_INERTIA"));  // an option of *PART
+  EXPECT_THAT(built_of_family("SECTION_"), HasSubstr("_SOLID and _TSHELL"));
+  EXPECT_EQ(built_of_family("MAT_"), "`nugget keywords MAT_` lists what is built");
+  EXPECT_EQ(built_of_family("EM_"), "");
+}
+
 TEST(KeywordList, FieldNamesOfACardAreUnique) {
   for (const Keyword& keyword : keywords())
     for (const LayoutCard& card : keyword.layout) {

@@ -57,7 +57,8 @@ TEST(Springs, FaultsAreNamed) {
   EXPECT_TRUE(Built(spring_deck("*MAT_ELASTIC\n1,1e-9,1.0,0.3\n")).error("not a law of springs", "mid"));
   EXPECT_TRUE(Built(spring_deck("*MAT_S03\n1,10.0,20.0,5.0\n")).error("less than the elastic", "kt"));
   EXPECT_TRUE(Built(spring_deck("*MAT_S07\n1,10.0,2.0,5.0,1.0\n")).error("needs the force", "fc"));
-  EXPECT_TRUE(Built(spring_deck("*MAT_SPRING_MUSCLE\n1\n")).error("S01 to *MAT_S08"));
+  EXPECT_TRUE(Built(spring_deck("*MAT_SPRING_MUSCLE\n1\n"))
+                  .error("this law of springs is not built; built are *MAT_SPRING_ELASTIC, _ELASTOPLASTIC"));
   const std::string curves = "*DEFINE_CURVE\n1\n-1.0,-5.0\n1.0,5.0\n*DEFINE_CURVE\n2\n-1.0,-5.0\n0.0,0.0\n1.0,0.0\n";
   EXPECT_TRUE(Built(spring_deck("*MAT_S06\n1,1,1,2.0,1.0,-1.0\n" + curves)).error("kinematic", "beta"));
   EXPECT_TRUE(Built(spring_deck("*MAT_S06\n1,1,2,0.0,1.0,-1.0\n" + curves)).error("must rise", "lcdu"));
