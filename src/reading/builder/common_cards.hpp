@@ -12,6 +12,13 @@ namespace nugget::reading {
 /// The line in front of each definition with _TITLE.
 extern const Card title_card;
 
+/// A card with more fields behind those that several cards have alike.
+template <class T>
+CardOf<T> with_rest(CardOf<T> card, std::initializer_list<FieldOf<T>> rest) {
+  for (const FieldOf<T>& field : rest) card.add(field);
+  return card;
+}
+
 struct Heading {
   int id = 0;
   std::string text;

@@ -23,12 +23,6 @@ using Excitation = FrequencyResponse::Excitation;
 using Response = FrequencyResponse::Response;
 using Quantity = FrequencyResponse::Quantity;
 
-template <class T>
-CardOf<T> with_rest(CardOf<T> card, std::initializer_list<FieldOf<T>> rest) {
-  for (const FieldOf<T>& field : rest) card.add(field);
-  return card;
-}
-
 /// The name space of N1 depends on its type, which stands behind it; so with N2.
 CardOf<ExcitationCard> excitation_card(IdSpace n1, std::initializer_list<FieldOf<ExcitationCard>> rest = {}) {
   const CardOf<ExcitationCard> fields{

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 
 #include "kernel/law/law_cards.hpp"
 #include "kernel/law/material_axes.hpp"
 #include "kernel/law/point_damage.hpp"
 #include "reading/builder/builder.hpp"
+#include "reading/builder/common_cards.hpp"
 
 // What the cards of all materials begin with.
 namespace nugget::reading {
@@ -77,6 +79,21 @@ struct AxesCards {
   double aopt = 0.0;
   double a1 = 0.0, a2 = 0.0, a3 = 0.0, d1 = 0.0, d2 = 0.0, d3 = 0.0, v1 = 0.0, v2 = 0.0, v3 = 0.0;
 };
+/// The card that begins with V1 to D3, and what a material has behind them.
+template <class Cards>
+CardOf<Cards> axes_vectors_card(std::initializer_list<FieldOf<Cards>> rest) {
+  return with_rest(CardOf<Cards>{{&AxesCards::v1, aopt::v1},
+                                 {&AxesCards::v2, aopt::v2},
+                                 {&AxesCards::v3, aopt::v3},
+                                 {&AxesCards::d1, aopt::d1},
+                                 {&AxesCards::d2, aopt::d2},
+                                 {&AxesCards::d3, aopt::d3}},
+                   rest);
+}
+
+/// Exponent of a yield surface: refused below 0, where a card of kinematic hardening follows, which must be read
+/// before, and below 2; at least 2.
+double yield_exponent(Builder& builder, const deck::Entry& field, double exponent);
 
 /// Material axes by AOPT, with the vectors a, v and d, which turn with *INCLUDE_TRANSFORM; a finding where they are not
 /// built. `option`, `a1`, `v1`: the fields of these names. Those of a coordinate system (AOPT below 0) come later, by

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "kernel/law/law_components.hpp"
 #include "reading/builder/common_cards.hpp"
 #include "reading/cards/material.hpp"
@@ -57,6 +59,15 @@ void take_axes_of_system(Builder& b, const deck::Entry& option, Index material) 
   };
   // Behind the systems of that phase, and before layers take the laws of their materials.
   b.defer(Phase::systems, [take](Builder& later) { later.defer(Phase::systems, take); });
+}
+
+double yield_exponent(Builder& b, const deck::Entry& field, double exponent) {
+  if (exponent < 0.0)
+    refuse(b, field, "kinematic hardening (CRC, CRA) is not built",
+           "give it above 0 without the card of CRC1: hardening is then isotropic");
+  else if (exponent < 2.0)
+    refuse(b, field, "expected 2 or more", "about 6 for steel, 8 for aluminium");
+  return std::max(exponent, 2.0);
 }
 
 }  // namespace nugget::reading

@@ -61,15 +61,9 @@ const CardOf<CompositeCards> vector_of_022_card{
     aopt::xp, aopt::yp, aopt::zp, {&AxesCards::a1, aopt::a1}, {&AxesCards::a2, aopt::a2}, {&AxesCards::a3, aopt::a3},
 };
 
-const CardOf<CompositeCards> angle_of_022_card{
-    {&AxesCards::v1, aopt::v1},
-    {&AxesCards::v2, aopt::v2},
-    {&AxesCards::v3, aopt::v3},
-    {&AxesCards::d1, aopt::d1},
-    {&AxesCards::d2, aopt::d2},
-    {&AxesCards::d3, aopt::d3},
+const CardOf<CompositeCards> angle_of_022_card = axes_vectors_card<CompositeCards>({
     {&CompositeCards::beta, real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 [degrees]")},
-};
+});
 
 constexpr RealField cube_of_shear =
     real("alph", over_stress_cubed, 0, at_least(0), "shear strain ab is tau/GAB + ALPH tau^3");
@@ -105,20 +99,14 @@ const CardOf<CompositeCards> vector_of_054_card{
     {&CompositeCards::beta, real("mangle", dimension::number, 0, any_value, "angle of AOPT 0 and 3 [degrees]")},
 };
 
-const CardOf<CompositeCards> strains_of_054_card{
-    {&AxesCards::v1, aopt::v1},
-    {&AxesCards::v2, aopt::v2},
-    {&AxesCards::v3, aopt::v3},
-    {&AxesCards::d1, aopt::d1},
-    {&AxesCards::d2, aopt::d2},
-    {&AxesCards::d3, aopt::d3},
+const CardOf<CompositeCards> strains_of_054_card = axes_vectors_card<CompositeCards>({
     {&CompositeLayer::failure_strain_m,
      real("dfailm", dimension::number, 0, at_least(0),
           "strain across the fibres, either way, at which the layer fails; 0: none; only with DFAILT")},
     {&CompositeLayer::failure_strain_s,
      real("dfails", dimension::number, 0, at_least(0),
           "tensorial shear strain ab at which the layer fails; 0: none; only with DFAILT")},
-};
+});
 
 const CardOf<CompositeCards> failure_of_054_card{
     {&CompositeCards::tfail, real("tfail", dimension::time, 0, any_value,

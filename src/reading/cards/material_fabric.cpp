@@ -101,16 +101,10 @@ const CardOf<FabricCards> fabric_axes_card{
     {&FabricCards::x1, leakage_x1},
 };
 
-const CardOf<FabricCards> fabric_angle_card{
-    {&AxesCards::v1, aopt::v1},
-    {&AxesCards::v2, aopt::v2},
-    {&AxesCards::v3, aopt::v3},
-    {&AxesCards::d1, aopt::d1},
-    {&AxesCards::d2, aopt::d2},
-    {&AxesCards::d3, aopt::d3},
+const CardOf<FabricCards> fabric_angle_card = axes_vectors_card<FabricCards>({
     {&FabricCards::beta, real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 [degrees]")},
     integer("isrefg", 0, only(0), "stresses of a reference geometry"),
-};
+});
 
 const CardOf<FabricCards> thread_curves_card{
     {&FabricCards::lca,

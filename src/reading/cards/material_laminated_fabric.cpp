@@ -94,16 +94,10 @@ const CardOf<LaminateCards> laminate_vector_card{
     {&Orthotropic::poisson_cb, real("prcb", dimension::number, 0, any_value, "the same along b; 0: PRBA")},
 };
 
-const CardOf<LaminateCards> laminate_angle_card{
-    {&AxesCards::v1, aopt::v1},
-    {&AxesCards::v2, aopt::v2},
-    {&AxesCards::v3, aopt::v3},
-    {&AxesCards::d1, aopt::d1},
-    {&AxesCards::d2, aopt::d2},
-    {&AxesCards::d3, aopt::d3},
+const CardOf<LaminateCards> laminate_angle_card = axes_vectors_card<LaminateCards>({
     {&LaminateCards::beta, real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 [degrees]")},
     integer("lcdfail", 0, only(0), "criteria of failure of solids, over the rate"),
-};
+});
 
 const CardOf<LaminateCards> laminate_strains_card{
     {&LaminateCards::e11c, laminate_strain("e11c", "strain at XC, positive")},

@@ -50,17 +50,11 @@ const CardOf<OrthotropicCards> orthotropic_axes_card{
     integer("ihis", 0, only(0), "axes from *INITIAL_STRESS_SOLID"),
 };
 
-const CardOf<OrthotropicCards> angle_card{
-    {&AxesCards::v1, aopt::v1},
-    {&AxesCards::v2, aopt::v2},
-    {&AxesCards::v3, aopt::v3},
-    {&AxesCards::d1, aopt::d1},
-    {&AxesCards::d2, aopt::d2},
-    {&AxesCards::d3, aopt::d3},
+const CardOf<OrthotropicCards> angle_card = axes_vectors_card<OrthotropicCards>({
     {&OrthotropicCards::beta,
      real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 in shells [degrees]")},
     real("ref", dimension::number, 0, only(0), "stress from a reference geometry"),
-};
+});
 
 void read_orthotropic(Builder& b, const Block& block, const Options& options) {
   Cursor cursor(b.deck, block, b.findings);

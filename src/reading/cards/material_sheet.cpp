@@ -103,16 +103,10 @@ const CardOf<SheetCards> sheet_axes_card{
     integer("htd", 0, only(0), "the same"),
 };
 
-const CardOf<SheetCards> sheet_vectors_card{
-    {&AxesCards::v1, aopt::v1},
-    {&AxesCards::v2, aopt::v2},
-    {&AxesCards::v3, aopt::v3},
-    {&AxesCards::d1, aopt::d1},
-    {&AxesCards::d2, aopt::d2},
-    {&AxesCards::d3, aopt::d3},
+const CardOf<SheetCards> sheet_vectors_card = axes_vectors_card<SheetCards>({
     {&SheetCards::beta, real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 [degrees]")},
     real("htflag", dimension::number, 0, only(0), "heat treatment"),
-};
+});
 
 const CardOf<SheetCards> hill_card{
     {&MaterialCard::mid, material_id},
@@ -275,14 +269,8 @@ void read_barlat(Builder& b, const Block& block, const Options& options) {
   SheetCards cards;
   const auto first = cursor.read(barlat_card, cards);
   const auto shape = cursor.read(barlat_surface_card, cards);
-  if (cards.m < 0.0) {
-    cursor.read(barlat_kinematic_card, cards);
-    refuse(b, shape[&SheetCards::m], "kinematic hardening (CRC, CRA) is not built",
-           "give M above 0 without the card of CRC1: hardening is then isotropic");
-  } else if (cards.m < 2.0) {
-    refuse(b, shape[&SheetCards::m], "expected 2 or more", "about 6 for steel, 8 for aluminium");
-  }
-  cards.m = std::max(cards.m, 2.0);
+  if (cards.m < 0.0) cursor.read(barlat_kinematic_card, cards);
+  cards.m = yield_exponent(b, shape[&SheetCards::m], cards.m);
   const auto rate = cursor.read(barlat_rate_card, cards);
   const kernel::MaterialAxes axes = read_sheet_axes(b, block, cursor, rate[&AxesCards::aopt], cards);
   expect_end(b, cursor);

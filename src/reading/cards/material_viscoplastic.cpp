@@ -90,15 +90,10 @@ const CardOf<ViscoplasticCards> viscoplastic_axes_card{
 
 const CardOf<ViscoplasticCards> viscoplastic_point_card{
     aopt::xp, aopt::yp, aopt::zp, {&AxesCards::a1, aopt::a1}, {&AxesCards::a2, aopt::a2}, {&AxesCards::a3, aopt::a3}};
-const CardOf<ViscoplasticCards> viscoplastic_vector_card{
-    {&AxesCards::v1, aopt::v1},
-    {&AxesCards::v2, aopt::v2},
-    {&AxesCards::v3, aopt::v3},
-    {&AxesCards::d1, aopt::d1},
-    {&AxesCards::d2, aopt::d2},
-    {&AxesCards::d3, aopt::d3},
+const CardOf<ViscoplasticCards> viscoplastic_vector_card = axes_vectors_card<ViscoplasticCards>({
     {&ViscoplasticCards::beta,
-     real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 in shells [degrees]")}};
+     real("beta", dimension::number, 0, any_value, "angle of AOPT 0 and 3 in shells [degrees]")},
+});
 
 /// Where on the cards stands what is checked later.
 struct ViscoplasticRows {

@@ -122,15 +122,9 @@ const CardOf<YldCards> yld_axes_card{
     unused(), unused(), unused(), {&AxesCards::a1, aopt::a1}, {&AxesCards::a2, aopt::a2}, {&AxesCards::a3, aopt::a3},
 };
 
-const CardOf<YldCards> yld_vectors_card{
-    {&AxesCards::v1, aopt::v1},
-    {&AxesCards::v2, aopt::v2},
-    {&AxesCards::v3, aopt::v3},
-    {&AxesCards::d1, aopt::d1},
-    {&AxesCards::d2, aopt::d2},
-    {&AxesCards::d3, aopt::d3},
+const CardOf<YldCards> yld_vectors_card = axes_vectors_card<YldCards>({
     integer("usrfail", 0, only(0), "failure by a subroutine of the user"),
-};
+});
 
 /// The surface that FIT 1 asks for, of tests over SIG00.
 kernel::Yld2000 fitted_surface(Builder& b, const RowOf<YldCards>& tension, const RowOf<YldCards>& point,
@@ -212,14 +206,8 @@ void read_yld2000(Builder& b, const Block& block, const Options& options) {
   YldCards cards;
   const auto elastic = cursor.read(yld_elastic_card, cards);
   const auto hardening = cursor.read(yld_hardening_card, cards);
-  if (cards.a < 0.0) {
-    cursor.read(yld_kinematic_card, cards);
-    refuse(b, hardening[&YldCards::a], "kinematic hardening (CRC, CRA) is not built",
-           "give A above 0 without the card of CRC1: hardening is then isotropic");
-  } else if (cards.a < 2.0) {
-    refuse(b, hardening[&YldCards::a], "expected 2 or more", "about 6 for steel, 8 for aluminium");
-  }
-  cards.a = std::max(cards.a, 2.0);
+  if (cards.a < 0.0) cursor.read(yld_kinematic_card, cards);
+  cards.a = yield_exponent(b, hardening[&YldCards::a], cards.a);
   const bool fits = cards.fit == 1.0;
   if (cards.fit != 0.0 && !fits) refuse(b, elastic[&YldCards::fit], "FIT is 0 or 1", "write one of them");
   if (cards.iscale != 0.0 && cards.iscale != 1.0)
