@@ -3,10 +3,10 @@
 threads, lanes and ranks and across a restart; the same energies turned, mirrored, far away, in other units and with other numbers."""
 import unittest
 
-import lsda
 from repeated_runs import RepeatedRuns
 from runs_over_ranks import RunsOverRanks
-from test_invariance import Cards, Case, included, oblique
+from struck_patches import StruckPatches
+from test_invariance import Cards, Case
 from under_mpirun import MPIRUN
 
 END = 2e-4
@@ -63,48 +63,8 @@ def patches(c):
     return cards.text(END, "GLSTAT", "MATSUM", "ELOUT").replace("*NODE\n", "*DATABASE_BINARY_D3PLOT\n" + c.of(END / 4, 0, 0, 1) + "\n*NODE\n", 1)
 
 
-class HillFlow(RepeatedRuns):
-    def energies(self, name, case, text=None):
-        self.nugget("run", self.write(text or patches(case), f"{name}.k").name, "-o", name, "-j1", "--quiet")
-        found = lsda.read(self.folder / name / "binout0000")
-        states = lsda.states(found, "matsum")
-        return [[value / case.energy for state in states for value in state[q]] for q in ("internal_energy", "kinetic_energy")]
-
-    def test_invariance(self):
-        """Sabotage: axes of bricks that turn with the nodes of one side; VK without its power of the time."""
-        reference = self.energies("reference", Case())
-        size = max(reference[0])
-        cases = (Case(turn=oblique()), Case(turn=((-1, 0, 0), (0, 1, 0), (0, 0, 1)), mirrored=True), Case(shift=(4096.0, -2048.0, 1024.0)),
-                 Case(mass=1e-3, length=1e3), Case(mass=1e-6, time=1e-3), Case(first=1234567))
-        for number, case in enumerate(cases):
-            with self.subTest(number):
-                for ours, theirs in zip(self.energies("other", case), reference):
-                    self.assertEqual(len(ours), len(theirs))
-                    for one, two in zip(ours, theirs):
-                        self.assertAlmostEqual(one / size, two / size, delta=1e-7)
-
-    def test_included(self):
-        """Axes turn with *INCLUDE_TRANSFORM and are mirrored by it."""
-        self.write(patches(Case()), "inner.k")
-        reference = self.energies("reference", Case())
-        size, case = max(reference[0]), Case(turn=oblique(), shift=(64.0, -32.0, 16.0))
-        for mirrored in (False, True):
-            with self.subTest(mirrored=mirrored):
-                for ours, theirs in zip(self.energies("other", case, included(case, mirrored)), reference):
-                    for one, two in zip(ours, theirs, strict=True):
-                        self.assertAlmostEqual(one / size, two / size, delta=1e-7)
-
-    def test_same_bits_and_restart(self):
-        text = patches(Case())
-        self.compare(self.write(text))
-        self.resumed(text, shares=(0.4,))
-
-    def test_energy_closes(self):
-        self.nugget("run", self.write(patches(Case())), "-o", "run", "--quiet")
-        states = self.glstat("run/glstat")
-        for state in states:
-            self.assertAlmostEqual(state["total energy / initial energy"], 1.0, delta=0.02)
-        self.assertGreater(states[-1]["internal energy"], 0.3 * states[0]["kinetic energy"])
+class HillFlow(StruckPatches, RepeatedRuns):
+    patches = staticmethod(patches)
 
 
 @unittest.skipUnless(MPIRUN, "mpirun is not installed")

@@ -7,7 +7,8 @@ import unittest
 import lsda
 from repeated_runs import RepeatedRuns
 from runs_over_ranks import RunsOverRanks
-from test_invariance import Cards, Case, included, oblique
+from struck_patches import StruckPatches
+from test_invariance import Cards, Case
 from under_mpirun import MPIRUN
 
 END = 2e-4
@@ -94,36 +95,13 @@ def patches(c):
     return cards.text(END, "GLSTAT", "MATSUM", "ELOUT").replace("*NODE\n", "*DATABASE_BINARY_D3PLOT\n" + c.of(END / 4, 0, 0, 1) + "\n*NODE\n", 1)
 
 
-class TabulatedLaws(RepeatedRuns):
-    def energies(self, name, case, text=None):
-        self.nugget("run", self.write(text or patches(case), f"{name}.k").name, "-o", name, "-j1", "--quiet")
-        states = lsda.states(lsda.read(self.folder / name / "binout0000"), "matsum")
-        return [[value / case.energy for state in states for value in state[q]] for q in ("internal_energy", "kinetic_energy", "eroded_internal_energy")]
+class TabulatedLaws(StruckPatches, RepeatedRuns):
+    patches = staticmethod(patches)
 
-    def compare_energies(self, ours, reference):
-        size = max(reference[0])
-        for one, two in zip(ours, reference, strict=True):
-            for a, b in zip(one, two, strict=True):
-                self.assertAlmostEqual(a / size, b / size, delta=1e-7)
-
-    def test_invariance(self):
-        """Sabotage: SOFT or LCI without the length; rates without the time; axes that turn with one side."""
-        reference = self.energies("reference", Case())
-        self.assertGreater(max(reference[2]), 0.001 * max(reference[0]))
-        cases = (Case(turn=oblique()), Case(turn=((-1, 0, 0), (0, 1, 0), (0, 0, 1)), mirrored=True), Case(shift=(4096.0, -2048.0, 1024.0)),
-                 Case(mass=1e-3, length=1e3), Case(mass=1e-6, time=1e-3), Case(first=1234567))
-        for number, case in enumerate(cases):
-            with self.subTest(number):
-                self.compare_energies(self.energies("other", case), reference)
-
-    def test_included(self):
-        """Axes turn with *INCLUDE_TRANSFORM and are mirrored by it."""
-        self.write(patches(Case()), "inner.k")
-        reference = self.energies("reference", Case())
-        case = Case(turn=oblique(), shift=(64.0, -32.0, 16.0))
-        for mirrored in (False, True):
-            with self.subTest(mirrored=mirrored):
-                self.compare_energies(self.energies("other", case, included(case, mirrored)), reference)
+    def test_elements_fail(self):
+        """Or the comparisons would say little of what fails."""
+        internal, _, eroded = self.energies("reference", Case())
+        self.assertGreater(max(eroded), 0.001 * max(internal))
 
     def test_tension_of_an_aluminium(self):
         """MAT_133: squares pulled along the rolling direction and across it: yield stresses and Lankford ratios of 2090-T3 as published with the constants
@@ -150,18 +128,6 @@ class TabulatedLaws(RepeatedRuns):
                 along, across = (math.log(1 + moved[f"{i}_displacement"][e] / 10) for i in "xy")
                 along, across = along - stress / 70000, across + 0.33 * stress / 70000
                 self.assertAlmostEqual(across / -(along + across), ratio, delta=0.01, msg=(elform, e))
-
-    def test_same_bits_and_restart(self):
-        text = patches(Case())
-        self.compare(self.write(text))
-        self.resumed(text, shares=(0.4,))
-
-    def test_energy_closes(self):
-        self.nugget("run", self.write(patches(Case())), "-o", "run", "--quiet")
-        states = self.glstat("run/glstat")
-        for state in states:
-            self.assertAlmostEqual(state["total energy / initial energy"], 1.0, delta=0.02)
-        self.assertGreater(states[-1]["internal energy"], 0.3 * states[0]["kinetic energy"])
 
 
 @unittest.skipUnless(MPIRUN, "mpirun is not installed")

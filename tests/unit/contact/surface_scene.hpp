@@ -2,29 +2,19 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "contact/surface_contact.hpp"
+#include "unit/contact/point_masses.hpp"
 
 namespace nugget::contact::test {
 
 inline constexpr double bulk = 175000.0;  // steel, mm-t-s
 
-/// Nodes and segments, and central differences with nothing but contact and given forces.
-struct Scene {
+/// Nodes and segments, with nothing but contact and given forces.
+struct Scene : PointMasses {
   SurfaceContactSetup setup;
-  std::vector<Row> x, v, force;
-  std::vector<double> mass;
-  std::vector<unsigned char> alive;
-  double time = 0.0, dt = 1e-7;
   std::function<void(Scene&)> load = [](Scene&) {};
 
-  int add_node(const Vec3d& p, const Vec3d& velocity = {}, double m = 1e-5) {
-    x.push_back({p.x, p.y, p.z, 0.0});
-    v.push_back({velocity.x, velocity.y, velocity.z, 0.0});
-    mass.push_back(m);
-    return static_cast<int>(x.size()) - 1;
-  }
   /// An n by m patch of square segments; `at(i, j)` gives the nodes. Returns its first node.
   int add_patch(int n, int m, double thickness, const std::function<Vec3d(int, int)>& at, const Vec3d& velocity = {},
                 double node_mass = 1e-5) {
@@ -49,28 +39,9 @@ struct Scene {
     force.assign(x.size(), {});
     return SurfaceContact(setup, x);
   }
-  void evaluate(SurfaceContact& contact, double step) {
-    force.assign(x.size(), {});
-    contact.apply({time, step, step, step, x, v, mass, alive}, force);
-  }
   void step(SurfaceContact& contact) {
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      nugget::add(v[i], (dt / mass[i]) * vec(force[i]));
-      nugget::add(x[i], dt * vec(v[i]));
-    }
-    time += dt;
-    evaluate(contact, dt);
+    PointMasses::step(contact);
     load(*this);
-  }
-  double kinetic() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += 0.5 * mass[i] * dot(vec(v[i]), vec(v[i]));
-    return sum;
-  }
-  Vec3d momentum() const {
-    Vec3d sum;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += mass[i] * vec(v[i]);
-    return sum;
   }
 };
 

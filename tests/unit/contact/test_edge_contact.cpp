@@ -8,24 +8,15 @@
 #include <random>
 
 #include "base/parallel.hpp"
+#include "unit/contact/point_masses.hpp"
 
 namespace nugget::contact {
 namespace {
 
-/// Point masses and edges between them, and central differences with nothing but contact.
-struct Bars {
+/// Point masses and edges between them.
+struct Bars : test::PointMasses {
   EdgeContactSetup setup;
-  std::vector<Row> x, v, force;
-  std::vector<double> mass;
-  std::vector<unsigned char> alive;
-  double time = 0.0, dt = 1e-7;
 
-  int add_node(const Vec3d& p, const Vec3d& velocity = {}, double m = 1e-5) {
-    x.push_back({p.x, p.y, p.z, 0.0});
-    v.push_back({velocity.x, velocity.y, velocity.z, 0.0});
-    mass.push_back(m);
-    return static_cast<int>(x.size()) - 1;
-  }
   void add_edge(int a, int b, double thickness = 1.0, double stiffness = 1e5) {
     Edge e;
     e.node = {a, b};
@@ -45,28 +36,6 @@ struct Bars {
     alive.assign(setup.edges.size(), 1);
     force.assign(x.size(), {});
     return EdgeContact(setup, x);
-  }
-  void evaluate(EdgeContact& contact, double step) {
-    force.assign(x.size(), {});
-    contact.apply({time, step, step, step, x, v, mass, alive}, force);
-  }
-  void step(EdgeContact& contact) {
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      nugget::add(v[i], (dt / mass[i]) * vec(force[i]));
-      nugget::add(x[i], dt * vec(v[i]));
-    }
-    time += dt;
-    evaluate(contact, dt);
-  }
-  double kinetic() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += 0.5 * mass[i] * dot(vec(v[i]), vec(v[i]));
-    return sum;
-  }
-  Vec3d momentum() const {
-    Vec3d sum;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += mass[i] * vec(v[i]);
-    return sum;
   }
   Vec3d angular_momentum() const {
     Vec3d sum;
