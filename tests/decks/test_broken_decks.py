@@ -120,7 +120,7 @@ class BrokenDecks(CommandTest):
             ("         3         3         3\n", "         3         3         8\n"),
             ("         1         1         1\n*PART", "         1         7         1\n*PART"),
         ], [
-            "model.k:107: error: *ELEMENT_SHELL: shell 11: node 999 is not defined",
+            "model.k:107: error: *ELEMENT_SHELL: shell 11: node 999 is not defined [define it by *NODE, or correct its number]",
             "model.k:27:20: error: *PART secid = 7: section 7 is not defined",
             "model.k:33:30: error: *PART mid = 8: material 8 is not defined",
             "model.k:63:10: error: *BOUNDARY_SPC_SET nsid = 9: node set 9 is not defined",
@@ -314,8 +314,8 @@ class BrokenDecks(CommandTest):
             "id]",
             "model.k:111: error: *ELEMENT_SHELL: shell 11 is defined twice; first at model.k:110 [give one of "
             "them another id]",
-            "model.k:109: error: *ELEMENT_SHELL: shell 10: node 105 is not defined",
-            "model.k:112: error: *ELEMENT_SHELL: shell 13: node 105 is not defined",
+            "model.k:109: error: *ELEMENT_SHELL: shell 10: node 105 is not defined [define it by *NODE, or correct its number]",
+            "model.k:112: error: *ELEMENT_SHELL: shell 13: node 105 is not defined [define it by *NODE, or correct its number]",
             "model.k:69: error: *SET_NODE_LIST: node 105 is not defined [remove it from the set, or define it]",
             "model.k: note: *NODE: 2 nodes belong to no element, mass or rigid body; the first is node 101",
             "6 errors, 0 warnings",

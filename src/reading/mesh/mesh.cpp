@@ -132,7 +132,9 @@ class Elements {
       out[i] = id == 0 ? none : b_.nodes.find(id);
       if (id == 0 || out[i] != none) continue;
       complete = false;
-      unknown_.add(place(row), [&] { return fmt::format("{} {}: node {} is not defined", what_, table_.id[row], id); });
+      unknown_.add(
+          place(row), [&] { return fmt::format("{} {}: node {} is not defined", what_, table_.id[row], id); },
+          "define it by *NODE, or correct its number");
     }
     return complete;
   }
